@@ -21,7 +21,7 @@ from plan_stands import PERIOD, campaign_motion, campaign_stand
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.required.course import Harmonics
 from mahovik.core.stand.model import Stand
-from mahovik.use.design import Outcome, Wishes, design_stand
+from mahovik.use.design import DesignOptions, Outcome, design_stand
 from mahovik.use.design.read import read_freedom
 
 BLOCK = campaign.Block("docs/results/design.md", "campaign: tools/design_campaign.py --write")
@@ -75,7 +75,7 @@ def outcome(row: Row, seed: int) -> tuple[Outcome, float]:
     stand, motion = row.problem(seed)
     freedom = read_freedom(FREE.format(quality=row.quality), stand)
     begun = time.process_time()
-    found = design_stand(stand, lambda _: motion, freedom, Wishes(seed=seed))
+    found = design_stand(stand, lambda _: motion, freedom, DesignOptions(seed=seed))
     return found, time.process_time() - begun
 
 

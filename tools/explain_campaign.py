@@ -98,7 +98,7 @@ def freer(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[tuple[l
 
 def visible(stand: Stand, fault: Any) -> bool:
     """Whether a fault has any effect on a stand."""
-    return bool(np.any(~(np.abs(clinics(stand).predictions.of((Part(fault),), False)) < 1e-9)))
+    return bool(np.any(~(np.abs(clinics(stand).predictions.error((Part(fault),), False)) < 1e-9)))
 
 
 _clinics: dict[Stand, Clinic] = {}
@@ -212,7 +212,7 @@ def summary(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> 
     rows = []
     for fault in DICTIONARY:
         seen, alone, equals, _ = counted([each for each in single if each.fault == fault.name])
-        words = (each.replace("|", "\\|") for each in (fault.name, fault.equation, fault.words()))
+        words = (each.replace("|", "\\|") for each in (fault.name, fault.equation, fault.words))
         rows.append((*words, str(seen), str(alone + equals)))
     return text + campaign.table(DICTIONARY_HEAD, rows, 3)
 

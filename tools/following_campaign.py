@@ -20,11 +20,11 @@ from mahovik.stands import path, servos
 from mahovik.use.control.causes import contributions
 from mahovik.use.control.following import following
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.control.wanted import Wanted
+from mahovik.use.plan.options import PlanOptions
 from mahovik.use.plan.planner import plan_motion
-from mahovik.use.plan.wishes import Wishes
 
 BLOCK = campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write")
 
@@ -48,7 +48,7 @@ class Outcome:
 
 def outcome(wanted: Wanted, servo: Servo, design: TrimDesign, share: float, seed: int) -> Outcome:
     """Both runs of a seed."""
-    real = mismatched(wanted.stand, share, seed)
+    real = with_mismatch(wanted.stand, share, seed)
     off = replace(servo, trim=None)
     case = Case(wanted, real, off, SETTLING + MEASURED)
     plain = following(close_loop(case), MEASURED)
@@ -86,7 +86,7 @@ def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programm
         print(campaign.row(*rows[-1]), flush=True)
         wrong = f"{100 * design.margin:.2g} % wrong"
         designs.append(f"{name} {design.radius:.2g} of an error is left by a round, and it may be {wrong}")
-        case = Case(wanted, mismatched(stand, share, 1), servo, SETTLING + MEASURED)
+        case = Case(wanted, with_mismatch(stand, share, 1), servo, SETTLING + MEASURED)
         for each in contributions(case):
             alone, without = ("lost" if x is None else f"{100 * x:.2g} %" for x in (each.alone, each.without))
             causes.append((name, each.cause.name, alone, without))
@@ -110,7 +110,7 @@ def main() -> None:
     motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)
     programmes = {}
     for winding in WINDINGS:
-        found = plan_motion(stand, motion, Wishes(0, None, winding, 1), None)
+        found = plan_motion(stand, motion, PlanOptions(0, None, winding, 1), None)
         programmes[winding] = found.programmes[0]
     text = figures(stand, motion, programmes, asked.seeds, asked.mismatch / 100.0)
     print(text)

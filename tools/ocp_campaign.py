@@ -23,8 +23,8 @@ import mahovik.stands
 from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan import Plan, Wishes, plan_motion
-from mahovik.use.plan.wishes import Method
+from mahovik.use.plan import Plan, PlanOptions, plan_motion
+from mahovik.use.plan.options import Method
 
 BLOCK = campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write")
 STANDS = Path(mahovik.stands.__file__).parent
@@ -80,7 +80,7 @@ def main() -> None:
     for case in cases(asked.first, asked.stands):
         for method in METHODS if asked.rows in case.name else ():
             begun = time.process_time()
-            found = plan_motion(case.stand, case.motion, Wishes(seconds=asked.seconds, method=method))
+            found = plan_motion(case.stand, case.motion, PlanOptions(seconds=asked.seconds, method=method))
             lines.append(line(case, method, found, time.process_time() - begun))
             print(campaign.row(*lines[-1]), flush=True)
             wrong += [f"{case.name} {method}: not verified" for p in found.programmes if not p.report["verified"]]

@@ -30,7 +30,7 @@ from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
-from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.mismatch import with_mismatch
 
 _COUNT = re.compile(r"(# )?(.+?) (\d+)")
 
@@ -119,7 +119,7 @@ def found(board: str, real: str, given: argparse.Namespace) -> Found:
     stand = load(path(STAND))
     motion, servo = load_motion(motions(STAND)[0], stand), load_servo(servos(STAND)[0], stand)
     made = export_servo(stand, load_programme(given.programme), motion, servo, real)
-    texts = processor_in_the_loop(stand, mismatched(stand, given.mismatch, given.seed), made, given.samples)
+    texts = processor_in_the_loop(stand, with_mismatch(stand, given.mismatch, given.seed), made, given.samples)
     runs, prints = [], []
     for name in (board, "host"):
         with tempfile.TemporaryDirectory() as scratch:

@@ -21,8 +21,8 @@ from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campa
 
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan import Wishes, plan_motion
-from mahovik.use.plan.certificate import certified, wrong_items
+from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.certificate import certify, failed_items
 
 BLOCK = campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write")
 OMEGA = 2.0 * np.pi / PERIOD
@@ -98,12 +98,12 @@ def outcome(row: Row, seed: int, seconds: float, verify: bool) -> Outcome:
     """One plan."""
     stand, motion = row.problem(seed)
     begun = time.process_time()
-    found = plan_motion(stand, motion, Wishes(seconds=seconds, verify=False))
+    found = plan_motion(stand, motion, PlanOptions(seconds=seconds, verify=False))
     spent = time.process_time() - begun
     if not found.programmes:
         return Outcome(found.reason or found.status, spent, np.nan, "")
     programme = found.programmes[0]
-    wrong = wrong_items(certified(stand, motion, programme)) if verify else ""
+    wrong = failed_items(certify(stand, motion, programme)) if verify else ""
     return Outcome(found.status, spent, float(np.max(programme.report["peak_acceleration"])), wrong)
 
 

@@ -21,7 +21,7 @@ from quiet_stands import satellite, speeds_before
 
 from mahovik.core.stand import load
 from mahovik.stands import path
-from mahovik.use.study.quiet import Quieted, Wish, quiet
+from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.wheels import momentum_axes
 
 BLOCK = campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write")
@@ -45,14 +45,14 @@ class Sat4Row:
     axes: str = "x, y, z"
     required: bool = False
 
-    def run(self) -> Quieted:
+    def run(self) -> QuietResult:
         """One choice."""
         stand = load(path("sat4"))
         axes = momentum_axes(stand)
         before = np.linalg.pinv(axes) @ self.momentum + self.off * RPM * np.array([1.0, -1.0, 1.0, -1.0])
         change = None if self.change is None else self.change * RPM
         speeds = tuple(float(x) for x in before)
-        return quiet(stand, Wish("acc1", BAND, self.momentum, speeds, AXES[self.axes], change=change))
+        return quiet(stand, QuietOptions("acc1", BAND, self.momentum, speeds, AXES[self.axes], change=change))
 
 
 SAT4 = (
@@ -79,7 +79,7 @@ class RandomRow:
     name: str
     N: int
     suspended: float | None = None
-    wish: dict[str, Any] = field(default_factory=dict)
+    options: dict[str, Any] = field(default_factory=dict)
 
 
 KEPT = {"least": 1300.0 * RPM}
@@ -106,7 +106,7 @@ class Outcome:
     good: bool
 
 
-def outcome(found: Quieted, seconds: float) -> Outcome:
+def outcome(found: QuietResult, seconds: float) -> Outcome:
     """Its figures."""
     after, before = found.after, found.before
     assert after.simulated is not None
@@ -136,7 +136,7 @@ def of_random(row: RandomRow, seed: int) -> Outcome | str:
     stand = satellite(seed, row.N, row.suspended)
     speeds = speeds_before(seed, stand, momentum_axes(stand))
     try:
-        found = quiet(stand, Wish("bench", BAND, speeds=tuple(speeds.tolist()), **row.wish))
+        found = quiet(stand, QuietOptions("bench", BAND, speeds=tuple(speeds.tolist()), **row.options))
     except CheckError as error:
         return str(error)
     return outcome(found, time.process_time() - begun)

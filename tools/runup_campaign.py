@@ -20,8 +20,8 @@ from plan_stands import campaign_motion, campaign_stand
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds
-from mahovik.use.plan import Wishes, plan_motion
-from mahovik.use.plan.certificate import certified, wrong_items
+from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.runup import shortcomings, with_runup
 
 BLOCK = campaign.Block("docs/results/run-up.md", "campaign: tools/runup_campaign.py --write")
@@ -67,7 +67,7 @@ def outcome(row: Row, seed: int, verify: bool) -> Outcome | None:
     """Run-up and run-down of the programme of a seed; None: no programme."""
     stand = campaign_stand(seed, row.N)
     motion = replace(campaign_motion(seed, row.N, winding=row.winding), runup=row.duration)
-    planned = plan_motion(stand, replace(motion, runup=None), Wishes(seconds=30.0, verify=False))
+    planned = plan_motion(stand, replace(motion, runup=None), PlanOptions(seconds=30.0, verify=False))
     if not planned.programmes:
         return None
     programme = planned.programmes[0]
@@ -83,7 +83,7 @@ def outcome(row: Row, seed: int, verify: bool) -> Outcome | None:
     there = [key for key, table in zip(KEYS, (made.runup, made.rundown), strict=True) if table is not None]
     names = {"runup": "run-up", "rundown": "run-down"}
     good = [key for key in there if not any(line.startswith(names[key]) for line in shortcomings(made))]
-    wrong = wrong_items(certified(stand, motion, made)) if verify else ""
+    wrong = failed_items(certify(stand, motion, made)) if verify else ""
     errors = tuple(made.report[key]["terminal_error"] for key in there)
     return Outcome(len(good), seconds, tuple(strayed(made, key) for key in there), errors, wrong)
 

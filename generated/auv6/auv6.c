@@ -3518,6 +3518,39 @@ auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_ta
     return AUV6_OK;
 }
 
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+AUV6_CODE
+auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
+                                         auv6_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return AUV6_BAD_ARGUMENT; }
+    auv6_status status = auv6_check_state(x);
+    if (status != AUV6_OK) { return status; }
+    status = auv6_within(table->stream, 3, AUV6_MAX_VELOCITY);
+    if (status != AUV6_OK) { return status; }
+    auv6_real C[9];  /* attitude */
+    auv6_rotation(x->attitude, C);
+    auv6_sums sum;
+    auv6_real sine[AUV6_N];
+    auv6_real cosine[AUV6_N];
+    auv6_sincos_each(x->phi, sine, cosine);
+    auv6_start_sums(table, &sum);
+    for (int s = 0; s < AUV6_N; ++s) {
+        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    auv6_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return AUV6_OK;
+}
+
 /* ---- tables ---- */
 
 AUV6_CONST

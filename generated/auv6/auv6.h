@@ -531,6 +531,15 @@ auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mountin
  * At most 5606 operations on reals, 90 of them divisions. */
 auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 1608 operations on reals, 1 of them a division. */
+auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
+                                         auv6_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2193,6 +2193,57 @@ void auv6_eva_bits_prepare_mounts(void)
     }
 }
 
+void auv6_eva_normal_center_of_mass_velocity(void);
+void auv6_eva_normal_center_of_mass_velocity(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
+    auv6_state x;
+    normal_state(&x);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void auv6_eva_any_center_of_mass_velocity(void);
+void auv6_eva_any_center_of_mass_velocity(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
+    any_state(&x);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void auv6_eva_bits_center_of_mass_velocity(void);
+void auv6_eva_bits_center_of_mass_velocity(void)
+{
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
+    auv6_state x;
+    bits_state(&x);
+    auv6_real center_of_mass_velocity[3];
+    const auv6_status status = auv6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void auv6_eva_routine_sincos(void);
 void auv6_eva_routine_sincos(void)
 {

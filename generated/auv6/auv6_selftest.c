@@ -40,7 +40,7 @@ int auv6_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 24, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -98,6 +98,7 @@ static union {
     struct { auv6_table table; } prepare;
     struct { auv6_real mount_wrench[36]; } mounts;
     struct { auv6_mount_table mounting; } prepare_mounts;
+    struct { auv6_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -701,6 +702,21 @@ static void take_prepare_mounts_results(tally *sum, auv6_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static auv6_status call_center_of_mass_velocity(void)
+{
+    return auv6_center_of_mass_velocity(&auv6_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, auv6_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -1124,6 +1140,12 @@ static const auv6_real numbers_prepare_mounts[] =
         -0x1.654d006d383cap-17,
 };
 
+static const auv6_real numbers_center_of_mass_velocity[] =
+{
+    0x1.23d3c0748932fp-1, -0x1.8f0ca845944c8p-3, 0x1.4da776609921bp+1,
+    0x1.371da6a7f363ap+1, 0x1.4ac9b196df39p+1, -0x1.13b77dbe021b8p+3,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1228,6 +1250,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x1e8c1beau, 32 }, { 0, 0x15fd76e7u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x46a5bbc6u },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0x36d9eb67u, 3 }, { 0, 0x0db9b20fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x3e089d03u },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

@@ -3074,6 +3074,37 @@ bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_
     return BENCH8_OK;
 }
 
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+BENCH8_CODE
+bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
+                                             bench8_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real C[9];  /* attitude */
+    bench8_rotation(x->attitude, C);
+    bench8_sums sum;
+    bench8_real sine[BENCH8_N];
+    bench8_real cosine[BENCH8_N];
+    bench8_sincos_each(x->phi, sine, cosine);
+    bench8_start_sums(table, &sum);
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    bench8_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return BENCH8_OK;
+}
+
 /* ---- tables ---- */
 
 BENCH8_CONST

@@ -483,6 +483,15 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
  * At most 3480 operations on reals, 59 of them divisions. */
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 2076 operations on reals, 1 of them a division. */
+bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
+                                             bench8_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

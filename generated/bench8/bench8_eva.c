@@ -2060,6 +2060,51 @@ void bench8_eva_bits_prepare_mounts(void)
     }
 }
 
+void bench8_eva_normal_center_of_mass_velocity(void);
+void bench8_eva_normal_center_of_mass_velocity(void)
+{
+    bench8_state x;
+    normal_state(&x);
+    bench8_real center_of_mass_velocity[3];
+    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void bench8_eva_any_center_of_mass_velocity(void);
+void bench8_eva_any_center_of_mass_velocity(void)
+{
+    bench8_state x;
+    any_state(&x);
+    bench8_real center_of_mass_velocity[3];
+    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void bench8_eva_bits_center_of_mass_velocity(void);
+void bench8_eva_bits_center_of_mass_velocity(void)
+{
+    bench8_state x;
+    bits_state(&x);
+    bench8_real center_of_mass_velocity[3];
+    const bench8_status status = bench8_center_of_mass_velocity(&bench8_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void bench8_eva_routine_sincos(void);
 void bench8_eva_routine_sincos(void)
 {

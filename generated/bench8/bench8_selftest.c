@@ -40,7 +40,7 @@ int bench8_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -97,6 +97,7 @@ static union {
     struct { bench8_table table; } prepare;
     struct { bench8_real mount_wrench[48]; } mounts;
     struct { bench8_mount_table mounting; } prepare_mounts;
+    struct { bench8_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -662,6 +663,21 @@ static void take_prepare_mounts_results(tally *sum, bench8_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static bench8_status call_center_of_mass_velocity(void)
+{
+    return bench8_center_of_mass_velocity(&bench8_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, bench8_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -1081,6 +1097,12 @@ static const bench8_real numbers_prepare_mounts[] =
         -0x1.17e67268524eep-16, 0x0p+0, 0x1.f6bd4bf0995abp-18,
 };
 
+static const bench8_real numbers_center_of_mass_velocity[] =
+{
+    0x1.073acc31b4c36p-1, -0x1.903c0bd3b4ba8p-2, 0x1.4cd5f73a3343ep+1,
+    -0x1.b2be9ec787ef9p+1, 0x1.d4841ee775574p+2, -0x1.40f0ebaa3037cp+3,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1181,6 +1203,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x404ca99eu, 32 }, { 0, 0x1c9b6ff9u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xb1bcd456u },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0x57ad3805u, 3 }, { 0, 0xfb894f38u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xa35aa92bu },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

@@ -2868,6 +2868,37 @@ demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_moun
     return DEMO3_OK;
 }
 
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+DEMO3_CODE
+demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
+                                           demo3_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return DEMO3_BAD_ARGUMENT; }
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real C[9];  /* attitude */
+    demo3_rotation(x->attitude, C);
+    demo3_sums sum;
+    demo3_real sine[DEMO3_N];
+    demo3_real cosine[DEMO3_N];
+    demo3_sincos_each(x->phi, sine, cosine);
+    demo3_start_sums(table, &sum);
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return DEMO3_OK;
+}
+
 /* ---- tables ---- */
 
 DEMO3_CONST

@@ -459,6 +459,15 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
  * At most 1395 operations on reals, 24 of them divisions. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 876 operations on reals, 1 of them a division. */
+demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
+                                           demo3_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

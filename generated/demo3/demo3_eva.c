@@ -1790,6 +1790,51 @@ void demo3_eva_bits_prepare_mounts(void)
     }
 }
 
+void demo3_eva_normal_center_of_mass_velocity(void);
+void demo3_eva_normal_center_of_mass_velocity(void)
+{
+    demo3_state x;
+    normal_state(&x);
+    demo3_real center_of_mass_velocity[3];
+    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void demo3_eva_any_center_of_mass_velocity(void);
+void demo3_eva_any_center_of_mass_velocity(void)
+{
+    demo3_state x;
+    any_state(&x);
+    demo3_real center_of_mass_velocity[3];
+    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void demo3_eva_bits_center_of_mass_velocity(void);
+void demo3_eva_bits_center_of_mass_velocity(void)
+{
+    demo3_state x;
+    bits_state(&x);
+    demo3_real center_of_mass_velocity[3];
+    const demo3_status status = demo3_center_of_mass_velocity(&demo3_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void demo3_eva_routine_sincos(void);
 void demo3_eva_routine_sincos(void)
 {

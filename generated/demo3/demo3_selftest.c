@@ -40,7 +40,7 @@ int demo3_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 21, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -96,6 +96,7 @@ static union {
     struct { demo3_table table; } prepare;
     struct { demo3_real mount_wrench[18]; } mounts;
     struct { demo3_mount_table mounting; } prepare_mounts;
+    struct { demo3_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -631,6 +632,21 @@ static void take_prepare_mounts_results(tally *sum, demo3_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static demo3_status call_center_of_mass_velocity(void)
+{
+    return demo3_center_of_mass_velocity(&demo3_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, demo3_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -976,6 +992,12 @@ static const demo3_real numbers_prepare_mounts[] =
         0x1.d25ee0c49ba5ep-9, 0x1.237b4c7ae147bp-9, 0x1.237b4c7ae147bp-9, 0x0p+0, 0x0p+0, 0x0p+0,
 };
 
+static const demo3_real numbers_center_of_mass_velocity[] =
+{
+    0x1.dc305e13cf2f7p-2, -0x1.f2ceacd330cp-3, 0x1.4b7947089d36p+1,
+    0x1.35aa958cbe0d1p+2, 0x1.13c65ae430c4p-5, -0x1.a1b38c37fef8p-7,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1072,6 +1094,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x63ea2726u, 32 }, { 0, 0xb3a8c920u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x89b7f94au },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0xec9bec3au, 3 }, { 0, 0x305ec7a2u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x6b8d6818u },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

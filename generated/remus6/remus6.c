@@ -3589,6 +3589,39 @@ remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_
     return REMUS6_OK;
 }
 
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+REMUS6_CODE
+remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
+                                             remus6_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return REMUS6_BAD_ARGUMENT; }
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_sums sum;
+    remus6_real sine[REMUS6_N];
+    remus6_real cosine[REMUS6_N];
+    remus6_sincos_each(x->phi, sine, cosine);
+    remus6_start_sums(table, &sum);
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    remus6_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return REMUS6_OK;
+}
+
 /* ---- tables ---- */
 
 REMUS6_CONST

@@ -555,6 +555,15 @@ remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table 
  * At most 5919 operations on reals, 94 of them divisions. */
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 1608 operations on reals, 1 of them a division. */
+remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
+                                             remus6_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2325,6 +2325,57 @@ void remus6_eva_bits_prepare_mounts(void)
     }
 }
 
+void remus6_eva_normal_center_of_mass_velocity(void);
+void remus6_eva_normal_center_of_mass_velocity(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
+    remus6_state x;
+    normal_state(&x);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void remus6_eva_any_center_of_mass_velocity(void);
+void remus6_eva_any_center_of_mass_velocity(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    any_state(&x);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void remus6_eva_bits_center_of_mass_velocity(void);
+void remus6_eva_bits_center_of_mass_velocity(void)
+{
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
+    remus6_state x;
+    bits_state(&x);
+    remus6_real center_of_mass_velocity[3];
+    const remus6_status status = remus6_center_of_mass_velocity(&table, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void remus6_eva_routine_sincos(void);
 void remus6_eva_routine_sincos(void)
 {

@@ -40,7 +40,7 @@ int remus6_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 24, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -98,6 +98,7 @@ static union {
     struct { remus6_table table; } prepare;
     struct { remus6_real mount_wrench[36]; } mounts;
     struct { remus6_mount_table mounting; } prepare_mounts;
+    struct { remus6_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -710,6 +711,21 @@ static void take_prepare_mounts_results(tally *sum, remus6_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static remus6_status call_center_of_mass_velocity(void)
+{
+    return remus6_center_of_mass_velocity(&remus6_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, remus6_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -1134,6 +1150,12 @@ static const remus6_real numbers_prepare_mounts[] =
         0x1.4ab0a1f4b1ee3p-14, 0x1.565c8387df5cfp-14, -0x1.f1faeddce7ccep-23, -0x1.af437487a02d3p-22, 0x0p+0,
 };
 
+static const remus6_real numbers_center_of_mass_velocity[] =
+{
+    0x1.b87df8aaeaf0cp-2, -0x1.0746fda4efbc8p-2, 0x1.4944de9517948p+1,
+    0x1.a8e70840c0fa7p+1, 0x1.9ed98a26982d5p-2, -0x1.d208f797c604p-1,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1238,6 +1260,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x6e899a9au, 32 }, { 0, 0x0f37b00bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x5b6a3873u },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0x6c6b9003u, 3 }, { 0, 0x9e2a894cu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x45bcba45u },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

@@ -494,6 +494,15 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
  * At most 1943 operations on reals, 33 of them divisions. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 1116 operations on reals, 1 of them a division. */
+sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
+                                         sat4_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1926,6 +1926,51 @@ void sat4_eva_bits_prepare_mounts(void)
     }
 }
 
+void sat4_eva_normal_center_of_mass_velocity(void);
+void sat4_eva_normal_center_of_mass_velocity(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real center_of_mass_velocity[3];
+    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void sat4_eva_any_center_of_mass_velocity(void);
+void sat4_eva_any_center_of_mass_velocity(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real center_of_mass_velocity[3];
+    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void sat4_eva_bits_center_of_mass_velocity(void);
+void sat4_eva_bits_center_of_mass_velocity(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real center_of_mass_velocity[3];
+    const sat4_status status = sat4_center_of_mass_velocity(&sat4_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void sat4_eva_routine_sincos(void);
 void sat4_eva_routine_sincos(void)
 {

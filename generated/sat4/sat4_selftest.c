@@ -40,7 +40,7 @@ int sat4_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -97,6 +97,7 @@ static union {
     struct { sat4_table table; } prepare;
     struct { sat4_real mount_wrench[24]; } mounts;
     struct { sat4_mount_table mounting; } prepare_mounts;
+    struct { sat4_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -668,6 +669,21 @@ static void take_prepare_mounts_results(tally *sum, sat4_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static sat4_status call_center_of_mass_velocity(void)
+{
+    return sat4_center_of_mass_velocity(&sat4_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, sat4_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -1065,6 +1081,12 @@ static const sat4_real numbers_prepare_mounts[] =
         0x1.5c9686c79702fp-7, -0x1.bd2ba7a9068f1p-23, 0x1.440ec1a0d2d97p-24, 0x0p+0,
 };
 
+static const sat4_real numbers_center_of_mass_velocity[] =
+{
+    0x1.e64acc7cfd271p-2, -0x1.fb094762bf524p-3, 0x1.4bac04a9e98e4p+1,
+    0x1.d7effc4959de6p+2, -0x1.9376e4e2dcf4bp-3, 0x1.1845d31b2f188p+1,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1165,6 +1187,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0xff6f2446u, 32 }, { 0, 0x96411fe2u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xb71ae01fu },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0x2684d1adu, 3 }, { 0, 0xf3c246b9u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x3a73855au },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

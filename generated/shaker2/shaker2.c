@@ -3086,6 +3086,37 @@ shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shak
     return SHAKER2_OK;
 }
 
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+SHAKER2_CODE
+shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
+                                               shaker2_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_status status = shaker2_check_state(x);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_real C[9];  /* attitude */
+    shaker2_rotation(x->attitude, C);
+    shaker2_sums sum;
+    shaker2_real sine[SHAKER2_N];
+    shaker2_real cosine[SHAKER2_N];
+    shaker2_sincos_each(x->phi, sine, cosine);
+    shaker2_start_sums(table, &sum);
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    shaker2_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return SHAKER2_OK;
+}
+
 /* ---- tables ---- */
 
 SHAKER2_CONST

@@ -488,6 +488,15 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
  * At most 978 operations on reals, 17 of them divisions. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
 
+/* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
+ *   table                       the prepared table
+ *   x                           state; its attitude within 1e-3 of unit length
+ *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
+ * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
+ * At most 636 operations on reals, 1 of them a division. */
+shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
+                                               shaker2_real center_of_mass_velocity[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1808,6 +1808,51 @@ void shaker2_eva_bits_prepare_mounts(void)
     }
 }
 
+void shaker2_eva_normal_center_of_mass_velocity(void);
+void shaker2_eva_normal_center_of_mass_velocity(void)
+{
+    shaker2_state x;
+    normal_state(&x);
+    shaker2_real center_of_mass_velocity[3];
+    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void shaker2_eva_any_center_of_mass_velocity(void);
+void shaker2_eva_any_center_of_mass_velocity(void)
+{
+    shaker2_state x;
+    any_state(&x);
+    shaker2_real center_of_mass_velocity[3];
+    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&center_of_mass_velocity[0], 3);
+    }
+}
+
+void shaker2_eva_bits_center_of_mass_velocity(void);
+void shaker2_eva_bits_center_of_mass_velocity(void)
+{
+    shaker2_state x;
+    bits_state(&x);
+    shaker2_real center_of_mass_velocity[3];
+    const shaker2_status status = shaker2_center_of_mass_velocity(&shaker2_default, &x, center_of_mass_velocity);
+    if (status < 0) {
+        untouched(&center_of_mass_velocity[0], 3);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&center_of_mass_velocity[0], 3);
+    }
+}
+
 void shaker2_eva_routine_sincos(void);
 void shaker2_eva_routine_sincos(void)
 {

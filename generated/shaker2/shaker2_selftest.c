@@ -40,7 +40,7 @@ int shaker2_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 22, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -97,6 +97,7 @@ static union {
     struct { shaker2_table table; } prepare;
     struct { shaker2_real mount_wrench[12]; } mounts;
     struct { shaker2_mount_table mounting; } prepare_mounts;
+    struct { shaker2_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
@@ -663,6 +664,21 @@ static void take_prepare_mounts_results(tally *sum, shaker2_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static shaker2_status call_center_of_mass_velocity(void)
+{
+    return shaker2_center_of_mass_velocity(&shaker2_default, &in.x,
+        results.center_of_mass_velocity.center_of_mass_velocity);
+}
+
+static void take_center_of_mass_velocity_results(tally *sum, shaker2_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        return;
+    }
+    take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
+}
+
 /* ---- golden vectors ---- */
 
 static const inputs golden[CASES] =
@@ -1022,6 +1038,12 @@ static const shaker2_real numbers_prepare_mounts[] =
         0x0p+0, 0x0p+0, 0x0p+0,
 };
 
+static const shaker2_real numbers_center_of_mass_velocity[] =
+{
+    0x1.e01738a96beb6p-2, -0x1.d62f321c5eabp-3, 0x1.4dd58dd631799p+1,
+    -0x1.5ec10551b7086p+1, 0x1.a558ec1a7d429p-4, -0x1.b3c79a25ff5f8p-3,
+};
+
 typedef struct function {
     const char *name;
     size_t size;  /* of its results, bytes */
@@ -1122,6 +1144,10 @@ static const function functions[FUNCTIONS] =
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x45eb6d79u, 32 }, { 0, 0x7b675401u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xbaff5a71u },
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+      call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
+      { { 0, 0x64c3dd7cu, 3 }, { 0, 0xfc2628a0u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x19c039dfu },
 };
 
 /* ---- a sweep's inputs: an integer generator, exact scaling ---- */

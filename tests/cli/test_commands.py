@@ -116,7 +116,7 @@ def test_new_under_another_name(tmp_path: Path) -> None:
 
 def test_new_overwrites_nothing(tmp_path: Path) -> None:
     (tmp_path / "bench8.motion.json").write_text("mine")
-    assert "is there already, nothing was written" in refused("new", "bench8", "-o", str(tmp_path))
+    assert "exists already, nothing was written" in refused("new", "bench8", "-o", str(tmp_path))
     assert [p.name for p in tmp_path.iterdir()] == ["bench8.motion.json"]
     assert (tmp_path / "bench8.motion.json").read_text() == "mine"
 

@@ -70,7 +70,7 @@ def test_what_limits_it_is_told(given: list[str]) -> None:
         (["--table", "many"], "--table many: expected a number of nodes"),
         (["--table", "2"], "--table 2: expected at least 4 nodes"),
         (["--begin", "rest"], "--begin rest: P.json has no run-up"),
-        (["--dt", "1e-4"], "--dt: goes without --programme"),
+        (["--dt", "1e-4"], "--dt: not allowed with --programme"),
         (["-o", "run.txt"], "expected a name that ends in .csv or .parquet"),
     ],
 )
@@ -82,7 +82,7 @@ def test_what_means_nothing_is_one_line(given: list[str], more: list[str], words
 
 def test_options_of_following_need_a_programme(tmp_path: Path) -> None:
     said = refused("simulate", STAND, "--until", "1", "-o", str(tmp_path / "x.csv"), "--mismatch", "1%")
-    assert said == "error: --mismatch: goes with --programme\n"
+    assert said == "error: --mismatch: needs --programme\n"
 
 
 def test_files_of_another_stand_or_motion(given: list[str], tmp_path: Path) -> None:

@@ -63,7 +63,7 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
         (("--time", "0"), "--time"),
         (("--keep", "0"), "--keep"),
         (("--method", "ocp-partition"), "(13) needs six"),
-        (("--partition", "w1,w2"), "--partition goes with --method"),
+        (("--partition", "w1,w2"), "--partition needs --method"),
         (("--method", "radau"), "--method"),
     ],
 )
@@ -86,7 +86,7 @@ def test_a_winding_goes_with_a_periodic_motion(tmp_path: Path, winding: str) -> 
     path = tmp_path / "m.json"
     path.write_text(json.dumps(finite), encoding="utf-8")
     line = refused("plan", DEMO3, "--motion", str(path), "-o", str(tmp_path / "p.json"), "--winding", winding)
-    assert "--winding goes with a periodic motion; this one is finite" in line
+    assert "--winding needs a periodic motion; this one is finite" in line
 
 
 def test_a_winding_that_the_bounds_exclude_is_refused(tmp_path: Path) -> None:

@@ -47,7 +47,7 @@ def test_a_compiler_that_is_missing_is_told_before_the_search(monkeypatch: pytes
     def searched(*_: object) -> None:
         raise AssertionError("searched")
 
-    monkeypatch.setattr("mahovik.use.study.quiet.quieted.Search.run", searched)
+    monkeypatch.setattr("mahovik.use.study.quiet.result.Search.run", searched)
     assert "CC=no-such-compiler: no such command" in refused(
         "quiet", SAT4, "--point", "acc1", "--band", "20..200Hz", "--momentum", "0 0 1"
     )
@@ -99,7 +99,7 @@ def test_out_of_reach_says_what_binds(tmp_path: Path) -> None:
     """Exit status 1, nothing is written."""
     out = tmp_path / "r.toml"
     error = refused("quiet", SAT4, *ASKED, "--momentum", "0 0 40", "-o", str(out), status=1)
-    assert "momentum out of reach: it takes 1.443 times the speed limits" in error
+    assert "momentum out of reach: it needs 1.443 times the speed limits" in error
     assert not out.exists()
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -326,3 +327,12 @@ def test_sections_that_are_made_are_counted(monkeypatch: pytest.MonkeyPatch) -> 
     heard: list[int] = []
     page.page(gather(load(DEMO3), DEMO3), heard.append)
     assert heard == [1, 2, 3]
+
+
+def test_a_missing_matplotlib_is_one_line_before_anything_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(page, "page", lambda *given: pytest.fail("computed"))
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    said = refused("report", DEMO3, "-o", "r.html")
+    assert 'report needs matplotlib: pip install "mahovik[report]"' in said
+    assert len(said.splitlines()) == 1
+    assert not Path("r.html").exists()

@@ -67,8 +67,8 @@ def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Pat
     ("arguments", "words"),
     [
         (("--against", "no/such/folder"), "no such file"),
-        (("--against", ".", "--with", "cat"), "--with, --against: one of them"),
-        (("--want", "forward"), "--want goes with --with"),
+        (("--against", ".", "--with", "cat"), "--with, --against: give only one of them"),
+        (("--want", "forward"), "--want needs --with"),
         (("--with", "cat", "--want", "frward"), 'unknown "frward", did you mean "forward"?'),
         (("--with", ""), "no command"),
         (("--with", "'unclosed"), "No closing quotation"),

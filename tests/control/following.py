@@ -6,7 +6,7 @@ from functools import cache
 
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.record import Record
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.control.wanted import Wanted
@@ -54,5 +54,5 @@ def run(share: float, trim: bool) -> Record:
     """Seed 2, from the settled motion; with a trim after ROUNDS corrections."""
     own = servo(trim)
     periods = ROUNDS * 21 + 10 if trim else 12
-    real = mismatched(shaker()[0], share, 2)
+    real = with_mismatch(shaker()[0], share, 2)
     return close_loop(Case(wanted(), real, own, periods, design() if trim else None))

@@ -12,7 +12,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.data import Suspension
-from mahovik.use.control.mismatch import mismatched
+from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.plan.residual.spatial import mount_axes
 from strategies import stands
 
@@ -23,8 +23,8 @@ BENCH8 = load(examples.path("bench8"))
 @settings(max_examples=15)
 @given(stands(max_flywheels=4), st.integers(0, 99))
 def test_any_stand_stays_one_and_near(stand: Stand, seed: int) -> None:
-    """The checks of the stand file hold inside `mismatched`; masses and positions are within the share."""
-    found = mismatched(stand, SHARE, seed)
+    """The checks of the stand file hold inside `with_mismatch`; masses and positions are within the share."""
+    found = with_mismatch(stand, SHARE, seed)
     for own, other in zip(stand.bodies, found.bodies, strict=True):
         assert abs(other.mass / own.mass - 1.0) <= SHARE
         c = np.array(own.center_of_mass)
@@ -34,14 +34,14 @@ def test_any_stand_stays_one_and_near(stand: Stand, seed: int) -> None:
 
 
 def test_the_same_seed_gives_the_same_stand() -> None:
-    assert mismatched(BENCH8, SHARE, 3) == mismatched(BENCH8, SHARE, 3)
-    assert mismatched(BENCH8, SHARE, 3) != mismatched(BENCH8, SHARE, 4)
-    assert mismatched(BENCH8, 0.0, 3) == BENCH8
+    assert with_mismatch(BENCH8, SHARE, 3) == with_mismatch(BENCH8, SHARE, 3)
+    assert with_mismatch(BENCH8, SHARE, 3) != with_mismatch(BENCH8, SHARE, 4)
+    assert with_mismatch(BENCH8, 0.0, 3) == BENCH8
 
 
 def test_every_number_that_is_measured_is_wrong() -> None:
     """No flywheel keeps mass, centre, inertia, place or axis, nor the suspension its stiffness."""
-    found = mismatched(BENCH8, SHARE, 1)
+    found = with_mismatch(BENCH8, SHARE, 1)
     for own, other in zip(BENCH8.flywheels, found.flywheels, strict=True):
         assert own.mass != other.mass
         assert own.center_of_mass != other.center_of_mass
@@ -61,4 +61,4 @@ def test_every_number_that_is_measured_is_wrong() -> None:
 @pytest.mark.parametrize("share", [-0.01, 0.5, float("nan")])
 def test_a_share_out_of_range_is_refused(share: float) -> None:
     with pytest.raises(UsageError, match="--mismatch"):
-        mismatched(BENCH8, share, 1)
+        with_mismatch(BENCH8, share, 1)

@@ -10,7 +10,7 @@ import pytest
 from control.following import design, servo
 from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.errors import UsageError
-from mahovik.use.control.orbit import Orbit, along_required, nodes, settled
+from mahovik.use.control.orbit import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
 from mahovik.use.plan.forward import course, drive
 from mahovik.use.plan.residual import Mechanics
@@ -46,11 +46,11 @@ def test_response_is_the_derivative_of_the_settled_motion(term: int) -> None:
     stand, motion, programme = shaker()
     mechanics = Mechanics.of(stand)
     count = nodes(motion, programme, 2)
-    orbit = along_required(mechanics, motion, programme, count)
+    orbit = required_orbit(mechanics, motion, programme, count)
     ends = []
     for sign in (1, -1):
         other = corrected(programme, term, sign * STEP)
-        ends.append(heave(orbit, mechanics, other, settled(mechanics, motion, other, count)))
+        ends.append(heave(orbit, mechanics, other, settled_state(mechanics, motion, other, count)))
     expected = (ends[0] - ends[1]) / (2.0 * STEP)
     found = design().response[:, TERMS + term]
     assert np.abs(found - expected).max() < 1e-5 * np.abs(design().response).max()

@@ -15,10 +15,10 @@ from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError
 from mahovik.laws.suspension.data import Suspension
-from mahovik.use.design import Outcome, Wishes, design_stand
+from mahovik.use.design import DesignOptions, Outcome, design_stand
 from mahovik.use.design.cost import Cost
 from mahovik.use.design.freedom import Weights
-from mahovik.use.design.pareto import Point, unbeaten
+from mahovik.use.design.pareto import Point, not_dominated
 from mahovik.use.design.read import read_freedom
 from mahovik.use.design.search import Search
 from mahovik.use.design.show import as_object, summary
@@ -29,7 +29,7 @@ from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
 @cache
 def one_axis() -> Outcome:
     """The shaker's design, once."""
-    return design_stand(shaker(), motion_of, freedom(), Wishes(seed=2, starts=20))
+    return design_stand(shaker(), motion_of, freedom(), DesignOptions(seed=2, starts=20))
 
 
 def test_two_flywheels_for_one_axis() -> None:
@@ -99,11 +99,11 @@ def test_what_binds_is_named() -> None:
             replace(w, position=p) for w, p in zip(stand.flywheels, ((0, 0.08, 0), (0, -0.08, 0)), strict=True)
         ),
     )
-    found = design_stand(good, motion_of, read_freedom(text, good), Wishes(starts=4))
+    found = design_stand(good, motion_of, read_freedom(text, good), DesignOptions(starts=4))
     assert found.status == "NO_DESIGN"
     assert found.stand is None
     assert found.residual > 1e-2
-    assert "which is no proof" in found.words[0]
+    assert "does not prove" in found.words[0]
     assert found.words[1].startswith("bounds of unbalance bind")
 
 
@@ -123,7 +123,7 @@ def test_interrupted_before_anything_was_found() -> None:
         raise KeyboardInterrupt
 
     text = FREE.replace("harmonics = 1", "harmonics = 0\nnumber = [1, 2]")
-    found = design_stand(shaker(), motion_of, freedom(text), Wishes(), tell)
+    found = design_stand(shaker(), motion_of, freedom(text), DesignOptions(), tell)
     assert found.interrupted
     assert (found.status, found.stand) == ("NO_DESIGN", None)
     assert "1 starts, interrupted" in found.words[0]
@@ -140,7 +140,7 @@ def test_the_fewest_flywheels_are_tried_first() -> None:
             raise KeyboardInterrupt
 
     text = FREE.replace("harmonics = 1", "harmonics = 0\nnumber = [1, 2]").replace("angles", "# angles")
-    found = design_stand(shaker(), motion_of, freedom(text), Wishes(starts=4), tell)
+    found = design_stand(shaker(), motion_of, freedom(text), DesignOptions(starts=4), tell)
     assert tried == [1, 2]
     assert found.interrupted
     assert found.status == "OK"
@@ -150,7 +150,7 @@ def test_the_fewest_flywheels_are_tried_first() -> None:
 
 def test_time_cuts_and_says_so() -> None:
     """Nothing was found yet."""
-    found = design_stand(shaker(), motion_of, freedom(), Wishes(seconds=1e-3))
+    found = design_stand(shaker(), motion_of, freedom(), DesignOptions(seconds=1e-3))
     assert found.status == "NO_DESIGN"
     assert found.effort["cut_by_time"]
     assert "cut by time" in found.words[0]
@@ -159,13 +159,13 @@ def test_time_cuts_and_says_so() -> None:
 @pytest.mark.slow
 def test_the_same_seed_gives_the_same_design() -> None:
     """To the last bit, and another seed another start."""
-    again = design_stand(shaker(), motion_of, freedom(), Wishes(seed=2, starts=20))
+    again = design_stand(shaker(), motion_of, freedom(), DesignOptions(seed=2, starts=20))
     assert again.stand == one_axis().stand
-    other = design_stand(shaker(), motion_of, freedom(), Wishes(seed=3, starts=20))
+    other = design_stand(shaker(), motion_of, freedom(), DesignOptions(seed=3, starts=20))
     assert other.stand != again.stand
 
 
 def test_designs_that_others_beat_are_no_front() -> None:
     """Kept: less torque for more unbalance."""
     points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
-    assert [(p.cost.unbalance, p.cost.torque) for p in unbeaten(points)] == [(1, 5), (3, 4), (9, 1)]
+    assert [(p.cost.unbalance, p.cost.torque) for p in not_dominated(points)] == [(1, 5), (3, 4), (9, 1)]

@@ -12,7 +12,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import DesignError
 from mahovik.use.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie
-from mahovik.use.design.space import Space, numbers_of
+from mahovik.use.design.space import Space, flywheel_numbers
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.residual import Mechanics
@@ -22,7 +22,7 @@ from plan.problems import required
 
 def all_free(stand: Stand, **more: object) -> Freedom:
     """Everything of every flywheel, within wide bounds."""
-    now = np.array([numbers_of(s) for s in stand.flywheels])
+    now = np.array([flywheel_numbers(s) for s in stand.flywheels])
     span = np.array([0.3] * 3 + [np.inf] * 2 + [1.0, np.inf, 1.0, 0.5])
     least, most = now - span, now + span
     least[:, 5:] = np.maximum(least[:, 5:], [0.0, -np.inf, 1e-2, 0.5])
@@ -36,7 +36,7 @@ def test_the_stand_as_it_is_has_a_place_among_the_designs(seed: int) -> None:
     stand = random_stand(np.random.default_rng(seed), 3, EVERYTHING)
     space = Space.of(stand, all_free(stand))
     assert space.P == 3 * WIDTH
-    built = space.stand_of(space.now)
+    built = space.stand_of(space.current)
     for ours, given in zip(built.flywheels, stand.flywheels, strict=True):
         assert abs(mount_axes(ours) - mount_axes(given)).max() <= 1e-14
     ours, given = Mechanics.of(built).tables, Mechanics.of(stand).tables
@@ -54,7 +54,7 @@ def test_ties_make_flywheels_alike() -> None:
         loose.least[:, :3], loose.most[:, :3] = -0.3, 0.3
         space = Space.of(stand, loose)
         assert space.P == 3 * WIDTH - 5 - 3
-        first, second, third = space.stand_of(space.drawn(np.random.default_rng(axis))).flywheels
+        first, second, third = space.stand_of(space.random(np.random.default_rng(axis))).flywheels
         mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
         assert np.allclose(second.position, mirror * first.position, atol=1e-15)
         assert np.allclose(mount_axes(second)[:, 0], mirror * mount_axes(first)[:, 0], atol=1e-15)
@@ -66,7 +66,7 @@ def test_ties_against_bounds_are_refused() -> None:
     stand = random_stand(np.random.default_rng(3), 2)
     free = all_free(stand)
     free.least[1, PARTS["position"]] = free.most[1, PARTS["position"]] = (5.0, 5.0, 5.0)
-    with pytest.raises(DesignError, match="x shall be alike"):
+    with pytest.raises(DesignError, match="x must be equal"):
         Space.of(stand, replace(free, ties=(Tie((0, 1), (), "x"),)))
 
 
@@ -82,7 +82,7 @@ def test_rows_have_the_derivatives_of_differences(seed: int) -> None:
     task = Task.of(stand, motion, free)
     rng = np.random.default_rng(seed)
     course = Periodic(motion.span, np.array([1.0, -1.0]), rng.normal(size=(2, 3)), np.zeros(6))
-    design = Design(task.space.drawn(rng), course)
+    design = Design(task.space.random(rng), course)
     weighing = Weighing(1.0, 0.7, 0.3)
     J, z = task.jacobian(design, weighing), task.pack(design)
     for k in range(len(z) - int(task.start.free.sum())):  # by the bias, rows of torque are left out: it is small

@@ -36,7 +36,7 @@ def test_the_results_on_the_page() -> None:
 def test_every_fault_is_on_the_page() -> None:
     _, (_, _, faults) = parts()
     listed = [(row[0], row[1], row[2]) for row in faults[2:]]
-    assert listed == [(f.name.replace("|", "\\|"), f.equation, f.words().replace("|", "\\|")) for f in DICTIONARY]
+    assert listed == [(f.name.replace("|", "\\|"), f.equation, f.words.replace("|", "\\|")) for f in DICTIONARY]
     assert sum(int(row[3]) > 0 for row in faults[2:]) >= 30
 
 

@@ -23,9 +23,7 @@ from mahovik.core.stand import load, loads, schema
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
 
 PACKAGE = ROOT / "generator" / "mahovik"
-ARCHITECTURE, MODEL, STAND_FILE, C_INTERFACE = (
-    ROOT / "docs" / f"{name}.md" for name in ("architecture", "model", "stand-file", "c-interface")
-)
+MODEL, STAND_FILE, C_INTERFACE = (ROOT / "docs" / f"{name}.md" for name in ("model", "stand-file", "c-interface"))
 MORE_WARNINGS = ("-Wshadow", "-Wstrict-prototypes", "-Wdouble-promotion", "-Wcast-qual", "-Wundef", "-Wfloat-equal")
 
 pages = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -204,13 +202,3 @@ def test_every_key_is_documented() -> None:
     keys = {info.alias or name for model in models for name, info in model.model_fields.items()}
     written = set(re.findall(r"\w+", " ".join(re.findall(r"`[^`]+`", prose(STAND_FILE)))))
     assert keys - written == set()
-
-
-# ---- architecture ----
-
-
-def test_every_stage_is_on_the_page() -> None:
-    text = prose(ARCHITECTURE)
-    for wing in ("core", "proof", "use", "out"):
-        for stage in (path.parent.name for path in (PACKAGE / wing).glob("*/__init__.py")):
-            assert f"`{wing}/{stage}`" in text, (wing, stage)

@@ -59,7 +59,7 @@ def test_gravity_of_a_urdf() -> None:
 
 def test_nothing_is_overwritten() -> None:
     Path("small_sat.toml").write_text("mine")
-    assert refused("import", "urdf", URDF) == "error: small_sat.toml: is there already, nothing was written\n"
+    assert refused("import", "urdf", URDF) == "error: small_sat.toml: exists already, nothing was written\n"
     assert Path("small_sat.toml").read_text() == "mine"
 
 

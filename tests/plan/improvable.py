@@ -12,12 +12,12 @@ from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.levenberg import ladder
-from mahovik.use.plan.optimise import Improved, finish, improve, judged
+from mahovik.use.plan.levenberg import refine_periodic
+from mahovik.use.plan.optimise import Improved, evaluate, finish, improve
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.search import RUNGS, Candidate, search
-from mahovik.use.plan.starts import Crowd
+from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, search
+from mahovik.use.plan.starts import StartBatch
 from plan.examples import example
 
 N = 8
@@ -42,12 +42,12 @@ class Plain:
     def __init__(self, improver: Improver) -> None:
         self.own = improver
 
-    def rank(self, crowd: Crowd) -> np.ndarray:
-        return np.argsort(crowd.residuals(), kind="stable")
+    def rank(self, batch: StartBatch) -> np.ndarray:
+        return np.argsort(batch.residuals(), kind="stable")
 
     def polish(self, start: Periodic, kind: str, budget: Budget) -> Candidate | None:
-        exact = ladder(self.own.problem, start, RUNGS, budget).motion
-        return self.own.candidate(judged(self.own.problem, self.own.cost, exact, 0), kind)
+        exact = refine_periodic(self.own.problem, start, HARMONIC_COUNTS, budget).motion
+        return self.own.candidate(evaluate(self.own.problem, self.own.cost, exact, 0), kind)
 
 
 @cache

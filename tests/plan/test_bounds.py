@@ -9,10 +9,10 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.bounds import KNEE, RHO, bias_hinges, exceeded, hinges, utilisation
+from mahovik.use.plan.bounds import KNEE, RHO, bias_hinges, exceeded_bounds, hinge_rows, utilisation
 from mahovik.use.plan.fourier import Angles, Basis, uniform
 from mahovik.use.plan.residual import linear, prescribe
-from mahovik.use.plan.rows import Rows, sums
+from mahovik.use.plan.rows import Rows, gauss_newton_sums
 from plan.courses import Drawn, drawn
 from plan.problems import PERIOD, wheels
 
@@ -30,7 +30,7 @@ def setting() -> tuple[Any, Drawn, Any]:
 
 
 def rows_at(at: Any, angles: tuple[Any, ...], wider: float = 1.0) -> dict[str, Rows]:
-    return hinges(ALL, Angles(*angles), angles[0], Rows.torque(linear(at, *angles)), WINDING, wider)
+    return hinge_rows(ALL, Angles(*angles), angles[0], Rows.torque(linear(at, *angles)), WINDING, wider)
 
 
 def test_hinges_are_zero_inside_and_rise_outside() -> None:
@@ -70,8 +70,8 @@ def test_a_step_of_the_mean_does_not_move_the_rocking_range() -> None:
     angles = motion.at(basis)
     swing = basis.value[:, 1:] @ motion.waves[:, 1:].T
     flat = Rows.of(np.zeros_like(swing))
-    rows = hinges(Bounds(angle=(0.4,) * N), angles, swing, flat, motion.winding)["angle"]
-    gradient = sums([rows], basis, N, np.zeros(6, dtype=bool)).gradient.reshape(N, -1)
+    rows = hinge_rows(Bounds(angle=(0.4,) * N), angles, swing, flat, motion.winding)["angle"]
+    gradient = gauss_newton_sums([rows], basis, N, np.zeros(6, dtype=bool)).gradient.reshape(N, -1)
     assert not gradient[:, 0].any()
     assert abs(gradient[:, 1]).min() > 0.0
 
@@ -89,7 +89,7 @@ def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
     stand, motion, at = setting()
     t = np.linspace(0.0, 1.1, 12)
     angles, tau = Angles(*motion[3:]), linear(at, *motion[3:]).tau
-    found = exceeded(ALL, stand, t, angles, motion.phi, tau, np.zeros(6))
+    found = exceeded_bounds(ALL, stand, t, angles, motion.phi, tau, np.zeros(6))
     assert [each.ratio for each in found] == sorted((each.ratio for each in found), reverse=True)
     by = {(each.kind, each.of): each for each in found}
     names = [s.name for s in stand.flywheels]
@@ -100,8 +100,10 @@ def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
         assert f"{each.value:.6g} rad/s^2" in each.words and names[s] in each.words
     assert ("speed_min", names[1]) not in by
     wide = Bounds(speed=(1e9,) * N, acceleration=(1e9,) * N, torque=(1e9,) * N)
-    assert exceeded(wide, stand, t, angles, motion.phi, tau, np.zeros(6)) == ()
-    (one,) = exceeded(Bounds(bias=(1e-3,) * 6), stand, t, angles, motion.phi, tau, np.array([0, 0, 2e-3, 0, 0, 0]))
+    assert exceeded_bounds(wide, stand, t, angles, motion.phi, tau, np.zeros(6)) == ()
+    (one,) = exceeded_bounds(
+        Bounds(bias=(1e-3,) * 6), stand, t, angles, motion.phi, tau, np.array([0, 0, 2e-3, 0, 0, 0])
+    )
     assert (one.kind, one.of, one.time) == ("bias", "z", None) and one.ratio == pytest.approx(2.0)
 
 
@@ -111,7 +113,7 @@ def test_a_flywheel_that_turns_back_has_stood_still() -> None:
     speed = np.tile([20.0, 20.0, 20.0], (4, 1))
     speed[2:, 1] *= -1.0
     angles = Angles(speed * 0, speed, speed * 0)
-    (one,) = exceeded(Bounds(speed_min=(5.0,) * N), stand, np.arange(4.0), angles, speed, speed, np.zeros(6))
+    (one,) = exceeded_bounds(Bounds(speed_min=(5.0,) * N), stand, np.arange(4.0), angles, speed, speed, np.zeros(6))
     assert (one.of, one.value, one.time) == (stand.flywheels[1].name, 0.0, 1.0)
 
 

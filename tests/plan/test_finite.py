@@ -12,7 +12,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.required.course import Sampled
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.programme import verify_programme
-from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, search_finite, table_of
 from mahovik.use.plan.finite.space import Space
@@ -55,14 +55,14 @@ def test_a_higher_degree_takes_over_all() -> None:
     waves = np.random.default_rng(0).normal(size=(3, low.size))
     t = np.linspace(0.0, SPAN, 50)
     expected = low.modes(t).value @ waves.T
-    assert high.modes(t).value @ high.taken_over(waves, low).T == pytest.approx(expected, abs=1e-9)
+    assert high.modes(t).value @ high.convert(waves, low).T == pytest.approx(expected, abs=1e-9)
 
 
 def test_bench8_moves_from_rest_to_rest() -> None:
     """Found, and exact between the nodes; the table is as exact; flywheels start at rest."""
     stand, motion = move()
     own = Problem.of(stand, motion)
-    problem = FiniteProblem.from_rest(own)
+    problem = FiniteProblem.from_problem(own)
     (solved,) = search_finite(problem, preflight(own).bias, 0, Budget(2000)).found
     assert solved.residual < 1e-7
     table = table_of(problem, solved)
@@ -78,7 +78,7 @@ def test_a_finite_programme_is_verified_by_the_reference(tmp_path) -> None:
     stand, motion = move()
     angles = tuple(0.3 * k for k in range(8))
     motion = replace(motion, bounds=replace(motion.bounds, start_phi=angles))
-    found = plan_motion(stand, motion, Wishes(verify=False))
+    found = plan_motion(stand, motion, PlanOptions(verify=False))
     assert found.status == "OK"
     save_programme(found.programmes[0], tmp_path / "p.json")
     programme = load_programme(tmp_path / "p.json")

@@ -16,8 +16,8 @@ from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, along, course, drive, equilibrium, linearise, pushes
-from mahovik.use.plan.forward.collocation import Eliminated, blocks, integrated
+from mahovik.use.plan.forward import Chart, acceleration_rates, course, drive, equilibrium, linearise, linearise_along
+from mahovik.use.plan.forward.collocation import Eliminated, integrate, split_blocks
 from mahovik.use.plan.residual import Mechanics
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
@@ -147,9 +147,9 @@ def test_collocation_is_of_order_six() -> None:
         t = np.linspace(0.0, 3.0, 4 * B + 1)
         A = np.tile(np.array([[0.0, 1.0], [-1.0, 0.0]]), (len(t), 1, 1))
         push = np.stack([np.zeros_like(t), 3.0 * np.sin(2.0 * t)], axis=1)[:, :, None]
-        x = Eliminated.of(A, t[1]).solve(integrated(push, t[1]), np.array([[0.0], [-2.0]]))
+        x = Eliminated.of(A, t[1]).solve(integrate(push, t[1]), np.array([[0.0], [-2.0]]))
         errors.append(abs(x[:, 0, 0] + np.sin(2.0 * t)).max())
-        assert blocks(t).shape == (B, 5)
+        assert split_blocks(t).shape == (B, 5)
     assert 40.0 < errors[0] / errors[1] < 90.0
 
 
@@ -163,10 +163,10 @@ def test_derivatives_of_a_course_are_those_of_differences() -> None:
     given = drive(chart.mechanics, *motion)
     added = [after - before for before, after in zip(motion, wave(t, 2, 1.0), strict=True)]
     rates = np.zeros((nodes + 1, 12, 13))
-    for B, d in zip(pushes(given, along(chart, given, y, motion[2])), added, strict=True):
+    for B, d in zip(acceleration_rates(given, linearise_along(chart, given, y, motion[2])), added, strict=True):
         rates[:, 6:, 12] += B[:, :, 0] * d[:, :1]
     x0 = np.hstack([np.eye(12), np.zeros((12, 1))])
-    exact = linearise(chart, given, t[1], y).solve(integrated(rates, t[1]), x0)[-1]
+    exact = linearise(chart, given, t[1], y).solve(integrate(rates, t[1]), x0)[-1]
     for column in range(13):
         step = 1e-5 * x0[:, column]
         shift = 1e-5 if column == 12 else 0.0
@@ -179,7 +179,7 @@ def test_a_carrier_thrown_about_is_said_so() -> None:
     """A course that leaves the chart is not followed."""
     rng = np.random.default_rng(6)
     chart = chart_of(random_stand(rng, 2, BARE), rng)
-    with pytest.raises(StateError, match="thrown about"):
+    with pytest.raises(StateError, match="too violently"):
         followed(chart, np.array([0.0] * 9 + [40.0, 0.0, 0.0]), 0.2, 40)
 
 

@@ -12,7 +12,7 @@ from mahovik.core.stand.random import EVERYTHING, Features
 from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.optimise.galerkin import coefficients
-from mahovik.use.plan.optimise.improve import stage_of
+from mahovik.use.plan.optimise.improve import make_stage
 from mahovik.use.plan.optimise.merit import Stage
 from plan.problems import problem, wheels
 
@@ -33,7 +33,7 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
     weights = {"acceleration": 1.0, "torque": (0.5, 1.0, 2.0), "speed_variation": 0.7, "power": 0.1}
     found, _ = problem(14, N, features, bounds=bounds, free=free, **weights)
     cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
-    return stage_of(found, cost, H, 30.0, 0.8, 1.1), wheels(N, H)
+    return make_stage(found, cost, H, 30.0, 0.8, 1.1), wheels(N, H)
 
 
 def test_coefficients_hold_the_mean_square() -> None:
@@ -73,7 +73,7 @@ def test_curvature_is_positive_and_makes_the_quadratic_model() -> None:
     weights = {"acceleration": 1.0, "speed_variation": 0.5}
     found, _ = problem(5, N, features, **weights)
     cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
-    here, motion = stage_of(found, cost, H, 0.0), wheels(N, H)
+    here, motion = make_stage(found, cost, H, 0.0), wheels(N, H)
     point = here.at(motion)
     model = point.model(here.around(motion.bias))
     d = np.random.default_rng(4).normal(size=len(model.gradient)) * 0.1

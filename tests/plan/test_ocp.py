@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from mahovik.errors import UsageError
-from mahovik.use.plan import Wishes, plan_motion
+from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.fourier import Angles
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.ocp import asked as asked_module
+from mahovik.use.plan.ocp import partition as partition_module
 from mahovik.use.plan.ocp.coefficients import Scaled
 from mahovik.use.plan.ocp.mesh import Mesh
 from mahovik.use.plan.ocp.node import node_functions
@@ -58,7 +58,10 @@ def test_a_node_is_what_the_residual_says(partition: bool) -> None:
     node = node_functions(N, partition, torque=True)
     u = a[:, order][:, : node.controls]
     z = np.hstack([phi[:, order], v[:, order], u, np.zeros((M, 6))])
-    of_nodes, stand = own.of_nodes(t, Angles(phi, v * Omega, a * Omega**2), bias), own.of_stand(np.zeros(N))
+    of_nodes, stand = (
+        own.node_parameters(t, Angles(phi, v * Omega, a * Omega**2), bias),
+        own.stand_parameters(np.zeros(N)),
+    )
     found = [[np.asarray(x).ravel() for x in node.value(z[m], of_nodes[:, m], stand)] for m in range(M)]
     y, cost = np.array([x[0] for x in found]), np.array([x[1] for x in found]).ravel()
     full = a[:, order].copy()
@@ -83,9 +86,9 @@ def test_the_change_by_the_bias_is_linear_around_it() -> None:
     t, bias, step = np.array([0.013]), np.zeros(6), rng.normal(size=6) * 1e-5
     phi, v, a = rng.normal(size=(3, 1, N))
     angles, order = Angles(phi, v * own.Omega, a * own.Omega**2), own.order
-    node, stand = node_functions(N, False, torque=True), own.of_stand(np.zeros(N))
+    node, stand = node_functions(N, False, torque=True), own.stand_parameters(np.zeros(N))
     z = np.concatenate([x[0, order] for x in (phi, v, a)])
-    here, there = own.of_nodes(t, angles, bias)[:, 0], own.of_nodes(t, angles, bias + step)[:, 0]
+    here, there = own.node_parameters(t, angles, bias)[:, 0], own.node_parameters(t, angles, bias + step)[:, 0]
     before, after, moved = (
         np.asarray(node.value(np.append(z, d), given, stand)[0]).ravel()
         for d, given in ((0 * step, here), (0 * step, there), (step, here))
@@ -139,26 +142,26 @@ def test_partitions_are_judged_by_their_least_singular_value() -> None:
 
 
 @pytest.mark.parametrize(
-    "stand,wishes,words",
+    "stand,options,words",
     [
-        ("shaker2", Wishes(method="ocp-partition"), "the stand has 2 flywheels; (13) needs six"),
-        ("bench8", Wishes(partition=("w1",)), "--partition goes with --method"),
-        ("bench8", Wishes(method="ocp", partition=("w1", "w2")), "2 names; expected the six"),
-        ("bench8", Wishes(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "x")), "no flywheel 'x'"),
-        ("bench8", Wishes(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "w5")), "named twice"),
+        ("shaker2", PlanOptions(method="ocp-partition"), "the stand has 2 flywheels; (13) needs six"),
+        ("bench8", PlanOptions(partition=("w1",)), "--partition needs --method"),
+        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2")), "2 names; expected the six"),
+        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "x")), "no flywheel 'x'"),
+        ("bench8", PlanOptions(method="ocp", partition=("w1", "w2", "w3", "w4", "w5", "w5")), "named twice"),
     ],
 )
-def test_what_means_nothing_is_refused_before_the_search(stand: str, wishes: Wishes, words: str) -> None:
+def test_what_means_nothing_is_refused_before_the_search(stand: str, options: PlanOptions, words: str) -> None:
     """One line that says what was expected."""
     with pytest.raises(UsageError, match=words.replace("(", r"\(").replace(")", r"\)")):
-        plan_motion(*example(stand), wishes)
+        plan_motion(*example(stand), options)
 
 
 def test_without_casadi_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     """And the Fourier method is not asked for it."""
-    monkeypatch.setattr(asked_module, "find_spec", lambda _: None)
+    monkeypatch.setattr(partition_module, "find_spec", lambda _: None)
     stand, _ = example("bench8")
     with pytest.raises(UsageError, match="pip install casadi"):
-        asked_module.plus_asked(stand, Wishes(method="ocp"))
-    assert asked_module.plus_asked(stand, Wishes()) is None
+        partition_module.requested_partition(stand, PlanOptions(method="ocp"))
+    assert partition_module.requested_partition(stand, PlanOptions()) is None
     assert partition_of(["w2", "w1", "w4", "w3", "w8", "w7"], stand) == (0, 1, 2, 3, 6, 7)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.use.plan import Plan, Wishes, plan_motion
+from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.ocp.watch import Seen
 from plan.examples import example
 
@@ -20,9 +20,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from plan_stands import campaign_move, campaign_stand
 
 
-def rocking(method: Any, tell: Any = None, **wishes: Any) -> Plan:
+def rocking(method: Any, tell: Any = None, **options: Any) -> Plan:
     """bench8, rocking."""
-    return plan_motion(*example("bench8"), Wishes(winding="rock", method=method, **wishes), tell)
+    return plan_motion(*example("bench8"), PlanOptions(winding="rock", method=method, **options), tell)
 
 
 def test_the_partition_solves_bench8_where_it_is_regular() -> None:
@@ -51,11 +51,11 @@ def test_both_formulations_find_one_programme() -> None:
 def test_a_singular_partition_is_told_with_its_times() -> None:
     """Spinning flywheels: no programme by the partition, the reason its own; `ocp` does not ask for det I+ != 0."""
     stand, motion = example("bench8")
-    wishes = Wishes(winding="spin", method="ocp-partition", verify=False)
-    found = plan_motion(stand, motion, wishes)
+    options = PlanOptions(winding="spin", method="ocp-partition", verify=False)
+    found = plan_motion(stand, motion, options)
     assert (found.status, found.reason) == ("NO_PROGRAM", "SINGULAR_PARTITION")
     assert "det I+ = 0 at t = " in found.words[0]
-    other = plan_motion(stand, motion, replace(wishes, method="ocp"))
+    other = plan_motion(stand, motion, replace(options, method="ocp"))
     assert other.status == "OK" and not other.programmes[0].report["ocp"]["partition"]["regular"]
 
 
@@ -77,7 +77,7 @@ def test_ctrl_c_gives_the_best_so_far() -> None:
 def test_a_finite_motion_starts_in_x_of_t0(method: Any) -> None:
     """From rest, verified, and no worse than its start."""
     stand, motion = campaign_stand(1, 8), campaign_move(1, 8)
-    found = plan_motion(stand, motion, Wishes(method=method))
+    found = plan_motion(stand, motion, PlanOptions(method=method))
     if method == "ocp-partition" and found.reason == "SINGULAR_PARTITION":
         assert "det I+ = 0" in found.words[0]
         return

@@ -10,8 +10,8 @@ import pytest
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.figures import figures
-from mahovik.use.plan.optimise import Improved, improve, judged, over
-from mahovik.use.plan.optimise.merit import Around, Model, Point
+from mahovik.use.plan.optimise import Improved, evaluate, exceeded_by, improve
+from mahovik.use.plan.optimise.merit import BiasPerturbations, Model, Point
 from plan.improvable import UNTIL, N, improved, plain, setting
 
 
@@ -35,10 +35,10 @@ def inside() -> Improved:
 def test_bounds_that_the_start_breaks_are_kept() -> None:
     """Four kinds at once; the programme stays exact."""
     own = setting(tight())
-    broken = {each.kind for each in over(own.problem, own.cost, plain("rock"))}
+    broken = {each.kind for each in exceeded_by(own.problem, own.cost, plain("rock"))}
     assert broken == {"acceleration", "torque", "speed", "angle"}
     found = inside()
-    assert over(own.problem, own.cost, found.motion) == ()
+    assert exceeded_by(own.problem, own.cost, found.motion) == ()
     assert found.used < 1.0
     assert found.residual < own.problem.tolerance
 
@@ -48,7 +48,7 @@ def test_bias_is_bounded_and_fixed_where_its_bound_is_zero() -> None:
     own = setting(Bounds(bias=(2e-4, 2e-4, 0.0, 1e-2, 1e-2, 1e-2)))
     found = improved(own, "rock")
     assert found.motion.bias[2] == plain("rock").bias[2]
-    unfixed = [each for each in over(own.problem, own.cost, found.motion) if each.of != "z"]
+    unfixed = [each for each in exceeded_by(own.problem, own.cost, found.motion) if each.of != "z"]
     assert unfixed == []
 
 
@@ -61,7 +61,7 @@ def test_same_start_same_bits() -> None:
 def test_an_end_of_the_budget_gives_what_there_is() -> None:
     """No step at all, and a few: the start, and something better."""
     own = setting()
-    start = judged(own.problem, own.cost, plain("rock"), 0)
+    start = evaluate(own.problem, own.cost, plain("rock"), 0)
     none = improve(own.problem, own.cost, plain("rock"), Budget(0))
     few = improve(own.problem, own.cost, plain("rock"), Budget(3))
     assert none.objective == pytest.approx(start.objective, rel=1e-6)
@@ -73,7 +73,7 @@ def test_ctrl_c_ends_it_with_what_there_is(monkeypatch: pytest.MonkeyPatch) -> N
     own, budget = setting(), Budget(UNTIL)
     model, calls = Point.model, []
 
-    def interrupted(self: Point, around: Around) -> Model:
+    def interrupted(self: Point, around: BiasPerturbations) -> Model:
         calls.append(self)
         if len(calls) == 4:
             raise KeyboardInterrupt
@@ -83,7 +83,7 @@ def test_ctrl_c_ends_it_with_what_there_is(monkeypatch: pytest.MonkeyPatch) -> N
     found = improve(own.problem, own.cost, plain("rock"), budget)
     assert budget.interrupted and budget.exhausted and not budget.step()
     assert len(calls) == 4 and found.steps == 3
-    assert found.objective < judged(own.problem, own.cost, plain("rock"), 0).objective
+    assert found.objective < evaluate(own.problem, own.cost, plain("rock"), 0).objective
 
 
 def test_what_cannot_be_kept_is_told() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.required import Bounds
-from mahovik.use.plan.optimise import judged, over
+from mahovik.use.plan.optimise import evaluate, exceeded_by
 from plan.improvable import N, improved, plain, setting
 
 pytestmark = pytest.mark.slow
@@ -16,9 +16,9 @@ pytestmark = pytest.mark.slow
 def test_each_objective_lowers_what_it_weighs(kind: str) -> None:
     """Below the plain programme, and below (or at) what the objective of acceleration leaves of it."""
     own, by_acceleration = setting(**{kind: (1.0,) * N}), setting()
-    before = judged(own.problem, own.cost, plain("rock"), 0).objective
+    before = evaluate(own.problem, own.cost, plain("rock"), 0).objective
     after = improved(own, "rock")
-    other = judged(own.problem, own.cost, improved(by_acceleration, "rock").motion, 0).objective
+    other = evaluate(own.problem, own.cost, improved(by_acceleration, "rock").motion, 0).objective
     assert after.residual < own.problem.tolerance
     assert after.objective < 0.95 * before
     assert after.objective <= other * 1.001
@@ -42,9 +42,9 @@ def test_least_speed() -> None:
     slowest = float(np.abs(plain("spin").at(free.grid(grid, plain("spin").H).basis).phi_dot).min())
     least = slowest + 0.25 * (2 * np.pi / free.motion.span - slowest)
     own = setting(Bounds(speed_min=(least,) * N))
-    assert {each.kind for each in over(own.problem, own.cost, plain("spin"))} == {"speed_min"}
+    assert {each.kind for each in exceeded_by(own.problem, own.cost, plain("spin"))} == {"speed_min"}
     found = improved(own, "spin")
     speeds = np.abs(found.motion.at(own.problem.grid(grid, found.motion.H).basis).phi_dot)
     assert speeds.min() >= least
-    assert over(own.problem, own.cost, found.motion) == ()
+    assert exceeded_by(own.problem, own.cost, found.motion) == ()
     assert found.residual < own.problem.tolerance

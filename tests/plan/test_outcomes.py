@@ -9,12 +9,12 @@ import pytest
 
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics
-from mahovik.use.plan import Wishes, plan_motion
-from mahovik.use.plan.shortened import shortened
-from mahovik.use.plan.starts import Crowd
+from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.period import with_shortest_period
+from mahovik.use.plan.starts import StartBatch
 from plan.examples import example
 
-QUICK = Wishes(verify=False)
+QUICK = PlanOptions(verify=False)
 
 
 def test_the_best_few_are_kept_and_ordered() -> None:
@@ -36,7 +36,7 @@ def test_what_no_search_finds_is_said_to_be_no_proof() -> None:
     found = plan_motion(stand, replace(motion, winding=(1, -1)), replace(QUICK, seconds=1.5))
     assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
     (words,) = found.words
-    assert "no proof" in words
+    assert "does not prove" in words
     assert "cut by time" in words
     assert found.effort["cut_by_time"]
 
@@ -45,15 +45,15 @@ def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch
     """Ctrl-C in the second round: the programme of the first is given, and it is said."""
     stand, motion = example("shaker2", "shaker2_spin")
     calls = []
-    improve = Crowd.improve
+    improve = StartBatch.improve
 
-    def interrupted(self: Crowd, *arguments: object) -> None:
+    def interrupted(self: StartBatch, *arguments: object) -> None:
         calls.append(self)
         if self.windings.any():
             raise KeyboardInterrupt
         improve(self, *arguments)
 
-    monkeypatch.setattr(Crowd, "improve", interrupted)
+    monkeypatch.setattr(StartBatch, "improve", interrupted)
     found = plan_motion(stand, replace(motion, winding="any", course=_half(motion)), QUICK)
     assert found.interrupted
     assert found.status == "OK"
@@ -117,5 +117,5 @@ def test_a_motion_that_repeats_itself_is_planned_once() -> None:
     t = np.linspace(0.0, 0.7, 50)
     assert long.at(t).phi == pytest.approx(short.at(t).phi, abs=1e-9)
     given = replace(seven, winding=(1,) * 8)
-    assert shortened(given) is given
-    assert shortened(replace(seven, winding=(7, -7) * 4)).winding == (1, -1) * 4
+    assert with_shortest_period(given) is given
+    assert with_shortest_period(replace(seven, winding=(7, -7) * 4)).winding == (1, -1) * 4

@@ -11,18 +11,18 @@ import pytest
 from mahovik.core.motion.programme import Fourier
 from mahovik.core.motion.required import Bounds
 from mahovik.errors import MotionError
-from mahovik.use.plan import Plan, Wishes, plan_motion
-from mahovik.use.plan.certificate import programme_of
+from mahovik.use.plan import Plan, PlanOptions, plan_motion
+from mahovik.use.plan.certificate import make_programme
 from plan.examples import example
 
 N = 8
-QUICK = Wishes(winding="rock", verify=False)
+QUICK = PlanOptions(winding="rock", verify=False)
 
 
-def planned(wishes: Wishes, **changed: Any) -> Plan:
+def planned(options: PlanOptions, **changed: Any) -> Plan:
     """bench8 with fields of its motion changed."""
     stand, motion = example("bench8")
-    return plan_motion(stand, replace(motion, **changed), wishes)
+    return plan_motion(stand, replace(motion, **changed), options)
 
 
 def test_a_bound_that_cannot_be_kept() -> None:
@@ -77,5 +77,5 @@ def test_a_bias_of_rounding_is_zero() -> None:
     stand, motion = example("bench8")
     none = np.zeros((0, N))
     bias = np.array([-1e-19, 1e-4, -2e-12, 0.0, 3e-17, 1e-3])
-    found = programme_of(stand, motion, bias, (1,) * N, Fourier(np.zeros(N), none, none), {})
+    found = make_programme(stand, motion, bias, (1,) * N, Fourier(np.zeros(N), none, none), {})
     assert found.bias.tolist() == [0.0, 1e-4, -2e-12, 0.0, 0.0, 1e-3]

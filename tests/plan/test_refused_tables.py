@@ -11,8 +11,8 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.programme import Finding
-from mahovik.use.plan import Wishes, plan_motion, planner
-from mahovik.use.plan.certificate import without_refused_tables, wrong_items
+from mahovik.use.plan import PlanOptions, plan_motion, planner
+from mahovik.use.plan.certificate import drop_refused_tables, failed_items
 from plan.examples import example
 from plan.test_runup import planned
 
@@ -28,13 +28,13 @@ def test_what_is_refused_is_left_out_and_nothing_else() -> None:
     ]
     made = planned()
     report = {**made.report, "verified": False, "verification": [each.as_item() for each in items]}
-    left = without_refused_tables(replace(made, report=report))
+    left = drop_refused_tables(replace(made, report=report))
     assert left.runup is made.runup and left.rundown is None
     reason = "refused by the verification: run-down end not finite, at most 1e-05, no equilibrium to start from"
-    assert left.report["rundown"] == {"reason": f"run-down: one was found and {reason}"}
+    assert left.report["rundown"] == {"reason": f"run-down: found, but {reason}"}
     assert [each["name"] for each in left.report["verification"]] == ["residual", "run-up end", "run-up bound speed"]
     assert left.report["verified"] is False and left.report["runup"] == made.report["runup"]
-    assert wrong_items(left) == ""
+    assert failed_items(left) == ""
 
 
 @pytest.mark.slow
@@ -53,10 +53,10 @@ def test_the_programme_stays_and_the_reason_is_told(monkeypatch: pytest.MonkeyPa
 
     stand, motion = example("shaker2", "shaker2_spin")
     monkeypatch.setattr(planner, "with_runup", missing)
-    found = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), Wishes())
+    found = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), PlanOptions())
     assert found.status == "OK_LIMIT"
     (words,) = found.words
-    assert words.startswith("run-up: one was found and refused by the verification: run-up joint 0.001, at most 1e-06")
+    assert words.startswith("run-up: found, but refused by the verification: run-up joint 0.001, at most 1e-06")
     (programme,) = found.programmes
     assert programme.runup is None and programme.report["runup"] == {"reason": words}
     assert programme.rundown is not None and programme.report["rundown"]["terminal_error"] <= 1e-6

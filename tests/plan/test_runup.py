@@ -16,7 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.programme.rest import rest_near
 from mahovik.proof.verify.programme.scale import scale_of
 from mahovik.proof.verify.programme.simulation import rate
-from mahovik.use.plan.certificate import programme_of
+from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.runup import shortcomings, solve, with_runup
 from plan.examples import example
 
@@ -31,7 +31,7 @@ def spinning(bounds: Bounds = NONE) -> tuple[Stand, RequiredMotion, Programme]:
     motion = replace(motion, runup=LASTS, bounds=bounds)
     none = np.zeros((0, 2))
     course = Fourier(np.array([-1.5822788629852351, 4.723871516575028]), none, none)
-    return stand, motion, programme_of(stand, motion, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {})
+    return stand, motion, make_programme(stand, motion, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {})
 
 
 @cache
@@ -125,8 +125,8 @@ def test_momentum_that_nothing_takes_up_is_told() -> None:
     stand, motion = example("demo3")
     motion = replace(motion, runup=0.1)
     course = Fourier(np.zeros(3), np.zeros((0, 3)), np.zeros((0, 3)))
-    programme = programme_of(stand, motion, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
+    programme = make_programme(stand, motion, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
     made = with_runup(stand, motion, programme)
     assert made.runup is None and made.rundown is None
-    assert all("cannot take up the momentum" in line for line in shortcomings(made))
+    assert all("cannot absorb the momentum" in line for line in shortcomings(made))
     assert made.report["kind"] == "spin" and len(shortcomings(made)) == 2

@@ -15,7 +15,7 @@ import pytest
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan import Wishes, plan_motion, planner
+from mahovik.use.plan import PlanOptions, plan_motion, planner
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.outcome import Progress
 from mahovik.use.plan.runup import shortcomings, table, with_runup
@@ -26,7 +26,7 @@ from plan.test_runup import spinning
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from plan_stands import campaign_move, campaign_stand
 
-WISHES = Wishes(verify=False)
+WISHES = PlanOptions(verify=False)
 
 
 def test_the_line_says_what_is_done_in_this_order() -> None:
@@ -63,7 +63,7 @@ def test_half_of_the_time_is_the_searchs_where_run_ups_follow(
     """Without run-ups all of it."""
     given = []
 
-    def cut(*asked: Any, tell: object) -> Search:
+    def cut(*asked: Any, on_progress: object) -> Search:
         given.extend(each.seconds for each in asked if isinstance(each, Budget))
         return Search(cut=True)
 
@@ -110,10 +110,10 @@ def pressing(times: int) -> Any:
 def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The programme is given, as interrupted; a second Ctrl-C does not wait."""
     stand, motion = example("shaker2", "shaker2_spin")
-    place = "mahovik.use.plan.planner.certified"
+    place = "mahovik.use.plan.planner.certify"
     if where == "finite":
         stand, motion = campaign_stand(5000, 8), campaign_move(5000, 8)
-        place = "mahovik.use.plan.finite.plan.certified"
+        place = "mahovik.use.plan.finite_planner.certify"
     monkeypatch.setattr(place, pressing(1))
     found = plan_motion(stand, motion)
     assert found.interrupted and found.programmes[0].report["verified"]

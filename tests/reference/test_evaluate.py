@@ -17,6 +17,7 @@ SHAPES = {
     "matrices": {"K": (6, 6), "K_dot": (6, 6), "M": (6, 6), "I": (6, "N"), "J": (6, "N"), "F": (6,)},
     "momentum": {"Z": (6,), "Z0": (6,), "energy": (), "center_of_mass": (3,)},
     "forward": {"V_dot": (6,)},
+    "center_of_mass_velocity": {"center_of_mass_velocity": (3,)},
     "torque": {"tau": ("N",)},
     "mounts": {"mount_wrench": ("N", 6)},
     "coupled": {"V_dot": (6,), "phi_ddot": ("N",)},

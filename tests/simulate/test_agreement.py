@@ -184,14 +184,14 @@ def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
     assert found["phi_dot left [rad/s]"][-20:].mean() == pytest.approx(expected, rel=1e-2)  # it shakes about it
     assert found["motor left [N m]"][0] == pytest.approx(0.05, rel=1e-12)
     assert found["margin left [N m]"].min() > -1e-12
-    assert found.short == {}
+    assert found.weak_motors == {}
 
 
 def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
     stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
     text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
     found = simulate(Case(stand, loads(text, stand, 0.05), rest_state(stand), 0.05))
-    t, missing = found.short["left"]
+    t, missing = found.weak_motors["left"]
     assert 0.0 <= t <= 0.05
     assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
 

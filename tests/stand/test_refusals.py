@@ -170,14 +170,14 @@ CASES = {
         BASE.replace("mass = 3", "mass = 1e99999999999999999999"),
         "carrier, mass: not finite: infinity",
     ),
-    "negative mass": (BASE.replace("mass = 3", "mass = -3"), "carrier, mass: -3 is negative"),
+    "negative mass": (BASE.replace("mass = 3", "mass = -3"), "carrier, mass: -3 kg is negative"),
     "negative displaced mass": (
         BASE + "buoyancy = { displaced_mass = -1 }",
-        "carrier, buoyancy, displaced_mass: -1 is negative",
+        "carrier, buoyancy, displaced_mass: -1 kg is negative",
     ),
     "no-load speed zero": (
         BASE + WHEEL + "motor = { speed = 0 }",
-        'flywheel "w1", motor, speed: 0 is not above 0',
+        'flywheel "w1", motor, speed: 0 rad/s is not above 0',
     ),
     "no counts": (
         BASE + WHEEL + "encoder = { counts = 0 }",
@@ -189,11 +189,11 @@ CASES = {
     ),
     "negative length of a leg": (
         BASE + "[[leg]]\nground = [0, 0, 1]\ncarrier = [0, 0, 0]\nlength = -1",
-        "leg[0], length: -1 is negative",
+        "leg[0], length: -1 m is negative",
     ),
     "negative stiffness of a leg": (
         BASE + "[[leg]]\nground = [0, 0, 1]\ncarrier = [0, 0, 0]\nlength = 1\nstiffness = -4",
-        "leg[0], stiffness: -4 is negative",
+        "leg[0], stiffness: -4 N/m is negative",
     ),
     # bodies
     "inertia not symmetric": (
@@ -353,7 +353,7 @@ def test_all_problems_are_reported_together() -> None:
     )
     expected = [
         's.toml: unknown key "gravty", did you mean "gravity"?',
-        "s.toml: carrier, mass: -1 is negative",
+        "s.toml: carrier, mass: -1 kg is negative",
         's.toml: carrier: unknown key "centre", did you mean "center_of_mass"?',
         's.toml: flywheel "w1", mass: unit "m" does not fit, expected a mass (kg)',
         's.toml: flywheel "w2", mount: unknown "giro", did you mean "gyro"?',

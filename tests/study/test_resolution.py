@@ -18,7 +18,7 @@ from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import rounded
 from mahovik.stands import names, path
-from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced, shortfalls, states
+from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced_flywheel, shortfalls, states
 
 SPEED = 300.0
 
@@ -27,7 +27,7 @@ SPEED = 300.0
 def heavy() -> Stand:
     """shaker2 on a carrier of 500 t that falls, its left flywheel balanced to a millionth of a gramme millimetre."""
     stand = load(path("shaker2"))
-    left = balanced(stand.flywheels[0])
+    left = balanced_flywheel(stand.flywheels[0])
     left = replace(left, center_of_mass=(left.center_of_mass[0], 1e-12 / left.mass, 0.0))
     mass = replace(stand.carrier, mass=5e5, inertia=tuple(tuple(1e5 * x for x in row) for row in stand.carrier.inertia))
     return replace(stand, carrier=mass, flywheels=(left, *stand.flywheels[1:]), gravity=(0.0, 0.0, -9.81))
@@ -54,7 +54,7 @@ def test_the_c_in_float_does_lose_it() -> None:
     """In the claimed motion the error of the C in V_dot is larger than the whole effect of the unbalance."""
     stand = heavy()
     (claim,) = (each for each in shortfalls(stand, [SPEED, SPEED]) if (each.flywheel, each.want) == ("left", "forward"))
-    without = replace(stand, flywheels=(balanced(stand.flywheels[0]), *stand.flywheels[1:]))
+    without = replace(stand, flywheels=(balanced_flywheel(stand.flywheels[0]), *stand.flywheels[1:]))
     single, double = CBackend(stand, "float"), CBackend(stand)
     for state in map(rounded, states(stand, [SPEED, SPEED], claim.motion)):
         exact = reference.evaluate(stand, state, ["forward"])["V_dot"]

@@ -15,10 +15,10 @@ from mahovik.laws.suspension.data import Suspension
 from mahovik.stands import path
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Scene, common_period, periodic_response
-from mahovik.use.study.response.asked import read_speeds
-from mahovik.use.study.response.collocation import derivative, odd_length, resampled
+from mahovik.use.study.response.collocation import derivative, odd_length, resample
 from mahovik.use.study.response.files import csv_text, json_text
 from mahovik.use.study.response.motion import rms
+from mahovik.use.study.response.speed_plan import read_speeds
 from mahovik.use.study.response.sweep import sweep
 
 RPM = math.pi / 30
@@ -65,7 +65,7 @@ def test_small_unbalance_is_answered_as_the_linear_model_says():
 def test_it_solves_the_equations_between_its_nodes(bench8):
     found = periodic_response(bench8, [60.0, -40.0, 20.0, 0, 0, 0, 0, 0])
     M = 4 * len(found.y) + 1
-    y = resampled(found.y, M)
+    y = resample(found.y, M)
     t = np.arange(M)[:, None] / M
     turns = np.array(found.turning.turns)
     given = bench8.drive(2 * np.pi * turns * t, np.tile(found.turning.speeds, (M, 1)))
@@ -244,7 +244,7 @@ def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():
     stand = undamped(1.0)
     found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
     assert [step.problem is None for step in found.steps] == [True, False, True]
-    assert "an undamped resonance, or the carrier is thrown about" in found.steps[1].problem
+    assert "an undamped resonance, or the carrier moves too violently" in found.steps[1].problem
     assert np.isnan(found.rms()[1]).all()
     text = json.loads(json_text(found))
     assert text["rms"][1] == [None] * 3
@@ -289,7 +289,7 @@ def test_rms_of_a_band():
 def test_nodes_can_be_more_or_fewer():
     t = np.arange(9) / 9 * 2 * np.pi
     y = np.stack([1 + np.cos(t) + np.sin(3 * t), np.cos(2 * t)], axis=1)
-    many = resampled(y, 15)
+    many = resample(y, 15)
     assert np.allclose(many[:, 0], 1 + np.cos(np.arange(15) / 15 * 2 * np.pi) + np.sin(np.arange(15) / 5 * 2 * np.pi))
-    assert np.allclose(resampled(many, 9), y)
+    assert np.allclose(resample(many, 9), y)
     assert [odd_length(n) for n in (1, 2, 11, 17, 101)] == [1, 3, 15, 21, 105]

@@ -77,7 +77,7 @@ def test_three_legs_hang_a_pendulum() -> None:
 def test_weight_that_nothing_carries() -> None:
     stand = load(stands.path("shaker2")).without_laws(Suspension)
     weight = sum(body.mass for body in stand.bodies) * 9.81
-    with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) of E0") as caught:
+    with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) in E0") as caught:
         rest(stand)
     assert f"{weight:.6g} N" in str(caught.value)
     assert caught.value.exit_status == 1
@@ -94,7 +94,7 @@ def test_a_direction_without_stiffness_under_load() -> None:
     rows = [list(row) for row in stand.law(Suspension).stiffness]
     rows[2][2] = 0.0
     loose = stand.with_laws(replace(stand.law(Suspension), stiffness=tuple(map(tuple, rows))))
-    with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) of E0"):
+    with pytest.raises(CheckError, match=r"nothing carries a force of .* N along \(0, 0, -1\) in E0"):
         rest(loose)
 
 

@@ -154,6 +154,7 @@ _ROWS = (
         want=True,
         needs="sensors",
     ),
+    PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
         "step",

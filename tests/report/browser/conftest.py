@@ -11,7 +11,7 @@ from mahovik.core.stand.random import BARE, Features, random_stand
 from mahovik.out.report.stand.gather import gather
 from mahovik.out.report.stand.run import Run
 from mahovik.stands import path
-from mahovik.use.simulate.columns import names
+from mahovik.use.simulate.columns import column_names
 
 from .chromium import Opened, launched
 
@@ -21,7 +21,7 @@ assembled = import_module("mahovik.out.report.stand.page")  # its name is that o
 def made_run(stand, rows=400, span=0.4, amplitude=3e-5):
     """A run that no simulation has made: the carrier vibrates by tens of micrometres, flywheels turn evenly."""
     t = np.linspace(0.0, span, rows)
-    columns = {name: np.sin(40.0 * t + i) for i, name in enumerate(names(stand, False))}
+    columns = {name: np.sin(40.0 * t + i) for i, name in enumerate(column_names(stand, False))}
     turn = amplitude * np.sin(60.0 * t)
     columns |= {"t [s]": t, "qw": np.sqrt(1 - turn**2), "qx": turn, "qy": 0 * t, "qz": 0 * t}
     columns |= {f"{a} [m]": amplitude * np.sin(60.0 * t + k) for k, a in enumerate("xyz")}

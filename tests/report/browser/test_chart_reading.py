@@ -1,11 +1,13 @@
 """Charts in the browser: numbers under the pointer are those that were drawn; nothing is wider than the page."""
 
+import json
+
 import numpy as np
 import pytest
 
 from mahovik.core.emit.templates import template
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Line, Panel
-from mahovik.out.report.stand.chart import charts
 
 from .chromium import Opened
 
@@ -15,11 +17,18 @@ LABEL = "svg[aria-label^='{}']"
 
 def read(page, label, share):
     """What the chart whose words begin with `label` tells at a share of its width."""
-    frame = page.locator(LABEL.format(label)).locator("xpath=..")
-    frame.scroll_into_view_if_needed()
-    box = frame.bounding_box()
-    page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
+    picture = page.locator(LABEL.format(label))
+    picture.scroll_into_view_if_needed()
+    move(page, picture, share)
     return {name: float(value.replace("\N{MINUS SIGN}", "-")) for name, value in page.evaluate(READING)}
+
+
+def move(page, picture, share):
+    """Move the pointer to a share of the frame's width, in the middle of its height."""
+    box = picture.bounding_box()
+    left, _, across, _ = json.loads(picture.locator("xpath=../..").get_attribute("data-axes"))["box"]
+    unit = box["width"] / float(picture.get_attribute("viewBox").split()[2])
+    page.mouse.move(box["x"] + unit * (left + share * across), box["y"] + 0.5 * box["height"])
 
 
 def test_values_under_the_pointer(opened):
@@ -42,8 +51,7 @@ def test_of_an_envelope_least_and_largest_are_told(browser, tmp_path):
     path = tmp_path / "chart.html"
     path.write_text(f"<!DOCTYPE html><style>{style}</style>{charts([panel])}<script>{script}</script>", "utf-8")
     page = Opened(browser, path).page
-    frame = page.locator(".frame").bounding_box()
-    page.mouse.move(frame["x"] + 0.25 * frame["width"], frame["y"] + 20)
+    move(page, page.locator("svg[role]"), 0.25)
     assert page.evaluate(READING) == [["t", "0.25"], ["a", "\N{MINUS SIGN}3 \N{HORIZONTAL ELLIPSIS} 3"], ["b", "2"]]
 
 
@@ -62,14 +70,15 @@ def test_charts_fit(opened, width):
     )
     assert page.evaluate(right) <= width
     sizes = page.evaluate(
-        "[...document.querySelectorAll('.chart text')].map((text) => parseFloat(getComputedStyle(text).fontSize))"
+        "[...document.querySelectorAll('.chart .frame text')].map((text) => parseFloat(getComputedStyle(text).fontSize)"
+        " * text.ownerSVGElement.getBoundingClientRect().width / text.ownerSVGElement.viewBox.baseVal.width)"
     )
     assert len(sizes) > 50 and min(sizes) >= 11.0
 
 
 def test_lines_change_with_the_theme(opened):
     page = opened("bench8", color_scheme="light").page
-    stroke = "getComputedStyle(document.querySelector('.chart .c1')).stroke"
+    stroke = "getComputedStyle(document.querySelector('.chart .line path')).stroke"
     light = page.evaluate(stroke)
     page.evaluate("document.getElementById('theme').click()")
     assert page.evaluate(stroke) != light

@@ -12,30 +12,33 @@ import numpy as np
 import pytest
 
 from mahovik.core.emit.templates import template
+from mahovik.out.report.plot.draw import decimal
+from mahovik.out.report.plot.envelope import BINS, envelope
+from mahovik.out.report.plot.extent import extent
+from mahovik.out.report.plot.inline import charts, figure
+from mahovik.out.report.plot.many import MOST, NAMED, condensed
 from mahovik.out.report.plot.panel import Line, Mark, Panel, border, family
 from mahovik.out.report.plot.prefix import prefixed
-from mahovik.out.report.stand.chart import charts
-from mahovik.out.report.stand.chart.axis import Axis, axis
-from mahovik.out.report.stand.chart.figure import figure
-from mahovik.out.report.stand.chart.many import MOST, NAMED, condensed
-from mahovik.out.report.stand.chart.outline import ACROSS, BINS, DOWN, envelope, path
 from mahovik.out.report.stand.rows import some_rows
 
 
-def points(data: str) -> list[np.ndarray]:
-    """Of a path, part by part, as its script reads them: (n, 2) in the frame."""
-    parts = []
-    for part in data.split("M")[1:]:
-        numbers = np.array([float(x) for x in re.findall(r"-?[\d.]+", re.sub(r"[hz].*", "", part))]).reshape(-1, 2)
-        parts.append(numbers.cumsum(axis=0))
-    return parts
-
-
-def drawn(html: str) -> tuple[list[ElementTree.Element], dict]:
-    """The paths of a figure, and its axes."""
+def drawn(html: str) -> tuple[dict[str, list[np.ndarray]], dict]:
+    """Lines of a figure by name, each in parts (n, 2) as its script reads them, and the facts of its axes."""
     root = ElementTree.fromstring(html)
     facts = json.loads(unescape(root.attrib["data-axes"]))
-    return [each for each in root.iter("path") if "data-n" in each.attrib], facts
+    left, top, across, down = facts["box"]
+    found = {}
+    for group in (each for each in root.iter() if "data-n" in each.attrib):
+        parts = [
+            np.array(re.findall(r"-?[\d.]+", p), float).reshape(-1, 2) for p in group[0].attrib["d"].split("M")[1:]
+        ]
+        found[group.attrib["data-n"]] = [(p - [left, top]) / [across, -down] + [0.0, 1.0] for p in parts]
+    return found, facts
+
+
+def along(share: np.ndarray, low: float, high: float, log: int) -> np.ndarray:
+    """Values at shares of an axis."""
+    return low * (high / low) ** share if log else low + (high - low) * share
 
 
 def test_an_envelope_keeps_every_extreme() -> None:
@@ -64,20 +67,22 @@ def test_what_is_not_finite_breaks_a_line_and_hides_no_peak() -> None:
     y[4000:6000] = np.nan
     y[7000] = np.inf
     y[3999] = 5.0
-    parts = points(path(x, y, Axis(0.0, 1.0), Axis(-1.0, 5.0)))
+    lines, facts = drawn(figure(Panel("y, m", (Line("w", x, y),))))
+    parts = lines["w"]
     assert len(parts) == 3
-    assert parts[0][-1].tolist() == [round(ACROSS * x[3999]), 0.0]
-    assert not any(np.any((part[:, 0] > 0.405 * ACROSS) & (part[:, 0] < 0.595 * ACROSS)) for part in parts)
+    peak = along(parts[0][:, 1], *facts["y"]).argmax()
+    assert along(parts[0][peak], *facts["y"])[1] == pytest.approx(5.0, abs=0.01)
+    assert parts[0][peak, 0] == pytest.approx(x[3999], abs=1e-3)
+    assert not any(np.any((part[:, 0] > 0.405) & (part[:, 0] < 0.595)) for part in parts)
 
 
 def test_paths_lie_where_the_numbers_are() -> None:
-    x, y = np.linspace(2.0, 4.0, 41), np.geomspace(1e-3, 10.0, 41)
-    paths, facts = drawn(figure(Panel("y, m", (Line("w", x, y),), log=True)))
-    (low, high, log), (left, right, _) = facts["y"], facts["x"]
-    assert log and (left, right) == (2.0, 4.0)
-    (part,) = points(paths[0].attrib["d"])
-    assert np.allclose(left + (right - left) * part[:, 0] / ACROSS, x, atol=(right - left) / ACROSS)
-    assert np.allclose(np.log(low) + np.log(high / low) * (1 - part[:, 1] / DOWN), np.log(y), atol=1e-2)
+    x, y = np.linspace(2.0, 4.0, 41), np.geomspace(1e-3, 10.0, 41) * (2.0 + np.sin(np.arange(41)))
+    lines, facts = drawn(figure(Panel("y, m", (Line("w", x, y),), log=True)))
+    assert facts["y"][2] and facts["x"][:2] == [2.0, 4.0]
+    (part,) = lines["w"]
+    assert np.allclose(along(part[:, 0], *facts["x"]), x, atol=1e-4)
+    assert np.allclose(np.log(along(part[:, 1], *facts["y"])), np.log(y), atol=1e-2)
 
 
 @pytest.mark.parametrize(
@@ -97,7 +102,7 @@ def test_any_numbers_are_drawn(x: np.ndarray, y: np.ndarray, log: bool) -> None:
     with np.errstate(over="ignore", invalid="ignore"):
         html = figure(Panel("y, m", (Line("w", x, y),), log=log))
     ElementTree.fromstring(html)
-    assert "nan" not in html.lower() and "inf" not in html.lower()
+    assert not re.search(r"\b(nan|inf)\b", html.lower())
 
 
 def test_names_and_quantities_are_escaped() -> None:
@@ -144,27 +149,31 @@ def test_many_lines_are_a_band_with_the_furthest_by_name() -> None:
     assert condensed(lines[:MOST]) == (None, lines[:MOST])
 
 
-@pytest.mark.parametrize(("low", "high"), [(0.0, 1.0), (-3e-7, 2e-7), (0.02, 0.021), (1e5, 9e6), (-41.0, -40.0)])
-def test_ticks_are_round_and_inside(low: float, high: float) -> None:
-    own = Axis(low, high)
-    ticks, labels = own.ticks(5), own.labels(own.ticks(5))
-    assert 2 <= len(ticks) <= 7 and all(low - 1e-12 <= x <= high + 1e-12 for x in ticks)
-    shown = [10.0 ** own.factor() * float(label.replace("−", "-")) for label in labels]
-    assert np.allclose(shown, ticks, rtol=1e-9, atol=1e-12 * (high - low)) and len(set(labels)) == len(labels)
+@pytest.mark.parametrize(("low", "high"), [(1e-17, 1e-12), (6.0, 40.0), (1.0, 1000.0), (1e-3, 2e9), (10.8, 12.0)])
+def test_an_axis_of_powers_of_ten_has_labels(low: float, high: float) -> None:
+    x = np.geomspace(low, high, 9)
+    html = figure(Panel("y, m", (Line("w", np.arange(9.0), x),), log=True))
+    labels = re.findall(r"text-anchor: end[^>]*>([^<]*)<", html)
+    assert 1 <= len(labels) <= 12 and len(set(labels)) == len(labels)
 
 
-@pytest.mark.parametrize(("low", "high"), [(1e-17, 1e-12), (6.0, 40.0), (1.0, 1000.0), (1e-3, 2e9)])
-def test_ticks_of_powers_of_ten(low: float, high: float) -> None:
-    ticks = Axis(low, high, True).ticks(5)
-    assert 2 <= len(ticks) <= 12 and all(low <= x <= high for x in ticks)
+def test_numbers_of_one_digit() -> None:
+    assert [decimal(x) for x in (0.02, 500.0, 1e-7, 5e-7, 1e9)] == ["0.02", "500", "10⁻⁷", "5·10⁻⁷", "10⁹"]
 
 
 def test_an_axis_holds_what_it_shows() -> None:
-    y = np.array([1.0, np.nan, 4.0])
-    own = axis([y])
-    assert own.low < 1.0 and own.high > 4.0
-    assert axis([np.array([1e-9])], least=1e-3) == Axis(-1e-3, 1e-3)
-    assert axis([np.array([1e-30, 1.0])], log=True).low > 1e-14
+    low, high = extent([np.array([1.0, np.nan, 4.0])])
+    assert low < 1.0 and high > 4.0
+    assert extent([np.array([1e-9])], least=1e-3) == (-1e-3, 1e-3)
+    assert extent([np.array([1e-30, 1.0])], log=True)[0] > 1e-14
+
+
+def test_no_two_figures_share_a_name() -> None:
+    x = np.arange(4.0)
+    html = charts([Panel(name, (Line("w", x, k * x),)) for k, name in enumerate(("a", "b"), start=1)])
+    names = re.findall(r' id="([^"]+)"', html)
+    assert names and len(set(names)) == len(names)
+    assert set(re.findall(r'(?:href="|url\()#([\w-]+)', html)) <= set(names)
 
 
 def test_prefixes() -> None:

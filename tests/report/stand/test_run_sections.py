@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
+import re
 from dataclasses import replace
+from html import unescape
 
 import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand
+from mahovik.out.report.plot.inline import figure
 from mahovik.out.report.stand import histories, programme, singular
-from mahovik.out.report.stand.chart.figure import figure
 from mahovik.out.report.stand.run import Run
 from mahovik.proof import reference
 from report.stand.runs import example, material, right_states, run_of, run_through, spun_up
@@ -144,4 +147,8 @@ def test_shaded_stretches_and_marks_are_in_the_picture() -> None:
     x = np.linspace(0.0, 6.0, 7)
     sigma = np.array([[1.0, 0.5], [1.0, 1e-3], [1.0, 1e-4], [1.0, 0.5], [1.0, 0.5], [1.0, 0.5], [1.0, 0.5]])
     html = figure(singular.panels(x, "t, s", sigma)[0])
-    assert '<rect class="shaded" x="8.33%" width="33.33%"' in html
+    left, _, across, _ = json.loads(unescape(re.findall(r'data-axes="([^"]*)"', html)[0]))["box"]
+    (shade,) = re.findall(r'd="([^"]*)"[^>]*style="fill: var\(--warn\)', html)
+    edges = np.array(re.findall(r"[\d.]+", shade), float)[::2]
+    assert (edges.min() - left) / across == pytest.approx(0.5 / 6.0, abs=1e-3)
+    assert (edges.max() - left) / across == pytest.approx(2.5 / 6.0, abs=1e-3)

@@ -5,21 +5,21 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.use.study.quiet.lines import apart, best_phases, together
-from mahovik.use.study.quiet.phases import cancelled, power
+from mahovik.use.study.quiet.lines import best_phases, groups, uncontrolled_mean_square
+from mahovik.use.study.quiet.phases import cancel, power
 
 
 @pytest.mark.parametrize("m", [2, 3, 5])
 def test_equal_amplitudes_on_one_axis_cancel(m: int) -> None:
     """A closed polygon."""
-    psi, least = cancelled(np.ones((1, m), dtype=complex), np.random.default_rng(0))
+    psi, least = cancel(np.ones((1, m), dtype=complex), np.random.default_rng(0))
     assert psi[0] == 0.0
     assert least < 1e-24
 
 
 def test_one_amplitude_above_the_sum_of_the_others_leaves_the_difference() -> None:
     """No polygon closes: 5 - 1 - 2."""
-    _, least = cancelled(np.array([[5.0, 1j, -2.0]]), np.random.default_rng(0))
+    _, least = cancel(np.array([[5.0, 1j, -2.0]]), np.random.default_rng(0))
     assert least == pytest.approx(4.0, rel=1e-9)
 
 
@@ -28,7 +28,7 @@ def test_the_least_is_that_of_a_grid(seed: int) -> None:
     """Three flywheels on three axes, against all phases in steps of 2 degrees."""
     rng = np.random.default_rng(seed)
     a = rng.normal(size=(3, 3)) + 1j * rng.normal(size=(3, 3))
-    psi, least = cancelled(a, rng)
+    psi, least = cancel(a, rng)
     grid = np.exp(1j * np.radians(np.arange(0.0, 360.0, 2.0)))
     sums = a[:, :1, None] + a[:, 1, None, None] * grid[:, None] + a[:, 2, None, None] * grid
     best = float(np.sum(np.abs(sums) ** 2, axis=0).min())
@@ -44,8 +44,8 @@ def test_flywheels_that_do_not_turn_together_have_no_phase_to_hold() -> None:
     band = (20.0, 200.0)
     phases, least = best_phases(speeds, a, band, np.random.default_rng(0))
     assert list(phases) == [0.0] * 4
-    assert least == apart(speeds, a, band) == 1.0
-    assert together(speeds) == [(3,), (0,), (1,)]
+    assert least == uncontrolled_mean_square(speeds, a, band) == 1.0
+    assert groups(speeds) == [(3,), (0,), (1,)]
 
 
 def test_opposite_sense_takes_the_phase_with_its_sign() -> None:

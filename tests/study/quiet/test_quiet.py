@@ -19,12 +19,12 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
-from mahovik.use.study.quiet import Quieted, Wish, quiet
+from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.amplitude import Amplitudes
 from mahovik.use.study.quiet.files import regime_text, result
-from mahovik.use.study.quiet.lines import together
+from mahovik.use.study.quiet.lines import groups
 from mahovik.use.study.quiet.search import Found, Search
-from mahovik.use.study.quiet.simulated import Sampling, beginning, expected, simulated
+from mahovik.use.study.quiet.simulated import Sampling, expected_samples, simulate_point, steady_start
 from mahovik.use.study.quiet.wheels import Wheels
 from mahovik.use.study.response.motion import rms
 from mahovik.use.study.response.periodic import periodic_response
@@ -33,7 +33,7 @@ from mahovik.use.study.rest import rest
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
 AWAY = tuple(RPM * x for x in (3040.0, 3022.0, 3040.0, 3022.0))
-SAT4 = Wish("acc1", BAND, (0.0, 0.0, 14.0), AWAY)
+SAT4 = QuietOptions("acc1", BAND, (0.0, 0.0, 14.0), AWAY)
 
 
 @pytest.fixture(scope="module")
@@ -42,12 +42,12 @@ def sat4() -> Stand:
 
 
 @pytest.fixture(scope="module")
-def chosen(sat4: Stand) -> Quieted:
+def chosen(sat4: Stand) -> QuietResult:
     """Of SAT4, without simulation."""
     return found(sat4)
 
 
-def found(stand: Stand, wish: Wish = SAT4, **changed: Any) -> Quieted:
+def found(stand: Stand, wish: QuietOptions = SAT4, **changed: Any) -> QuietResult:
     """Without simulation."""
     return quiet(stand, replace(wish, **changed), backend=None)
 
@@ -152,12 +152,12 @@ def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
     pose = rest(sat4).state
     amplitudes = Amplitudes.of(sat4, wish, pose)
     speeds, phases = np.array([500.0, 420.0, -300.0, 510.0]), np.array([0.3, 1.0, 2.0, 5.0])
-    start = beginning(pose, amplitudes, sat4, speeds, phases)
+    start = steady_start(pose, amplitudes, sat4, speeds, phases)
     sampling = Sampling(0.05, 1e-3)
-    x = simulated(sat4, wish, start, sampling)
+    x = simulate_point(sat4, wish, start, sampling)
     a = amplitudes.at(speeds)
-    ours = expected(speeds, phases, a, 0, sampling)
-    blind = expected(speeds, phases, replace(amplitudes, A1=0.0 * amplitudes.A1).at(speeds), 0, sampling)
+    ours = expected_samples(speeds, phases, a, 0, sampling)
+    blind = expected_samples(speeds, phases, replace(amplitudes, A1=0.0 * amplitudes.A1).at(speeds), 0, sampling)
     level = np.linalg.norm(ours - ours.mean(axis=0))
 
     def off(y: Any) -> float:
@@ -167,7 +167,7 @@ def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
     assert off(blind) > 3e-3
 
 
-def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: Quieted) -> None:
+def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietResult) -> None:
     """By collocation of the whole equations, all orders in the band, of the speeds and phases found."""
     got = chosen
     exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
@@ -178,7 +178,7 @@ def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: Quiete
     assert got.momentum_error < 1e-13
 
 
-def test_the_files_are_read_back(sat4: Stand, chosen: Quieted) -> None:
+def test_the_files_are_read_back(sat4: Stand, chosen: QuietResult) -> None:
     """The regime by `simulate`'s reader, the result as strict JSON."""
     got = chosen
     regime = loads(regime_text(got), sat4, 1.0)
@@ -190,12 +190,12 @@ def test_the_files_are_read_back(sat4: Stand, chosen: Quieted) -> None:
     assert said["after"]["lines"][0]["flywheels"] == ["rw1", "rw2", "rw3", "rw4"]
 
 
-def test_the_same_seed_gives_the_same_bits(sat4: Stand, chosen: Quieted) -> None:
+def test_the_same_seed_gives_the_same_bits(sat4: Stand, chosen: QuietResult) -> None:
     """All of it."""
     assert json.dumps(result(found(sat4))) == json.dumps(result(chosen))
 
 
-def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: Quieted) -> None:
+def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: QuietResult) -> None:
     """Drawn errors, root mean square over draws."""
     got = chosen
     assert got.hold is not None
@@ -211,15 +211,15 @@ def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: Qui
 def test_flywheels_at_rest_are_silent(sat4: Stand) -> None:
     """No momentum asked for: they stand still; there is nothing to lower."""
     got = found(sat4, momentum=(0.0, 0.0, 0.0), speeds=None)
-    assert together(got.after.speeds) == []
+    assert groups(got.after.speeds) == []
     assert got.reduction == 1.0
 
 
 def test_what_binds_is_said(sat4: Stand) -> None:
     """Limits that exclude each other, momentum beyond the motors."""
-    with pytest.raises(CheckError, match=r"takes 1\.4\d* times the speed limits, at best rw\d at 8660"):
+    with pytest.raises(CheckError, match=r"needs 1\.4\d* times the speed limits, at best rw\d at 8660"):
         found(sat4, momentum=(0.0, 0.0, 40.0))
-    with pytest.raises(CheckError, match=r"without (the frequencies to be avoided or )?--change"):
+    with pytest.raises(CheckError, match=r"without (the avoided frequencies or )?--change"):
         found(sat4, change=0.1, avoid=((50.0, 51.0),))
 
 
@@ -227,14 +227,14 @@ def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.Mon
     """No time: nothing is found, which is said. Ctrl-C after the third look: the best so far."""
     with pytest.raises(CheckError, match="--time ended the search before"):
         quiet(sat4, SAT4, seconds=1e-9, backend=None)
-    look = Search.look
+    look = Search.evaluate
 
     def third(self: Search, *given: Any) -> Found:
         if self.looked_at == 2:
             raise KeyboardInterrupt
         return look(self, *given)
 
-    monkeypatch.setattr(Search, "look", third)
+    monkeypatch.setattr(Search, "evaluate", third)
     got = quiet(sat4, SAT4, backend="c")
     assert got.interrupted
     assert got.looked_at == 2
@@ -262,7 +262,7 @@ def test_random_satellites(N: int, suspended: float | None) -> None:
     from quiet_stands import satellite, speeds_before
 
     stand = satellite(3, N, suspended)
-    speeds = speeds_before(3, stand, Wheels.of(stand, Wish("bench", BAND, (0.0, 0.0, 0.0))).axes)
-    got = quiet(stand, Wish("bench", BAND, speeds=tuple(speeds.tolist()), least=1300.0 * RPM))
+    speeds = speeds_before(3, stand, Wheels.of(stand, QuietOptions("bench", BAND, (0.0, 0.0, 0.0))).axes)
+    got = quiet(stand, QuietOptions("bench", BAND, speeds=tuple(speeds.tolist()), least=1300.0 * RPM))
     assert got.agrees
     assert got.reduction > 1.0

@@ -78,7 +78,7 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
     return lines
 
 
-def declared(functions: Iterable[Function], program: Program, names: Names) -> list[dict[str, object]]:
+def public_declarations(functions: Iterable[Function], program: Program, names: Names) -> list[dict[str, object]]:
     """Contract and prototype of each function, as the templates of headers take them."""
     return [{"comment": contract(f, names, program), "prototype": prototype(f, names)} for f in functions]
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.calls import call
-from mahovik.core.emit.declaration import declared, null_check, prototype, summary
+from mahovik.core.emit.declaration import null_check, prototype, public_declarations, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
@@ -110,7 +110,7 @@ class _Printer:
         statements = Statements(self._names, Expressions(self._names, program.precision))
         if name.endswith(".h.j2"):
             public = [f for f in program.functions if f.public]
-            return template(name).render(**self._known, functions=declared(public, program, self._names))
+            return template(name).render(**self._known, functions=public_declarations(public, program, self._names))
 
         def printed(f: Function) -> dict[str, Any]:
             body = [*(null_check(f, self._names) if f.returns else []), *statements.block(f.body, "    ")]

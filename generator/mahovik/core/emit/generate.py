@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import paragraph, wrapped
 from mahovik.core.emit.literal import real_literal
@@ -99,7 +99,7 @@ class _Printer:
     def header(self) -> str:
         """The header: the manual of the generated code."""
         public = [f for f in self._program.functions if f.public]
-        functions = declared(public, self._program, self._names)
+        functions = public_declarations(public, self._program, self._names)
         structs = [struct_lines(s, self._names) for s in self._program.structs if not internal(self._layout, s)]
         return template("stand.h.j2").render(
             **self._common(),

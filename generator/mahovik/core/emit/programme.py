@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import paragraph, wrapped
@@ -90,7 +90,7 @@ class _Printer:
                 for c in self._made.courses
             ],
             clock=struct_lines(CLOCK, self._names),
-            functions=declared(self._made.public, self._made.program, self._names),
+            functions=public_declarations(self._made.public, self._made.program, self._names),
         )
 
     def source(self) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import declared, null_check, prototype, struct_lines, summary
+from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import paragraph, wrapped
@@ -104,7 +104,7 @@ class _Printer:
             "servo.h.j2",
             counts=[(self._names.constant(c.name), int(c), c.comment) for c in self._program.counts[1:]],
             structs=[struct_lines(s, self._names) for s in self._program.structs],
-            functions=declared(self._public, self._program, self._names),
+            functions=public_declarations(self._public, self._program, self._names),
         )
 
     def source(self) -> str:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from importlib.util import find_spec
+
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core import routines
 from mahovik.core.lower import (
     allocate,
@@ -144,11 +148,20 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(mounts.mount_wrench(lib))
         lib.add(mounts.mounts(lib))
         lib.add(mounts.prepare_mounts(lib))
+    _add_others(lib)
     counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
     functions = reachable(lib.functions)
     program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
     validate(program)
     return program
+
+
+def _add_others(lib: Library) -> None:
+    """Functions of the contract that are not added above: each is a file of its name in this folder."""
+    for name, row in FUNCTIONS.items():
+        here = not row.needs or bool(getattr(lib.layout, row.needs))
+        if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
+            lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 
 
 def _add_rows(lib: Library) -> None:

@@ -60,8 +60,10 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
     return {key: value for key, value in found.items() if key != "schema"}
 
 
-def checked(table: type[AnyTable], raw: Any, problems: Problems, where: str = "", **context: Any) -> AnyTable | None:
-    """The table that `raw` holds; None if it has problems, which are noted. Fields read the `context`."""
+def validate_table(
+    table: type[AnyTable], raw: Any, problems: Problems, where: str = "", **context: Any
+) -> AnyTable | None:
+    """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
     try:
         return table.model_validate(raw, context=context)
     except ValidationError as error:

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, PlainValidator, ValidationInfo
 
-from mahovik.core.stand.fields import integer, refuse, text, validator
+from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import SPEED, TIME, Dimension, QuantityError, number, show
 from mahovik.nearest import meant
@@ -33,28 +33,7 @@ def context_validator(read: Callable[[Any, dict[str, Any]], Any]) -> PlainValida
     return PlainValidator(validate)
 
 
-def bounded(
-    value: float, unit: str, least: float | None = None, above: float | None = None, most: float | None = None
-) -> float:
-    """`value` itself. Raises QuantityError if it is out of bounds."""
-    found = f"{value:g} {unit}".rstrip()
-    if above is not None and most is not None and not above < value <= most:
-        raise QuantityError(f"{found}: expected above {above:g}, at most {most:g}")
-    if above is not None and not value > above:
-        raise QuantityError(f"{found} is not above {above:g}")
-    if least is not None and value < least:
-        raise QuantityError(f"{found} is negative" if least == 0 else f"{found} is below {least:g}")
-    if most is not None and value > most:
-        raise QuantityError(f"{found} is above {most:g}")
-    return value
-
-
-def quantity(dimension: Dimension, **bounds: float) -> PlainValidator:
-    """A validator of a number; `bounds` are `least`, `above` and `most`."""
-    return validator(lambda raw: bounded(number(raw, dimension), dimension.si, **bounds))
-
-
-def each(dimension: Dimension, check: Callable[[float], object] = bool) -> PlainValidator:
+def per_flywheel(dimension: Dimension, check: Callable[[float], object] = bool) -> PlainValidator:
     """A validator of one number for all flywheels, or a list with one for each. `check` raises QuantityError."""
 
     def read(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
@@ -113,7 +92,7 @@ def choice(*names: str) -> PlainValidator:
     return validator(read)
 
 
-def chosen(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
+def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
     """Places in `known` of the names of a list, in the list's order. Raises QuantityError."""
     if not isinstance(raw, list):
         raise QuantityError(f"expected a list, found {show(raw)}")
@@ -127,7 +106,7 @@ def chosen(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
     return tuple(found)
 
 
-def turning(raw: Any) -> float:
+def angular_speed(raw: Any) -> float:
     """A frequency (with unit) or an angular speed above 0, in rad/s. Raises QuantityError."""
     try:
         found = 2 * math.pi * number(raw, FREQUENCY)
@@ -140,7 +119,7 @@ def turning(raw: Any) -> float:
             found = math.nan
         if math.isnan(found):
             raise QuantityError(str(error)) from None
-    return bounded(found, "rad/s", above=0.0)
+    return require_bounds(found, "rad/s", above=0.0)
 
 
 def times(raw: Any) -> tuple[float, ...]:
@@ -164,7 +143,7 @@ def rows(raw: Any, read: Callable[[Any], tuple[float, ...]]) -> tuple[tuple[floa
     return tuple(found)
 
 
-def or_false(keys: Collection[str]) -> BeforeValidator:
+def table_or_false(keys: Collection[str]) -> BeforeValidator:
     """A validator of a table with some of `keys`, or false, which reads as None."""
 
     def read(raw: Any) -> Any:

@@ -8,9 +8,9 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from mahovik.core.motion import ranges
-from mahovik.core.motion.fields import FREQUENCY, choice, quantity, table_with
+from mahovik.core.motion.fields import FREQUENCY, choice, table_with
 from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, Torque
-from mahovik.core.stand.fields import Table, refuse, validator
+from mahovik.core.stand.fields import Table, refuse, scalar, validator
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
 
 
@@ -47,16 +47,16 @@ def _within(dimension: Dimension, most: float) -> Any:
     return validator(read)
 
 
-Duration = Annotated[float, quantity(TIME, above=0.0)]
-Start = Annotated[float, quantity(TIME, least=0.0)]
+Duration = Annotated[float, scalar(TIME, above=0.0)]
+Start = Annotated[float, scalar(TIME, least=0.0)]
 SweepSpeed = Annotated[float, validator(_sweep_speed)]
 
 
 class RampTable(Table):
     """`ramp`: a speed that changes evenly."""
 
-    from_: Annotated[float, quantity(SPEED)] = Field(0.0, alias="from")
-    to: Annotated[float, quantity(SPEED)]
+    from_: Annotated[float, scalar(SPEED)] = Field(0.0, alias="from")
+    to: Annotated[float, scalar(SPEED)]
     duration: Duration
     start: Start = 0.0
 
@@ -86,10 +86,10 @@ class SweepTable(Table):
 class HarmonicTable(Table):
     """`harmonic`: a speed that oscillates about a mean."""
 
-    mean: Annotated[float, quantity(SPEED)] = 0.0
-    amplitude: Annotated[float, quantity(SPEED)]
-    frequency: Annotated[float, quantity(FREQUENCY, above=0.0)]
-    phase: Annotated[float, quantity(ANGLE)] = 0.0
+    mean: Annotated[float, scalar(SPEED)] = 0.0
+    amplitude: Annotated[float, scalar(SPEED)]
+    frequency: Annotated[float, scalar(FREQUENCY, above=0.0)]
+    phase: Annotated[float, scalar(ANGLE)] = 0.0
 
     def law(self) -> Law:
         """The law."""
@@ -99,9 +99,9 @@ class HarmonicTable(Table):
 class RunUpTable(Table):
     """`run_up`: a torque towards a speed, whose sign gives the direction."""
 
-    torque: Annotated[float, quantity(TORQUE, above=0.0)]
-    to: Annotated[float, quantity(SPEED)]
-    band: Annotated[float, quantity(SPEED, least=0.0)] = 0.0
+    torque: Annotated[float, scalar(TORQUE, above=0.0)]
+    to: Annotated[float, scalar(SPEED)]
+    band: Annotated[float, scalar(SPEED, least=0.0)] = 0.0
 
     def law(self) -> Law:
         """The law; without a band, 1 % of the speed and at least 0.1 rad/s."""
@@ -111,12 +111,12 @@ class RunUpTable(Table):
 class DrivenTable(Table):
     """What drives one flywheel: exactly one law, and where it starts."""
 
-    speed: Annotated[float | None, quantity(SPEED)] = None
+    speed: Annotated[float | None, scalar(SPEED)] = None
     hold: Annotated[bool, validator(_hold)] = False
     ramp: Annotated[RampTable | None, table_with(RampTable)] = None
     sweep: Annotated[SweepTable | None, table_with(SweepTable)] = None
     harmonic: Annotated[HarmonicTable | None, table_with(HarmonicTable)] = None
-    torque: Annotated[float | None, quantity(TORQUE)] = None
+    torque: Annotated[float | None, scalar(TORQUE)] = None
     run_up: Annotated[RunUpTable | None, table_with(RunUpTable)] = None
     table: Annotated[str, validator(_file)] = ""
     phase: Annotated[float | None, _within(ANGLE, ranges.MAX_PHASE)] = None

@@ -12,7 +12,7 @@ from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from mahovik.core.motion import ranges, table
-from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.law_tables import LAWS, DrivenTable
 from mahovik.core.motion.laws import Constant, Law, SpeedTable, TorqueTable, WrenchTable
 from mahovik.core.motion.regime import Driven, Regime
@@ -66,7 +66,7 @@ def loads(
     document = document_of(text, source, RegimeError, is_json)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}
-    given = checked(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
+    given = validate_table(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
     reader = _Reader(problems, until, folder)
     flywheels = _flywheels(reader, given, stand)
     bodies = _known(problems, "wrench", given.wrench, [b.name for b in stand.bodies], "body")
@@ -128,7 +128,7 @@ class _Reader:
             own = [key for key in LAWS if key in raw][:1]
         if not own:
             problems.add(where, f"no law: expected one of {', '.join(LAWS)}")
-        found = checked(DrivenTable, raw, problems, where)
+        found = validate_table(DrivenTable, raw, problems, where)
         if found is None or not own:
             return None
         law = self._law(where, own[0], found)

@@ -50,22 +50,27 @@ def validator(read: Callable[[Any], T]) -> PlainValidator:
     return PlainValidator(validate)
 
 
+def require_bounds(
+    value: float, unit: str, least: float | None = None, above: float | None = None, most: float | None = None
+) -> float:
+    """`value` itself, in `unit`. Raises QuantityError if it is out of bounds."""
+    found = f"{repr(value).removesuffix('.0')} {unit}".rstrip()
+    if above is not None and most is not None and not above < value <= most:
+        raise QuantityError(f"{found}: expected above {above:g}, at most {most:g}")
+    if above is not None and value <= above:
+        raise QuantityError(f"{found} is not above {above:g}")
+    if least is not None and value < least:
+        raise QuantityError(f"{found} is negative" if least == 0 else f"{found} is below {least:g}")
+    if most is not None and value > most:
+        raise QuantityError(f"{found} is above {most:g}")
+    return value
+
+
 def scalar(
     dimension: Dimension, *, least: float | None = None, above: float | None = None, most: float | None = None
 ) -> PlainValidator:
     """A validator of a number within bounds."""
-
-    def read(raw: Any) -> float:
-        value = number(raw, dimension)
-        if least is not None and value < least:
-            raise QuantityError(f"{value:.17g} is negative" if least == 0 else f"{value:.17g} is below {least:g}")
-        if above is not None and value <= above:
-            raise QuantityError(f"{value:.17g} is not above {above:g}")
-        if most is not None and value > most:
-            raise QuantityError(f"{value:.17g} is above {most:g}")
-        return value
-
-    return validator(read)
+    return validator(lambda raw: require_bounds(number(raw, dimension), dimension.si, least, above, most))
 
 
 def integer(raw: Any) -> int:

@@ -12,6 +12,7 @@ from mahovik.out.api import results
 from mahovik.out.api.call import OnError
 from mahovik.out.api.core import ELEMENT, Built, Locks, Real, Wrenches
 from mahovik.out.api.inputs import Given
+from mahovik.out.api.methods import add_methods
 from mahovik.out.api.states import States
 
 
@@ -225,3 +226,6 @@ class Model(Built):
     ) -> results.CoupledJacobian:
         """Derivatives of `coupled` by V, phi, phi', tau. State by state. Raises InputError, RefusedError."""
         return self._result(results.CoupledJacobian, "coupled_jacobian", x, on_error, wrench, tau=tau, locked=locked)
+
+
+add_methods(Model)

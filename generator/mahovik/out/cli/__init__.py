@@ -1,4 +1,7 @@
-"""The command line: one thin module a command. Nothing is computed here.
+"""The command line: one thin module per command. Nothing is computed here.
+
+Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. Slow modules are imported
+inside the commands, so that `mahovik --help` answers at once.
 
 Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. What is heavy is
 imported inside the commands, so that `mahovik --help` answers at once.
@@ -42,9 +45,9 @@ SECTIONS = {
     "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
     "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
-    "Around it": (report, plot, export, doctor, completion),
+    "Interfaces and tools": (report, plot, export, doctor, completion),
 }
-"""Commands under the headings of `--help`, in the order in which one uses them; all fit on a screen of 40 lines."""
+"""Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""
 
 
 @click.group(

@@ -1,4 +1,4 @@
-"""Arguments and options that several commands have, and the console of tables."""
+"""Arguments and options shared by several commands, and the console for tables."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ lanes_option = click.option(
     "--lanes",
     type=click.Choice(["1", "2", "4", "8"]),
     callback=lambda _context, _option, value: value and int(value),
-    help="Flywheels side by side, for vectors; default 1, with --fast what suits their number.",
+    help="Flywheels per vector; default 1, with --fast chosen by their number.",
 )
-fast_option = click.option("--fast", is_flag=True, help="For this desk's processor: bits are not reproducible.")
+fast_option = click.option("--fast", is_flag=True, help="For a desktop processor: bits are not reproducible.")
 
 
 def load_stand(stand_file: str) -> Stand:
@@ -40,9 +40,9 @@ def given(option: str) -> bool:
 
 
 def console(piped: int = 4000) -> Console:
-    """As wide as the terminal; elsewhere no line is cut or folded before `piped` columns.
+    """Console as wide as the terminal; in pipes no line is cut or folded before `piped` columns.
 
-    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only where FORCE_COLOR is.
+    Colours on a terminal, unless NO_COLOR is set or TERM is dumb; elsewhere only if FORCE_COLOR is set.
     """
     from rich.console import Console
 

@@ -21,14 +21,16 @@ if TYPE_CHECKING:
 @click.command()
 @stand_argument
 @click.option(
-    "--speed", metavar="SPEED", help='Speed of all flywheels, "3000 rpm" or rad/s; default each motor\'s own.'
+    "--speed",
+    metavar="SPEED",
+    help='Speed of all flywheels, "3000 rpm" or rad/s; default: each motor\'s no-load speed.',
 )
 @json_option("Print JSON instead of tables.")
 def check(stand_file: str, speed: str | None, as_json: bool) -> None:
     """Validate a stand; print its figures.
 
-    Masses, centres of mass, unbalance of each flywheel, the force it reaches at a speed; warnings, also of what
-    float would not resolve.
+    Shows masses, centres of mass, the unbalance of each flywheel and its force at a speed; warns of problems, also
+    if float would not resolve an unbalance.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)

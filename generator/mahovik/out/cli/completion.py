@@ -1,4 +1,4 @@
-"""`mahovik completion`: what makes a shell complete commands, options and names."""
+"""`mahovik completion`: completion of commands, options and names in a shell."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ SHELLS = ("bash", "zsh", "fish")
 VARIABLE = "_MAHOVIK_COMPLETE"
 
 
-@click.command(short_help="Print what makes a shell complete commands and options.")
+@click.command(short_help="Print the script for completion in a shell.")
 @click.argument("shell", type=click.Choice(SHELLS))
 @click.pass_context
 def completion(ctx: click.Context, shell: str) -> None:
-    """Print what makes a shell complete commands, options, files and names of examples.
+    """Print the script that completes commands, options, files and names of examples in a shell.
 
     \b
         eval "$(mahovik completion bash)"                                   in ~/.bashrc

@@ -25,13 +25,13 @@ if TYPE_CHECKING:
     "--real", type=click.Choice(["double", "float"]), help="Element type; default: the widest of each processor's FPU."
 )
 @click.option(
-    "--targets", metavar="NAME,...", help="Processors, whose tables are printed; default m4, m7, rv32imafc, rv64gc."
+    "--targets", metavar="NAME,...", help="Processors to print tables for; default m4, m7, rv32imafc, rv64gc."
 )
 @click.option(
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder of the files; default ./NAME of the stand."
 )
-@click.option("--check", is_flag=True, help="Write nothing; accepted figures must be there.")
-@click.option("--accept", is_flag=True, help="Accept the figures: what later ones are compared with.")
+@click.option("--check", is_flag=True, help="Write nothing; needs accepted figures.")
+@click.option("--accept", is_flag=True, help="Accept the figures for later comparison.")
 @json_option("Print the figures as JSON.")
 def cost(
     stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool, as_json: bool
@@ -39,12 +39,12 @@ def cost(
     """Measure the C of a stand on processors, with as many lanes as the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
-    COST.md beside the C; accepted figures into cost.json. Exit status 1, and nothing is written, where a figure is
-    more than 2 % above the accepted one by the same version of the compiler, or was never accepted. With --targets or
-    --real the tables are printed instead, and --accept keeps what was accepted for others.
+    COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
+    above the accepted one of the same compiler version, or was never accepted. With --targets or --real the tables are
+    printed instead, and --accept keeps the accepted figures of other targets.
     """
     if check and accept:
-        raise UsageError("--check, --accept: one of them")
+        raise UsageError("--check, --accept: give only one of them")
     from mahovik.proof.cost.measure import USUAL, asked
     from mahovik.proof.cost.page import accepted, page
     from mahovik.proof.cost.page import as_json as json_text
@@ -81,7 +81,7 @@ def cost(
 def _compare(
     found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]], quiet: bool
 ) -> None:
-    """Says what differs from the accepted figures. Raises CheckError where the cost has risen or is not accepted."""
+    """Print differences from the accepted figures. Raises CheckError if the cost has risen or is not accepted."""
     from mahovik.proof.cost.check import compare
 
     result = compare(found, before, required)

@@ -1,4 +1,4 @@
-"""`mahovik derive`: the matrices of (8)-(11) of a stand, for a person to read."""
+"""`mahovik derive`: the matrices of (8)-(11) of a stand, as a document."""
 
 from __future__ import annotations
 

@@ -19,12 +19,18 @@ if TYPE_CHECKING:
 
 @click.command()
 @stand_argument
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
-@click.option("--free", metavar="KEYS|FREE.toml", required=True, help="What may change: position,angles,unbalance ...")
+@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="Required motion.")
+@click.option("--free", metavar="KEYS|FREE.toml", required=True, help="Free numbers: position,angles,unbalance ...")
 @click.option("-o", "output", metavar="OUT.toml", type=click.Path(), required=True, help="The stand; OUT.json with it.")
-@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
-@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Cuts the search.")
-@click.option("--pareto", metavar="K", type=click.IntRange(2, 50), help="K weights of unbalance against torque.")
+@click.option(
+    "--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the starts."
+)
+@click.option(
+    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the search."
+)
+@click.option(
+    "--pareto", metavar="K", type=click.IntRange(2, 50), help="Pareto front: K weights of unbalance against torque."
+)
 @json_option("Print the explanation as JSON.")
 def design(
     stand_file: str,
@@ -38,17 +44,17 @@ def design(
 ) -> None:
     """Design a stand together with its programme.
 
-    What is free is chosen so that the carrier moves as required.
+    Chooses the free numbers so that the carrier moves as required.
 
-    FREE.toml names what is free, its bounds, groups, limits and the cost; KEYS frees it for all flywheels: position,
-    angles, unbalance, unbalance_at, mass, inertia, phase, speed, number. Ctrl-C gives the best so far.
+    FREE.toml names the free numbers, their bounds, groups, limits and the cost; KEYS frees numbers of all flywheels:
+    position, angles, unbalance, unbalance_at, mass, inertia, phase, speed, number. Ctrl-C gives the best so far.
 
     Exit status: 0 a design; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
     from mahovik.core.motion.required import load_motion
     from mahovik.proof.verify.files import probe
-    from mahovik.use.design import Wishes, design_stand, freedom_of_keys, load_freedom
+    from mahovik.use.design import DesignOptions, design_stand, freedom_of_keys, load_freedom
 
     in_file = free.endswith(".toml")
     freedom = load_freedom(free, stand) if in_file else freedom_of_keys(free, stand)
@@ -60,7 +66,7 @@ def design(
             stand,
             lambda part: load_motion(Path(motion_file), part),
             freedom,
-            Wishes(seed, seconds, pareto=pareto or 0),
+            DesignOptions(seed, seconds, pareto=pareto or 0),
             lambda state: stage.say(state.words),
         )
     if found.stand is not None and found.programme is not None:
@@ -75,7 +81,7 @@ def design(
 
 
 def _paths(output: str, given: tuple[str, ...]) -> tuple[Path, Path]:
-    """Of stand and programme. Raises UsageError."""
+    """Paths of stand and programme. Raises UsageError."""
     path = Path(output)
     if path.suffix != ".toml":
         raise UsageError(f"-o {output}: expected a stand file, a name that ends in .toml")
@@ -87,17 +93,17 @@ def _paths(output: str, given: tuple[str, ...]) -> tuple[Path, Path]:
 
 
 def _print(found: Outcome, path: Path, programme_path: Path) -> None:
-    """The table of what changed, and the totals."""
+    """The table of changes, and the totals."""
     from rich.text import Text
 
     if found.programme is None or found.cost is None:
         return
-    from mahovik.use.design.show import changed, front, summary
+    from mahovik.use.design.show import change_rows, front, summary
 
     out = console()
     out.print(Text(f"{click.format_filename(path)}, {click.format_filename(programme_path)}"))
     rows = table("flywheel", "what", "unit", "before>", "after>", "margin>", "an error of", "gives>")
-    for row in changed(found):
+    for row in change_rows(found):
         rows.add_row(*map(Text, row))
     out.print(rows)
     for line in summary(found):

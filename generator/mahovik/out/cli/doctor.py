@@ -1,4 +1,4 @@
-"""`mahovik doctor`: which compilers, emulators and extras are here, and what installs the others."""
+"""`mahovik doctor`: compilers, emulators and extras on this machine, and how to install missing ones."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from mahovik.out.cli.json_output import json_option, print_json
 from mahovik.out.cli.progress import progress
 
 
-@click.command(short_help="Say which tools are here, and what installs the others.")
+@click.command(short_help="List tools found, and how to install others.")
 @json_option("Print JSON.")
 def doctor(as_json: bool) -> None:
-    """Say which compilers, emulators, checkers and extras this machine has, and what installs the others.
+    """List the compilers, emulators, checkers and extras on this machine, and how to install the others.
 
     Only a C compiler is needed for daily work, and not even that for `generate`. Exit status 1 without one.
     """

@@ -1,4 +1,4 @@
-"""`mahovik eval`: states in, values out, one JSON object a line."""
+"""`mahovik eval`: states in, values out, one JSON object per line."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 def evaluate(stand_file: str, backend: str, real: str) -> None:
     """Evaluate states from standard input.
 
-    One JSON object a line, a result line for each, in order.
+    One JSON object per line; a result line for each, in order.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """
@@ -41,7 +41,7 @@ def evaluate(stand_file: str, backend: str, real: str) -> None:
     from mahovik.proof.verify.evaluate import lines_of, results
 
     failed = 0
-    piped = not (sys.stdin.isatty() or sys.stdout.isatty())  # else the lines themselves show how far it is
+    piped = not (sys.stdin.isatty() or sys.stdout.isatty())  # otherwise the lines themselves show the progress
     with progress("states evaluated") if piped else nullcontext() as stage:
         for done, (line, good) in enumerate(results(stand, chosen, lines_of(sys.stdin.buffer), real), start=1):
             failed += not good

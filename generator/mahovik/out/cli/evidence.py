@@ -1,4 +1,4 @@
-"""`mahovik evidence`: everything that speaks for the C of a stand, in one folder."""
+"""`mahovik evidence`: all evidence for the C of a stand, in one folder."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("stand_file", metavar="STAND.toml", type=click.Path(), required=False)
 @click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME-evidence of the stand.")
-@click.option("--full", is_flag=True, help="Everything, for as long as it takes; default --quick, minutes.")
-@click.option("--quick", is_flag=True, help="A selection: fewer states, drivers, processors.")
-@click.option("--only", metavar="NAME,...", help="These pieces; the others are shown as left out.")
+@click.option("--full", is_flag=True, help="Everything, possibly hours; default --quick, minutes.")
+@click.option("--quick", is_flag=True, help="Fewer states, drivers, processors.")
+@click.option("--only", metavar="NAME,...", help="Only these pieces; others are listed as left out.")
 @click.option("--without", metavar="NAME,...", help="All pieces but these.")
-@click.option("--seconds", type=click.IntRange(1, 1_000_000), help="Of fuzzing.  [default: 20, with --full 600]")
+@click.option("--seconds", type=click.IntRange(1, 1_000_000), help="Time of fuzzing. [default: 20, with --full 600]")
 @click.option("--check", "checked", metavar="DIR", type=click.Path(), help="Check the SHA-256 sums of a folder only.")
 @json_option("Print the table as JSON.")
 @real_option
@@ -42,11 +42,11 @@ def evidence(
 ) -> None:
     """Collect the evidence for the C of a stand.
 
-    One folder to hand over: the C, every check that was run on it with its output and the command that repeats it,
-    an index page to read offline, and the SHA-256 of every file.
+    One folder to hand over: the C, every check that was run with its output and the command to repeat it, an index
+    page to read offline, and the SHA-256 of every file.
 
-    Exit status 1 where a piece has failed, or none was run. A tool that is missing is shown with the command that
-    installs it; it is a failure where the environment has CI=true.
+    Exit status 1 if a piece failed, or none was run. A missing tool is listed with the command that installs it; it
+    counts as a failure if the environment has CI=true.
     """
     if checked is not None:
         if stand_file is not None or output is not None:
@@ -56,7 +56,7 @@ def evidence(
     if stand_file is None:
         raise UsageError("give a stand file, or --check DIR")
     if full and quick:
-        raise UsageError("--full, --quick: one of them")
+        raise UsageError("--full, --quick: give only one of them")
     stand = load_stand(stand_file)
     from mahovik.proof.evidence.collect import chosen, failures, nothing_ran
     from mahovik.proof.evidence.pieces import PIECES
@@ -75,7 +75,7 @@ def evidence(
         )
     strict = os.environ.get("CI", "").lower() in ("true", "1")
     if bad := failures(found, strict):
-        raise CheckError(f"{stand.name}: {', '.join(bad)}: failed, or not run for want of a tool")
+        raise CheckError(f"{stand.name}: {', '.join(bad)}: failed, or not run because a tool is missing")
 
 
 def _check(folder: Path, as_json: bool) -> None:

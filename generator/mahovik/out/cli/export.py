@@ -32,8 +32,8 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     """Write a project that runs the self-test on a board.
 
     C of the stand, self-test, startup, linker script, console, Makefile, README: `make run` there runs it on the
-    emulator; the README says what to change for another board. Never over a file that mahovik has not written, nor into
-    a folder of `mahovik generate`.
+    emulator; the README says what to change for another board. Never overwrites files of others, nor a folder of
+    `mahovik generate`.
     """
     from mahovik.out.export.target import exportable, project
     from mahovik.proof.verify.delivery import deliver
@@ -75,14 +75,16 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
 
 @export.command()
 @stand_argument
-@click.option("--programme", "programme_file", metavar="P.json", type=click.Path(), required=True, help="To follow.")
+@click.option(
+    "--programme", "programme_file", metavar="P.json", type=click.Path(), required=True, help="Programme to follow."
+)
 @click.option("--servo", "servo_file", metavar="S.toml", type=click.Path(), required=True, help="The servo file.")
 @click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="For feedforward and trim.")
 @click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
 @click.option(
     "--table", "kind", type=click.Choice(["quintic", "fourier"]), default="quintic", show_default=True, help="Method."
 )
-@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default that of the C in DIR.")
+@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default: that of the C in DIR.")
 def servo(
     stand_file: str,
     programme_file: str,
@@ -94,9 +96,9 @@ def servo(
 ) -> None:
     """Write a programme and the servos that follow it as C.
 
-    What `export programme` writes, and NAME_servo.h and .c: gains computed from the wanted bandwidth, limits, trim; an
-    example, a self-test, a page. Exit status 1 where the sampled, delayed loop is not stable with enough margin; the
-    message says which bandwidth is.
+    The files of `export programme`, and NAME_servo.h and .c: gains for the wanted bandwidth, limits, trim; an example,
+    a self-test, a page. Exit status 1 if the sampled, delayed loop is not stable with enough margin; the message names
+    a bandwidth that is.
     """
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
@@ -131,10 +133,10 @@ def servo(
     "--nodes",
     type=click.Choice(["64", "128", "256", "512", "1024", "2048", "4096"]),
     callback=lambda _context, _option, value: value and int(value),
-    help="Of a quintic table, a period; default 256, of float 64.",
+    help="Nodes per period of a quintic table; default 256, float 64.",
 )
-@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default that of the C in DIR.")
-@click.option("--limit", type=float, help="Relative residual that a table may add; default 1e-6, of float 1e-3.")
+@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default: that of the C in DIR.")
+@click.option("--limit", type=float, help="Largest relative residual that a table may add; default 1e-6, float 1e-3.")
 def programme(
     stand_file: str,
     programme_file: str,
@@ -148,8 +150,8 @@ def programme(
     """Write a flywheel programme as const tables in C.
 
     NAME_programme.h and .c beside the C of the stand, with a clock that never drifts, a self-test, a page. With the
-    motion that it was planned for, drive torques are in the tables, and the residual that these add is measured.
-    Exit status 1 where that is above the limit, or where programme, stand and motion do not belong together.
+    motion file, the tables include drive torques, and the residual that they add is measured. Exit status 1 if that
+    is above the limit, or if programme, stand and motion do not belong together.
     """
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion

@@ -18,8 +18,8 @@ def cmake(stand_file: str, output: str | None, real: str, batch: bool) -> None:
     """Write a CMake project with the target mahovik::NAME.
 
     For add_subdirectory, or installed for find_package: the C of the stand with the flags that keep its bits, a header
-    for C++17, self-test and example for ctest, README. Never over a file that mahovik has not written, nor into a
-    folder of `mahovik generate`.
+    for C++17, self-test and example for ctest, README. Never overwrites files of others, nor a folder of
+    `mahovik generate`.
     """
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver

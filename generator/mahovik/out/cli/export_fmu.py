@@ -1,4 +1,4 @@
-"""`mahovik export fmu`: a stand for tools that simulate FMUs."""
+"""`mahovik export fmu`: a stand as an FMU."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mahovik.out.cli.progress import progress
 
 @click.command()
 @stand_argument
-@click.option("--version", type=click.Choice(["2.0", "3.0"]), default="2.0", show_default=True, help="Of FMI.")
+@click.option("--version", type=click.Choice(["2.0", "3.0"]), default="2.0", show_default=True, help="Version of FMI.")
 @click.option(
     "--kind",
     type=click.Choice(["cs", "me"]),
@@ -26,12 +26,14 @@ from mahovik.out.cli.progress import progress
     type=click.Choice(["torque", "acceleration"]),
     default="torque",
     show_default=True,
-    help="What drives the flywheels.",
+    help="Inputs that drive the flywheels.",
 )
 @click.option("-o", "output", metavar="FILE.fmu", type=click.Path(), help="Default: ./NAME.fmu of the stand.")
 @click.option("--start", metavar="STATE.json", type=click.Path(), help="Default: the static equilibrium.")
-@click.option("--dt", metavar="S", type=float, default=1e-4, show_default=True, help="Of cs: longest step inside, s.")
-@click.option("--binary/--no-binary", default=True, help="Compile it for this machine; sources are always there.")
+@click.option(
+    "--dt", metavar="S", type=float, default=1e-4, show_default=True, help="For cs: longest internal step, s."
+)
+@click.option("--binary/--no-binary", default=True, help="Compile for this machine; sources are always included.")
 def fmu(
     stand_file: str,
     version: str,
@@ -44,8 +46,8 @@ def fmu(
 ) -> None:
     """Write an FMU: the stand for other simulators.
 
-    The same C behind the Functional Mock-up Interface: units, names, start values, parameters that can be tuned,
-    sources, and a binary for this machine where it has a C compiler.
+    The same C behind the Functional Mock-up Interface: units, names, start values, tunable parameters, sources, and a
+    binary for this machine if it has a C compiler.
     """
     from mahovik.errors import UsageError
     from mahovik.out.export.fmu import export_fmu
@@ -55,7 +57,7 @@ def fmu(
     stand = load_stand(stand_file)
     path = Path(output if output is not None else f"{stand.name}.fmu")
     if kind == "me" and given("dt"):
-        raise UsageError("--dt: model exchange has no step inside, the tool integrates; leave it out, or --kind cs")
+        raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")
     if path.suffix != ".fmu":
         raise UsageError(f"-o {path}: expected a file whose name ends in .fmu")
     state = load(Path(start), stand) if start is not None else None

@@ -1,4 +1,4 @@
-"""`mahovik simulate --programme`: a programme followed by sampled servos, on a stand not quite that of the file."""
+"""`mahovik simulate --programme`: sampled servos follow a programme, on a stand that differs a little from its file."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from mahovik.use.control.record import Record
 
 MEASURED = 10
-"""Periods at the end of a run that are told of."""
+"""Periods measured at the end of a run."""
 
 SETTLING = 30
-"""Periods before them, where nothing else is asked for and no trim runs."""
+"""Periods before them, by default, without a trim."""
 
 LEFT, MOST_ROUNDS = 1e-2, 60
-"""A trim runs until this part of the error is left, or so often."""
+"""A trim runs until this part of the error is left, or for this many rounds."""
 
 
 def follow(
@@ -56,7 +56,7 @@ def follow(
 
     if servo_file is None or motion_file is None:
         missing = "--servo S.toml" if servo_file is None else "--motion M.json"
-        raise UsageError(f"--programme {programme_file}: goes with {missing}, which is missing")
+        raise UsageError(f"--programme {programme_file}: needs {missing}, which is missing")
     if output is not None:
         check(Path(output))
     stand = load_stand(stand_file)
@@ -82,7 +82,7 @@ def follow(
         if causes:
             with progress("what limits it") as stage:
                 limits = contributions(case, lambda cause: stage.say(f"what limits it: {cause}"))
-    except KeyboardInterrupt:  # the run itself is whole
+    except KeyboardInterrupt:  # the run itself is complete
         ended = True
     told = _Told(case, record, found, limits, step_error(case, record), mismatch, seed)
     if as_json:
@@ -92,7 +92,7 @@ def follow(
             click.echo(f"{click.format_filename(output)}   {len(record.t)} rows")
         _print(told)
     if ended:
-        click.echo("interrupted: the run is whole, what limits it is not told", err=True)
+        click.echo("interrupted: the run is complete, but its limits were not determined", err=True)
         raise SystemExit(INTERRUPTED)
 
 
@@ -127,7 +127,7 @@ def _case(
     from mahovik.core.motion.servo import load_servo
     from mahovik.proof.verify.programme.identity import motion_finding, stand_finding
     from mahovik.use.control.loop import Case
-    from mahovik.use.control.mismatch import mismatched
+    from mahovik.use.control.mismatch import with_mismatch
     from mahovik.use.control.trim import design_trim
     from mahovik.use.control.wanted import Wanted
 
@@ -158,7 +158,7 @@ def _case(
             periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
     elif periods < MEASURED + 1:
         raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
-    real = mismatched(stand, share, seed)
+    real = with_mismatch(stand, share, seed)
     return Case(wanted, real, servo, periods, design, begin, backend), Path(servo_file).name
 
 
@@ -171,7 +171,7 @@ def _rows(text: str) -> int | None:
 
 
 def _warn(stand: Stand, servo: Servo, source: str) -> None:
-    """Raises CheckError where the loop of a flywheel is not stable at all; warns where its margins are small."""
+    """Raise CheckError if the loop of a flywheel is unstable; warn if its margins are small."""
     from mahovik.use.control.stability import check, margins
 
     found = margins(stand, servo)
@@ -192,7 +192,7 @@ def _limiting(limits: list[Contribution]) -> str | None:
 
 @dataclass(frozen=True)
 class _Told:
-    """What is told of a run; `error`: of its steps."""
+    """Figures of a run; `error`: of its steps."""
 
     case: Case
     record: Record
@@ -274,7 +274,7 @@ def _print(told: _Told) -> None:
             alone, without = (_percent(x) for x in (each.alone, each.without))
             causes.add_row(each.cause.name, alone, without, each.cause.words)
         out.print(causes)
-        off = ", the trim off" if case.design is not None else ""
+        off = ", with the trim off" if case.design is not None else ""
         click.echo(f"limited by {_limiting(told.limits)}{off}")
     if case.backend == "c":
         click.echo(f"steps half as long change the carrier by {told.error:.1g} m, rad")

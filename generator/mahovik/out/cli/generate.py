@@ -1,4 +1,4 @@
-"""`mahovik generate`: the folder of a stand's C, which stands alone."""
+"""`mahovik generate`: the folder of a stand's C, complete in itself."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 @click.option(
     "-o", "output", metavar="DIR", type=click.Path(), help="Folder to write into; default ./NAME of the stand."
 )
-@click.option("--check", is_flag=True, help="Write nothing; exit status 1 where the folder differs.")
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if the folder differs.")
 @click.option("--batch", is_flag=True, help="Also the functions for many states at once: NAME_batch.h, NAME_batch.c.")
-@click.option("--no-cache", is_flag=True, help="Derive everything anew, and leave the cache of formulas as it is.")
+@click.option("--no-cache", is_flag=True, help="Derive everything again, without the cache of formulas.")
 @real_option
 @lanes_option
 @fast_option
@@ -37,10 +37,10 @@ def generate(
 ) -> None:
     """Write the C of a stand.
 
-    A folder that stands alone: header, source, self-test with golden vectors, README, and a manifest with the hash of
-    every file. All or nothing, and never over a file that mahovik has not written. Needs no compiler.
-    Warns where float would not resolve an unbalance.
-    The formulas that all stands share are derived once and then kept, in the folder MAHOVIK_CACHE if that is set.
+    A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
+    file. It writes all or nothing, never overwrites files of others, and needs no compiler. Warns if float would not
+    resolve an unbalance. The formulas that all stands share are derived once and cached, in the folder MAHOVIK_CACHE
+    if that is set.
     """
     if no_cache:
         from mahovik.core.formula.derived import without_cache
@@ -55,7 +55,7 @@ def generate(
     if lanes is None:
         lanes = host_lanes(len(stand.flywheels)) if fast else 1
     if lanes > 1 and not stand.flywheels:
-        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels to lay side by side: leave it out")
+        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels: remove it")
     with progress(f"generate {stand.name}"):
         files = delivery(stand, real, lanes, fast, batch)
     folder = Path(output if output is not None else stand.name)
@@ -75,7 +75,7 @@ def generate(
 
 
 def _warn(stand: Stand) -> None:
-    """What float does not resolve at the speeds of the motors: the lines of `mahovik check`."""
+    """Warn of unbalance that float does not resolve at the speeds of the motors, as `mahovik check` does."""
     from mahovik.core.stand.summary import summarize
     from mahovik.use.study.resolution import shortfalls
 

@@ -1,4 +1,4 @@
-"""What all commands share: errors as lines, and a guess where a command is misspelt."""
+"""Common behaviour of commands: errors as lines, and suggestions for misspelt commands."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from mahovik.nearest import meant
 from mahovik.out.cli.json_output import print_failure
 
 INTERRUPTED = 130
-"""Exit status after Ctrl-C: 128 and the number of the signal, as shells have it."""
+"""Exit status after Ctrl-C: 128 plus the number of the signal, as in shells."""
 
 INTERRUPTION = "error: interrupted; no file is half written"
 
 
 @contextlib.contextmanager
 def _formulas() -> Iterator[None]:
-    """Formulas of the derivation from the cache; what was derived is kept, whatever the command ends in."""
+    """Formulas of the derivation from the cache; new ones are kept, however the command ends."""
     from mahovik.core.formula.derived import leave_cache, use_cache
 
     use_cache(lambda line: click.echo(f"warning: {line}", err=True))
@@ -34,7 +34,7 @@ def _formulas() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _usage_in_a_line() -> Iterator[None]:
-    """Wrong options and arguments as one line, like all bad input: click takes four. Help where nothing was given."""
+    """Wrong options and arguments as one line, like all bad input (click prints four). Help if nothing was given."""
     try:
         yield
     except click.exceptions.NoArgsIsHelpError:
@@ -54,14 +54,14 @@ class Commands(click.Group):
         self._sections: dict[str, list[str]] = {}
 
     def add_section(self, title: str, commands: Iterable[click.Command]) -> None:
-        """Adds commands, which the help shows under this heading."""
+        """Add commands, shown under this heading in the help."""
         for command in commands:
             self.add_command(command)
             assert command.name is not None
             self._sections.setdefault(title, []).append(command.name)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Section by section, a line a command; no empty lines between, so that all is seen at once."""
+        """Section by section, one line per command; no empty lines between, so that all fit on a screen."""
         if not self._sections:
             super().format_commands(ctx, formatter)
             return
@@ -75,14 +75,14 @@ class Commands(click.Group):
             formatter.dedent()
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Where commands have sections, the options are in the line of usage: only the commands follow."""
+        """If commands have sections, the options are in the usage line, and only the commands follow."""
         if self._sections:
             self.format_commands(ctx, formatter)
         else:
             super().format_options(ctx, formatter)
 
     def make_context(self, *given: Any, **more: Any) -> click.Context:
-        """As click's, which makes status 1 of Ctrl-C."""
+        """Overrides click: Ctrl-C exits with 130."""
         try:
             with _usage_in_a_line():
                 return super().make_context(*given, **more)
@@ -102,11 +102,11 @@ class Commands(click.Group):
                 print_failure(ctx, lines)
             ctx.exit(error.exit_status)
         except KeyboardInterrupt:
-            # a command that keeps what it has so far says so itself
+            # a command that keeps its results so far prints its own message
             click.echo(INTERRUPTION, err=True)
             ctx.exit(INTERRUPTED)
         except BrokenPipeError:
-            # the reader has left (`| head`): nothing more can be said, and nothing may be flushed at exit
+            # the reader has closed (`| head`): nothing more can be printed, and nothing may be flushed at exit
             with contextlib.suppress(OSError, ValueError):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             ctx.exit(1)
@@ -116,7 +116,7 @@ class Commands(click.Group):
             ctx.exit(2)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """In the order in which one uses them."""
+        """Commands in the order of use."""
         return list(self.commands)
 
     def resolve_command(

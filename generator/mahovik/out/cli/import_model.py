@@ -1,4 +1,4 @@
-"""`mahovik import`: stand files made of the models of other programs."""
+"""`mahovik import`: stand files from models of other programs."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
     from mahovik.out.foreign.model import ForeignModel
 
 _file = click.argument("model_file", metavar="FILE", type=click.Path())
-_output = click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
-_name = click.option("--name", help="Of the stand; default: that of the model.")
+_output = click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Output; default ./NAME.toml.")
+_name = click.option("--name", help="Name of the stand; default: that of the model.")
 _carrier = click.option("--carrier", help="Body whose frame is E1, fixed to the first one; default: the first.")
 _instruments = click.option(
-    "--instruments", is_flag=True, help="Bodies fixed on the carrier stay instruments; else they are merged into it."
+    "--instruments", is_flag=True, help="Keep bodies fixed on the carrier as instruments; otherwise merge them."
 )
 
 
 @click.group("import", cls=Commands, short_help="Make a stand file of a URDF or a MuJoCo model.")
 def import_model() -> None:
-    """Stand files made of the models of other programs.
+    """Stand files from models of other programs.
 
-    Joints that turn without end become flywheels. What a stand cannot have is refused by name, all of it at once.
+    Joints that turn without end become flywheels. Features that a stand cannot have are refused, all of them at once.
     """
 
 
@@ -51,8 +51,8 @@ def urdf(
 ) -> None:
     """Make a stand file of a URDF.
 
-    The root link is the carrier, continuous joints on it are flywheels, what is fixed is merged, links without mass
-    are points. Nothing is ever overwritten.
+    The root link is the carrier, continuous joints on it are flywheels, fixed links are merged, links without mass
+    become points. Nothing is ever overwritten.
     """
     from mahovik.out.foreign.urdf import read_urdf
 
@@ -101,7 +101,7 @@ def _write(
     instruments: bool,
     gravity: tuple[float, float, float] | None = None,
 ) -> None:
-    """Merges a model and writes the stand file; tells what was made of what."""
+    """Merge a model, write the stand file, and print what became of each part."""
     import numpy as np
 
     from mahovik.core.stand.names import stand_name_problem
@@ -120,7 +120,7 @@ def _write(
     if target.is_dir() or (output is not None and output.endswith("/")):
         target = target / f"{own}.toml"
     if target.exists():
-        raise UsageError(f"{target}: is there already, nothing was written")
+        raise UsageError(f"{target}: exists already, nothing was written")
     found = stand_of(
         model,
         own,
@@ -144,7 +144,7 @@ def _write(
 def _compared(
     found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], path: Path
 ) -> str:
-    """How well the stand agrees with the original file in the program of its format. Raises CheckError."""
+    """Agreement of the stand with the original file, in words. Raises CheckError."""
     from mahovik.errors import CheckError
     from mahovik.out.foreign.agreement import LIMIT, agreement, disagreement
 

@@ -1,4 +1,6 @@
-"""`--json`: one document on standard output and nothing else there, also where a check fails.
+"""`--json`: one document on standard output and nothing else there, also if a check fails.
+
+Keys are the names and units of the rest of the project: SI, and the same order for the same input.
 
 Keys are the names and units of the rest of the project: SI, and the same order for the same input.
 """
@@ -28,13 +30,13 @@ def print_json(values: Any) -> None:
 
 
 def print_json_text(text: str) -> None:
-    """The same of a text that is JSON."""
+    """Print a text that is already JSON."""
     click.echo(text.rstrip("\n"))
     click.get_current_context().meta[_PRINTED] = True
 
 
 def print_failure(ctx: click.Context, lines: list[str]) -> None:
-    """Where --json was asked for and nothing was printed: the reasons, so that a program has one document as well."""
+    """Print the reasons as JSON if --json was given and nothing was printed, so that a program gets one document."""
     if ctx.meta.get(_ASKED) and not ctx.meta.get(_PRINTED):
         click.echo(json.dumps({"error": lines}, indent=1))
 

@@ -1,4 +1,4 @@
-"""`mahovik judge`: any program that speaks the contract of `eval`, and with --explain which fault it has."""
+"""`mahovik judge`: judge a program that implements the contract of `eval`; --explain names its fault."""
 
 from __future__ import annotations
 
@@ -18,25 +18,27 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.report import Report
 
 
-@click.command(short_help="Judge a program, and say what is wrong in it.")
+@click.command(short_help="Judge a program, and find its fault.")
 @stand_argument
 @click.option(
     "--with", "command", metavar="COMMAND", required=True, help="The program, which reads states; {stand}: the file."
 )
-@click.option("--explain", is_flag=True, help="Where it differs, say which fault of the equations it has.")
-@click.option("--want", metavar="NAME,...", help="What the program must offer; default: what it does offer.")
-@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="How many states.")
-@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of the random states.")
+@click.option("--explain", is_flag=True, help="If it differs, name the fault in its equations.")
+@click.option("--want", metavar="NAME,...", help="Wants the program must offer; default: those it offers.")
+@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="Number of states.")
+@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Seed of the random states.")
 @click.option(
     "--tolerance",
     default=1e-12,
     show_default=True,
     type=click.FloatRange(1e-15, 0.1),
-    help="Accepted, of the natural scale.",
+    help="Accepted difference, relative to the natural scale.",
 )
-@click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of the program, s.")
+@click.option(
+    "--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Time limit of the program, s."
+)
 @json_option("Print table and diagnosis as JSON.")
-@click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
+@click.option("--junit", metavar="FILE", type=click.Path(), help="Also write the table as JUnit XML.")
 @click.option(
     "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
 )
@@ -53,11 +55,11 @@ def judge(
     junit: str | None,
     worst: str | None,
 ) -> None:
-    """Judge a program by the reference, and say what is wrong with it.
+    """Judge a program by the reference, and find its fault.
 
     Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
-    --explain a program that differs is asked again, at states that tell faults apart, and its error is compared with
-    what each physical fault of a dictionary would give.
+    --explain a program that differs gets more states, which distinguish faults, and its error is compared with that of
+    each physical fault in a dictionary.
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """
@@ -74,7 +76,7 @@ def judge(
         finish(found, as_json, junit, worst)
         return
     try:
-        with progress("tell faults apart"):
+        with progress("distinguish faults"):
             diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
     except CheckError as error:
         from dataclasses import replace
@@ -85,7 +87,7 @@ def judge(
 
 
 def _diagnosis(stand: Stand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
-    """Of a program that differs, of the wants that it offers; of one that agrees there is nothing to say."""
+    """Diagnosis of a program that differs, for the wants that it offers."""
     from mahovik.proof.diagnose.diagnosis import Clinic, Diagnosis
     from mahovik.proof.verify.foreign import ask
 

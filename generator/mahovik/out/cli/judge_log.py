@@ -17,9 +17,9 @@ from mahovik.out.cli.json_output import json_option, print_json
 def judge_log(log: str, stand_file: str | None, as_json: bool) -> None:
     """Judge the log of a self-test from a board.
 
-    Every function must say PASS; with the stand file the identities must be its own, no function may be missing, and
-    the hashes of the sweep must be those of this machine. What a serial terminal adds is passed over.
-    Exit status 0 only if all that was asked for is good.
+    Every function must report PASS. With the stand file, the identities must match it, no function may be missing, and
+    the hashes of the sweep must be those of this machine. Text added by a serial terminal is ignored.
+    Exit status 0 only if every check passed.
     """
     from mahovik.core.stand.content import TABLE, content
     from mahovik.errors import CheckError

@@ -20,11 +20,11 @@ from mahovik.out.cli.progress import progress
     type=click.Choice(["free", "locked"]),
     default="free",
     show_default=True,
-    help="free: driven by torques; locked: they keep their motion, whatever happens.",
+    help="free: driven by torques; locked: they keep their motion.",
 )
 @click.option("-o", "output", metavar="FILE.json|FILE.mat", type=click.Path(), required=True, help="The model.")
 def linearize(stand_file: str, at: str, points: str | None, flywheels: str, output: str) -> None:
-    """Make a stand linear: A, B, C, D.
+    """Linearise a stand: A, B, C, D.
 
     About rest or a state, by exact derivatives: x' = A x + B u, y = C x + D u.
 

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from mahovik.use.study.linear import Modes
 
 SMALL = 5e-4
-"""Of the largest displacement of a shape: less is not printed."""
+"""Part of the largest displacement of a shape: smaller ones are not printed."""
 
 ALIGNED = 1.0
-"""deg: a phase nearer to 0 or 180 deg is a sign."""
+"""deg: a phase this near to 0 or 180 deg is printed as a sign."""
 
 
 @click.command()
@@ -37,10 +37,10 @@ ALIGNED = 1.0
 def modes(stand_file: str, at: str, flywheels: str, as_json: bool) -> None:
     """Find natural frequencies, damping and shapes.
 
-    Of small motions about rest or a state.
+    Modes of small motions about rest or a state.
 
-    A shape is a motion of the carrier (O1 along the axes of E1, turns about them) and of free flywheels; its largest
-    number is 1, in m or rad. Free directions come first.
+    A shape is a motion of the carrier (O1 along the axes of E1, rotations about them) and of free flywheels; its
+    largest number is 1, in m or rad. Free directions come first.
     """
     stand = load_stand(stand_file)
     from mahovik.use.study.linear import linear_model
@@ -92,17 +92,15 @@ def _print(found: Modes, title: str, steady: bool) -> None:
         rows.add_row(str(number), frequency, "-" if free else f"{mode.damping:.4g}", kind + _shape(found, mode.shape))
     out.print(rows)
     if any(mode.kind == "free" for mode in found.modes):
-        out.print("without a frequency: free, nothing brings the stand back")
+        out.print("without a frequency: a free direction, no restoring force")
     if not steady:
-        out.print(
-            "of one moment: the carrier or a flywheel accelerates here, so growth and decay do not tell stability"
-        )
+        out.print("valid for one moment: the carrier or a flywheel accelerates here, so growth does not show stability")
     elif found.unstable:
         out.print("warning: unstable, a mode with negative damping grows", style="yellow")
 
 
 def _shape(found: Modes, shape: Any) -> str:
-    """Its displacements from the largest down, with their phases where these are no signs."""
+    """Displacements of a shape, largest first, with their phases unless these are signs."""
     given = sorted(zip(found.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
     return "  ".join(f"{channel.name} {_number(x)}" for channel, x in given if abs(x) > SMALL)
 

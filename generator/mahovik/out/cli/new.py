@@ -12,9 +12,9 @@ from mahovik.out.cli.json_output import json_option, print_json
 
 @click.command()
 @click.argument("name", required=False, shell_complete=lambda _context, _argument, typed: _examples(typed))
-@click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Where to; default ./NAME.toml.")
+@click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Output; default ./NAME.toml.")
 @click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
-@json_option("Print the list, or what was written, as JSON.")
+@json_option("Print the list, or the files written, as JSON.")
 def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> None:
     """Copy an example stand with its motions and servos. Nothing is ever overwritten."""
     from mahovik import stands
@@ -40,7 +40,7 @@ def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> No
     files |= {f"{stem}.servo.toml": servo for servo in stands.servos(name)}
     for each in files:
         if (target.parent / each).exists():
-            raise UsageError(f"{target.parent / each}: is there already, nothing was written")
+            raise UsageError(f"{target.parent / each}: exists already, nothing was written")
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
     paths = write_all(target.parent, texts)
     if as_json:
@@ -51,7 +51,7 @@ def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> No
 
 
 def _examples(typed: str) -> list[str]:
-    """For a shell that completes."""
+    """Names for completion in a shell."""
     from mahovik import stands
 
     return [name for name in stands.names() if name.startswith(typed)]

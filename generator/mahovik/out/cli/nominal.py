@@ -1,4 +1,4 @@
-"""`--at rest|STATE.json`: the motion about which a stand is made linear."""
+"""`--at rest|STATE.json`: the motion about which a stand is linearised."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mahovik.core.stand.state import State
 
 KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "wrench")
-"""Of a state as `eval` reads it; V* and the drive torques follow from them."""
+"""Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 at_option = click.option(
     "--at", "at", metavar="rest|STATE.json", default="rest", show_default=True, help="The state, as `eval` reads it."

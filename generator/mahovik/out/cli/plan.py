@@ -17,27 +17,36 @@ if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.required.model import Winding
     from mahovik.use.plan import Plan
-    from mahovik.use.plan.wishes import Method
+    from mahovik.use.plan.options import Method
 
 
 @click.command(short_help="Find a programme that moves the carrier as required.")
 @stand_argument
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="What is required.")
-@click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="The programme.")
-@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="A cut-off.")
-@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Of the starts.")
-@click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns a period; in place of the motion file's.")
+@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="Required motion.")
+@click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="Output file of the programme.")
 @click.option(
-    "--keep", metavar="K", type=click.IntRange(1, 99), default=1, show_default=True, help="Best K, into P.2.json ..."
+    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the search."
+)
+@click.option(
+    "--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the starts."
+)
+@click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns per period; replaces the motion file's.")
+@click.option(
+    "--keep",
+    metavar="K",
+    type=click.IntRange(1, 99),
+    default=1,
+    show_default=True,
+    help="Keep the best K, as P.2.json ...",
 )
 @click.option(
     "--method",
     type=click.Choice(["fourier", "ocp-partition", "ocp"]),
     default="fourier",
     show_default=True,
-    help="fourier; (13) by IPOPT from there: six flywheels follow from the others, or (12) as constraints.",
+    help="fourier; or (13) by IPOPT from its result: with six dependent flywheels, or with (12) as constraints.",
 )
-@click.option("--partition", metavar="w1,w2,..", help="The six that follow, (13); without it the best six.")
+@click.option("--partition", metavar="w1,w2,..", help="The six dependent flywheels of (13); default: the best six.")
 @json_option("Print figures and status as JSON.")
 def plan(
     stand_file: str,
@@ -53,9 +62,9 @@ def plan(
 ) -> None:
     """Plan a programme: flywheel motions that make the carrier move exactly as required.
 
-    What is out of reach is refused at once, with what is missing. What is found is verified by the literal reference.
-    Ctrl-C gives the best so far. --time cuts the search; where run-ups come after it they have half of the time. The
-    verification of what is given is never cut.
+    A motion out of reach is refused at once, with what is missing. Programmes are verified by the literal reference.
+    Ctrl-C gives the best so far. --time limits the search; run-ups after it, if any, have half of the time. The
+    verification is never cut.
 
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
@@ -63,7 +72,7 @@ def plan(
     from mahovik.core.motion.programme import programme_text
     from mahovik.core.motion.required import load_motion
     from mahovik.proof.verify.files import probe, write_all
-    from mahovik.use.plan import Wishes, plan_motion
+    from mahovik.use.plan import PlanOptions, plan_motion
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -76,7 +85,7 @@ def plan(
         probe(path)
     with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
-        wishes = Wishes(seed, seconds, chosen, keep, method=method, partition=six)
+        wishes = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
         found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
@@ -98,7 +107,7 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
     if given is None:
         return None
     if not periodic:
-        raise UsageError("--winding goes with a periodic motion; this one is finite")
+        raise UsageError("--winding needs a periodic motion; this one is finite")
     if given in {"any", "spin", "rock"}:
         return cast("Winding", given)
     try:
@@ -111,7 +120,7 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
 
 
 def _report(programme: Programme, path: Path) -> None:
-    """Figures of a programme that is written."""
+    """Print figures of a written programme."""
     from rich.text import Text
 
     report: Any = programme.report
@@ -144,7 +153,7 @@ def _report(programme: Programme, path: Path) -> None:
 
 
 def _report_ocp(method: str, ocp: Any) -> None:
-    """How (13) was solved, and where its partition holds."""
+    """Print how (13) was solved, and where its partition holds."""
     raw = ocp["raw_residual"]
     then = "" if raw is None else f", then refined; residual between the nodes {raw:.2g} before that"
     click.echo(f"{method}: {ocp['ipopt']}, {ocp['iterations']} iterations{then}")
@@ -159,12 +168,12 @@ def _report_ocp(method: str, ocp: Any) -> None:
 
 
 def _leftover(paths: list[Path], found: str) -> None:
-    """Fewer than --keep: programmes of an earlier run under the other names would be taken for some of this one."""
+    """Remove programmes of an earlier run under the remaining names, so that nobody mistakes them for new ones."""
     click.echo(f"warning: {found}", err=True)
     for path in paths:
         if path.is_file():
             path.unlink()
-            click.echo(f"warning: {click.format_filename(path)} is removed: it was of an earlier run", err=True)
+            click.echo(f"warning: {click.format_filename(path)} was removed: it was from an earlier run", err=True)
 
 
 def _plain(found: Plan, paths: list[Path]) -> dict[str, Any]:
@@ -184,7 +193,7 @@ def _plain(found: Plan, paths: list[Path]) -> dict[str, Any]:
 
 
 def _say(found: Plan) -> None:
-    """The status with its reason, and what it took."""
+    """Print the status with its reason, and the effort."""
     click.echo(found.status if found.reason is None else f"{found.status} {found.reason}")
     if found.status == "OK_LIMIT":
         for line in found.words:
@@ -198,7 +207,7 @@ def _say(found: Plan) -> None:
 
 
 def _end(found: Plan) -> None:
-    """What went wrong; exit status."""
+    """Print the problems; return the exit status."""
     if found.status != "OK_LIMIT":
         for line in found.words:
             click.echo(line, err=True)

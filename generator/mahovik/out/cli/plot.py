@@ -14,14 +14,14 @@ from mahovik.out.cli.progress import progress
 @click.command()
 @click.argument("file", metavar="PROGRAMME.json|RUN.csv|RUN.parquet", type=click.Path())
 @click.option("-o", "output", metavar="FILE.svg|FILE.png", type=click.Path(), required=True, help="The picture.")
-@click.option("--stand", "stand_file", metavar="STAND.toml", type=click.Path(), help="Of a programme: with --motion,")
+@click.option("--stand", "stand_file", metavar="STAND.toml", type=click.Path(), help="For a programme: with --motion,")
 @click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), help="shows motion, torques, residual.")
 def plot(file: str, output: str, stand_file: str | None, motion_file: str | None) -> None:
     """Draw a programme or a run.
 
-    Of a programme: speeds and accelerations of the flywheels; with its stand and motion also the carrier's required
-    and achieved motion, by (8), drive torques and the residual of (12). Of a run of `mahovik simulate`: the carrier's
-    motion, speeds, torques.
+    Of a programme it shows speeds and accelerations of the flywheels; with its stand and motion also the carrier's
+    required and achieved motion, by (8), drive torques and the residual of (12). Of a run of `mahovik simulate` it
+    shows the carrier's motion, speeds, torques.
     """
     from mahovik.out.report.plot import run
     from mahovik.out.report.plot.draw import SUFFIXES, draw
@@ -31,11 +31,11 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
     if target.suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {' or '.join(SUFFIXES)}")
     if (stand_file is None) != (motion_file is None):
-        raise UsageError("--stand and --motion go together: give both or neither")
+        raise UsageError("--stand and --motion: give both or neither")
     probe(target)
     if source.suffix in run.SUFFIXES:
         if stand_file is not None:
-            raise UsageError("--stand, --motion: a run shows what was simulated, leave them out")
+            raise UsageError("--stand, --motion: not used for a run; remove them")
         with progress(f"draw {source.name}"):
             picture = draw(source.stem, run.panels(run.read(source)), target.suffix)
         write(target, picture)

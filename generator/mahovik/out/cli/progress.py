@@ -1,4 +1,7 @@
-"""What a command does and how far it is: one line on standard error, where that is a terminal.
+"""Progress of a command: one line on standard error, if that is a terminal.
+
+The line appears after a second and is cleared at the end. It is not shown in pipes or on terminals that cannot move a
+cursor, and has no colours if NO_COLOR is set. The stages below do not know it: they get plain callbacks.
 
 It appears after a second and is gone at the end. Nothing in pipes, and on terminals that cannot move a cursor; without
 colours where NO_COLOR is set. The stages below know nothing of it: they are given plain callbacks.
@@ -19,22 +22,22 @@ if TYPE_CHECKING:
     from rich.text import Text
 
 PATIENCE = 1.0
-"""s before the line appears: what is shorter needs none."""
+"""s before the line appears: shorter work needs none."""
 
 ENOUGH = 0.5
-"""s of steps before a rate is told."""
+"""s of steps before a rate is shown."""
 
 REFRESH = 5.0
 """Hz."""
 
 NARROW, BAR = 60, 20
-"""Columns: a terminal below the one has no bar; of the other."""
+"""Columns: a terminal narrower than the first has no bar; width of the bar."""
 
 
 class Stage:
-    """What runs and how far it is. Its methods are the callbacks of the stages below.
+    """Running work and its progress. Its methods are the callbacks of the stages below.
 
-    what   in words; total: steps or seconds, None where nobody knows, as in a search
+    what   in words; total: steps or seconds, None if unknown, as in a search
     unit   of `done` and `total`, before "/s"; nothing for steps
     """
 
@@ -46,31 +49,31 @@ class Stage:
         self._last = self._begin
 
     def at(self, done: float, _total: object = None) -> None:
-        """So much is done."""
+        """Set the amount done."""
         now = time.monotonic()
-        if self._first is None:  # what comes before the first step, such as a compiler, is not of the rate
+        if self._first is None:  # work before the first step, such as compiling, does not count for the rate
             self._first = (now, done)
         self.done, self._last = done, now
 
     def say(self, words: str) -> None:
-        """What it does now."""
+        """Set the present activity."""
         self.what = words
 
     @property
     def elapsed(self) -> float:
-        """s since the beginning."""
+        """Time since the beginning, s."""
         return time.monotonic() - self._begin
 
     @property
     def rate(self) -> float | None:
-        """Per second, from the first step to the last; None where that is no time to tell it from."""
+        """Steps per second, from the first step to the last; None if the time is too short."""
         if self._first is None or self._last - self._first[0] < ENOUGH:
             return None
         return (self.done - self._first[1]) / (self._last - self._first[0])
 
     @property
     def words(self) -> str:
-        """Done, rate, time: what is left of it where that is known, else what has passed."""
+        """Amount done, rate, and remaining time, or elapsed time if the total is unknown."""
         parts = []
         if self.total is not None:
             parts.append(f"{self._number(self.done)}/{self._number(self.total)}")
@@ -99,9 +102,9 @@ def clock(seconds: float) -> str:
 
 @contextmanager
 def progress(what: str, total: float | None = None, unit: str = "") -> Iterator[Stage]:
-    """Shows a stage while the body runs.
+    """Show a stage while the body runs.
 
-    Whatever the body ends in, the line is cleared; nothing may be printed to the terminal in between.
+    However the body ends, the line is cleared. Nothing may be printed to the terminal in between.
     """
     stage = Stage(what, total, unit)
     if not shown():
@@ -120,7 +123,7 @@ def shown() -> bool:
 
 
 class _Line:
-    """The line of a stage, drawn from a thread: the work itself is never waited for."""
+    """The line of a stage, drawn from a thread, so that drawing never delays the work."""
 
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
@@ -139,7 +142,7 @@ class _Line:
                 self._shown = made
 
     def end(self) -> None:
-        """Clears it; after this nothing is drawn any more."""
+        """Clear the line; nothing is drawn after this."""
         self._timer.cancel()
         with self._lock:
             self._ended = True
@@ -173,7 +176,7 @@ def _made(stage: Stage) -> Progress:
             return ProgressBar(stage.total, min(stage.done, stage.total or 0.0), width=bar)
 
     column = Column(no_wrap=True)
-    columns: list[Any] = [SpinnerColumn(), HowFar(column), What(column)]  # words may be long: they come last
+    columns: list[Any] = [SpinnerColumn(), HowFar(column), What(column)]  # words may be long, so they come last
     if stage.total is not None:
         columns = [What(column), *([Bar(column)] if bar else []), HowFar(column)]
     # standard streams stay what they are: results may go to a pipe meanwhile

@@ -42,7 +42,7 @@ def vector(option: str, text: str) -> tuple[float, float, float]:
 
 
 def speed(option: str, text: str, zero: bool = False) -> float:
-    """One angular speed above 0, rad/s; with `zero` also that. Raises UsageError."""
+    """One angular speed above 0, rad/s; with `zero` also 0. Raises UsageError."""
     found = _list(option, text, ("an angular speed", "rad/s"))
     if len(found) != 1:
         raise UsageError(f'{option} {text}: expected a speed, as "100 rpm"')

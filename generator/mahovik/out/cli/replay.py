@@ -26,13 +26,15 @@ if TYPE_CHECKING:
 )
 @click.option("--step", "wanted", metavar="K", type=int, help="Show step K: its line for `eval`, all bits in hex.")
 @click.option("--emit-test", "tested", metavar="K", type=int, help="Write NAME_step_K.c: step K as a unit test in C.")
-@click.option("--against", metavar="DIR", type=click.Path(), help="Replay the C in DIR, the folder that flew.")
+@click.option(
+    "--against", metavar="DIR", type=click.Path(), help="Replay the C in DIR, the folder that was used in flight."
+)
 @click.option(
     "--backend",
     type=click.Choice(["c", "interpreter"]),
     default="c",
     show_default=True,
-    help="interpreter: without a compiler, slow.",
+    help="interpreter: needs no compiler, slow.",
 )
 @json_option()
 def replay(
@@ -47,11 +49,11 @@ def replay(
 ) -> None:
     """Replay a flight log.
 
-    Repeats every step that NAME_recorder.c has logged, and compares each state with the log's, bit for bit. LOG is
-    binary, or text of a serial console with lines @89a0.... Without STAND.toml the file is looked for by the name and
-    physics in the log: here, beside the log, among the examples.
+    Repeats every step logged by NAME_recorder.c, and compares each state with the log's, bit for bit. LOG is binary,
+    or text of a serial console with lines @89a0.... Without STAND.toml the stand file is found by the name and physics
+    in the log: in this folder, beside the log, or among the examples.
 
-    Exit status 1 where a state differs or the log is damaged; an end in the middle of a record is only noted.
+    Exit status 1 if a state differs or the log is damaged; an end in the middle of a record is only noted.
     """
     from mahovik.proof.verify.files import probe
     from mahovik.use.simulate import flight_log
@@ -72,7 +74,7 @@ def replay(
         if start.real != starts[0].real:
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
     folder = Path(against) if against is not None else None
-    lanes = 1 if folder is not None else replays.lanes_that_flew(stand, starts[0])
+    lanes = 1 if folder is not None else replays.logged_lanes(stand, starts[0])
     machine = replays.machine(stand, starts[0].real, backend, folder, lanes)
     session = _Session(stand, machine, starts[0], wanted, tested, Path(output) if output is not None else None)
     with progress(f"replay {Path(log).name}, records", len(records)) as stage:
@@ -110,7 +112,7 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
 
 
 class _Session:
-    """Counts, shows and writes what a replay finds."""
+    """Counts, shows and writes the results of a replay."""
 
     def __init__(
         self, stand: Stand, machine: Machine, start: Start, wanted: int | None, tested: int | None, output: Path | None
@@ -146,28 +148,28 @@ class _Session:
 
     def _written(self, found: Outcome) -> str:
         from mahovik.errors import StateError
-        from mahovik.use.simulate.replay_output import line, row
+        from mahovik.use.simulate.replay_output import csv_row, eval_line
 
         assert self._output is not None
         if self._output.suffix == ".csv":
-            return row(found)
+            return csv_row(found)
         try:
-            return line(found, self._machine.generated.layout.inputs) + "\n"
+            return eval_line(found, self._machine.generated.layout.inputs) + "\n"
         except StateError as error:
             raise UsageError(f"-o {self._output}: step {found.step.count}: {error}; write .csv instead") from None
 
     def _show(self, found: Outcome) -> None:
-        from mahovik.use.simulate.replay_output import in_full
+        from mahovik.use.simulate.replay_output import step_dump
 
-        self._said += in_full(found, self._machine.generated.layout.inputs)
+        self._said += step_dump(found, self._machine.generated.layout.inputs)
 
     def _emit_test(self, found: Outcome) -> None:
         from mahovik.core.emit.replay_test import replay_test
         from mahovik.proof.verify.files import write
-        from mahovik.use.simulate.replay import inputs_of
+        from mahovik.use.simulate.replay import step_inputs
 
         path = Path(f"{self._stand.name}_step_{found.step.count}.c")
-        name, inputs = inputs_of(self._machine.generated, found.step)
+        name, inputs = step_inputs(self._machine.generated, found.step)
         before, after = ({k: v.tolist() for k, v in each.items()} for each in (found.before, found.after))
         text = replay_test(
             self._stand, self._machine.generated, path.name, found.step.count,
@@ -177,17 +179,17 @@ class _Session:
         self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")
 
     def finish(self, notes: list[str], as_json: bool) -> None:
-        """Files and the last line. Exit status 1 where a state differs or something is missing."""
+        """Write files and the last line. Exit status 1 if a state differs or something is missing."""
         from mahovik.proof.verify.files import write
         from mahovik.use.simulate.replay import explain
-        from mahovik.use.simulate.replay_output import heading
+        from mahovik.use.simulate.replay_output import csv_heading
 
         for text in self._said:
             click.echo(text, err=as_json)
         for note in notes:
             click.echo(f"note: {note}", err=True)
         if self._output is not None:
-            first = heading(self._start.flywheels) if self._output.suffix == ".csv" else ""
+            first = csv_heading(self._start.flywheels) if self._output.suffix == ".csv" else ""
             write(self._output, first + "".join(self._lines))
             click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps", err=as_json)
         for damage in self._damage:

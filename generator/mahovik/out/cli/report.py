@@ -13,10 +13,14 @@ from mahovik.out.cli.progress import progress
 
 @click.command(short_help="A stand, its proof and its motion on one page.")
 @stand_argument
-@click.option("-o", "output", metavar="FILE.html", type=click.Path(), required=True, help="The page.")
-@click.option("--run", "run_file", metavar="RUN.csv|RUN.parquet", type=click.Path(), help="Of `mahovik simulate`.")
-@click.option("--programme", "programme_file", metavar="P.json", type=click.Path(), help="Of `mahovik plan`.")
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), help="Of --programme: what it shall do.")
+@click.option("-o", "output", metavar="FILE.html", type=click.Path(), required=True, help="Output page.")
+@click.option(
+    "--run", "run_file", metavar="RUN.csv|RUN.parquet", type=click.Path(), help="A run of `mahovik simulate`."
+)
+@click.option(
+    "--programme", "programme_file", metavar="P.json", type=click.Path(), help="A programme of `mahovik plan`."
+)
+@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), help="Motion file of --programme.")
 @click.option(
     "--cost", "cost_folder", metavar="DIR", type=click.Path(), help="Generated C with figures of `mahovik cost`."
 )
@@ -32,15 +36,17 @@ def report(
 ) -> None:
     """Report on a stand: one page that opens offline in any browser, and prints.
 
-    Bodies, matrices, verification, cost, reach, and of a run or programme its motion. Exit status 1 where a
-    comparison fails: the page is written and says so.
+    Shows bodies, matrices, verification, cost, reach, and the motion of a run or programme. Exit status 1 if a
+    comparison fails; the page is written and shows it.
     """
     if not output.endswith(".html"):
         raise UsageError(f"-o {output}: expected a name that ends in .html")
+    from mahovik.out.report.plot.draw import require
     from mahovik.out.report.stand.gather import gather
     from mahovik.out.report.stand.page import ORDER, page
     from mahovik.proof.verify.files import probe, write
 
+    require("report")
     probe(Path(output))
     material = gather(
         load_stand(stand_file),

@@ -1,4 +1,4 @@
-"""`mahovik response`: what flywheels at constant speeds make a point do."""
+"""`mahovik response`: motion of a point under flywheels at constant speeds."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from mahovik.out.cli.rest import read_phases
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.use.study.response.asked import Asked
+    from mahovik.use.study.response.speed_plan import SpeedPlan
     from mahovik.use.study.response.sweep import Sweep
 
 PICTURES = (".svg", ".png")
 SUFFIXES = (".json", ".csv", *PICTURES)
 
 RPM = 9.549296585513721
-"""Of 1 rad/s."""
+"""1 rad/s in rpm."""
 
 SHOWN = 12
 """Lines of orders in the table."""
@@ -45,9 +45,11 @@ SHOWN = 12
     default="acceleration",
     show_default=True,
 )
-@click.option("--band", metavar="A..BHz", help="RMS of the harmonics within it as well.")
-@click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='At t = 0, "w1=90 deg"; default 0.')
-@click.option("--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Ends the sweep.")
+@click.option("--band", metavar="A..BHz", help="Also print the RMS of the harmonics within this band.")
+@click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Phase at t = 0, "w1=90 deg"; default 0.')
+@click.option(
+    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the sweep."
+)
 @click.option("-o", "output", metavar="FILE", type=click.Path(), help=f"{', '.join(SUFFIXES)}: numbers or a picture.")
 @json_option()
 def response(
@@ -66,20 +68,20 @@ def response(
 
     Periodic steady states under turning flywheels: orders, RMS, Campbell diagram, waterfall.
 
-    Exact solutions of the whole equations, not of linear ones. Speeds must be in whole ratios: their common period is
-    that of the motion. Ctrl-C keeps the speeds that are done.
+    The solutions are exact for the full equations, not linearised. Speeds must be in whole ratios: the motion has their
+    common period. Ctrl-C keeps the speeds that are done.
     """
     stand = load_stand(stand_file)
     if output is not None and Path(output).suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {', '.join(SUFFIXES)}")
     from mahovik.use.study.linear.points import places
-    from mahovik.use.study.response.asked import read_speeds
+    from mahovik.use.study.response.speed_plan import read_speeds
     from mahovik.use.study.response.sweep import sweep
 
     places(stand, [point])
     asked = read_speeds(stand, speeds)
     if asked.sweep is None and given("steps"):
-        raise UsageError("--steps: no speed is swept, give a range as w1=0..6000rpm")
+        raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     limits, turned = None if band is None else read_band(band), read_phases(stand, phases)
     if output is not None:
         _check_place(Path(output))
@@ -113,7 +115,7 @@ def response(
 
 
 def read_band(text: str) -> tuple[float, float]:
-    """Hz. Raises UsageError."""
+    """Two frequencies, Hz. Raises UsageError."""
     found = re.fullmatch(r"\s*([\d.eE+]+)\s*(?:Hz)?\s*\.\.\s*([\d.eE+]+)\s*Hz\s*", text)
     try:
         low, high = (float(x) for x in (found[1], found[2])) if found else (1.0, 0.0)
@@ -124,8 +126,8 @@ def read_band(text: str) -> tuple[float, float]:
     return low, high
 
 
-def _warn(stand: Stand, asked: Asked) -> None:
-    """Speeds beyond those of the motors."""
+def _warn(stand: Stand, asked: SpeedPlan) -> None:
+    """Warn of speeds beyond those of the motors."""
     for s, wheel in enumerate(stand.flywheels):
         fastest = max(abs(asked.speeds(value)[s]) for value in asked.sweep or (0.0,))
         most = None if wheel.motor is None else wheel.motor.speed
@@ -135,13 +137,13 @@ def _warn(stand: Stand, asked: Asked) -> None:
 
 
 def _check_place(path: Path) -> None:
-    """Before anything is computed: can it be written, can it be drawn? Raises UsageError."""
+    """Check, before anything is computed, that the file can be written. Raises UsageError."""
     from mahovik.proof.verify.files import probe
 
     if path.suffix in PICTURES:
         from mahovik.out.report.plot.draw import require
 
-        require()
+        require("plot")
     probe(path)
 
 
@@ -160,7 +162,7 @@ def _write(found: Sweep, path: Path) -> None:
 
 
 def _print(found: Sweep) -> None:
-    """Orders, RMS, and what is to be known of the steady states."""
+    """Print orders, RMS, and remarks on the steady states."""
     import numpy as np
 
     out, asked = console(), found.asked
@@ -182,7 +184,7 @@ def _print(found: Sweep) -> None:
 
 
 def _remarks(found: Sweep) -> None:
-    """Free directions, instability, speeds without a steady state."""
+    """Print remarks: free directions, instability, speeds without a steady state."""
     import numpy as np
 
     lost = [step for step in found.steps if step.problem is not None]

@@ -1,4 +1,4 @@
-"""`mahovik rest`: where a stand rests."""
+"""`mahovik rest`: static equilibrium of a stand."""
 
 from __future__ import annotations
 
@@ -18,12 +18,14 @@ if TYPE_CHECKING:
 
 @click.command()
 @stand_argument
-@click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Of a flywheel, "w1=90 deg"; default 0.')
+@click.option(
+    "--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Phase of a flywheel, "w1=90 deg"; default 0.'
+)
 @json_option("Print JSON; `simulate --start` reads it.")
 def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
     """Find the static equilibrium.
 
-    Flywheels are at rest at their phases, no run-time wrench acts. Exit status 1 where there is no equilibrium.
+    Flywheels are at rest at their phases; no run-time wrench acts. Exit status 1 if there is no equilibrium.
     """
     stand = load_stand(stand_file)
     phi = read_phases(stand, phases)
@@ -77,7 +79,7 @@ def _print(found: Rest, stand: Stand) -> None:
         math.atan2(math.hypot(*(state.quaternion or (1, 0, 0, 0))[1:]), (state.quaternion or (1,))[0])
     )
     out.print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
-    rows = table("position of O1 in E0, m", "quaternion", "left of V_dot>")
+    rows = table("position of O1 in E0, m", "quaternion", "remaining V_dot>")
     rows.add_row(
         "  ".join(f"{plain(x):.9f}" for x in state.position),
         "  ".join(f"{plain(x):.9f}" for x in state.quaternion or ()),

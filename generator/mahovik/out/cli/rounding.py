@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def verify_rigorously(
     stand: Stand, seed: int, states: int, against: str | None, real: str, as_json: bool
 ) -> RoundingReport:
-    """Measures, and prints the table. Raises UsageError without python-flint."""
+    """Measure, and print the table. Raises UsageError without python-flint."""
     try:
         from mahovik.proof.verify.rounding.measure import measure_rounding
         from mahovik.proof.verify.rounding.report import as_json as json_text

@@ -24,11 +24,13 @@ if TYPE_CHECKING:
 @stand_argument
 @click.option("--until", metavar="S", type=float, help="Duration, s.")
 @click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), help="Columns.")
-@click.option("--regime", metavar="FILE", type=click.Path(), help="What drives the flywheels; default: none turns.")
+@click.option(
+    "--regime", metavar="FILE", type=click.Path(), help="Speeds or torques of the flywheels; default: none turns."
+)
 @click.option("--start", metavar="STATE.json", type=click.Path(), help="Default: the static equilibrium.")
 @click.option("--dt", metavar="S", type=float, default=1e-4, show_default=True, help="Longest step, s.")
 @click.option("--every", metavar="S", type=float, default=1e-3, show_default=True, help="Time between rows, s.")
-@click.option("--order", type=click.Choice(["4", "2"]), default="4", show_default=True, help="Of the step.")
+@click.option("--order", type=click.Choice(["4", "2"]), default="4", show_default=True, help="Order of the step.")
 @click.option(
     "--backend",
     type=click.Choice(["c", "scipy"]),
@@ -36,26 +38,32 @@ if TYPE_CHECKING:
     show_default=True,
     help="c: the generated C; scipy: the literal reference, adaptive, slow.",
 )
-@click.option("--mounts", is_flag=True, help="Write the wrench of the mount on each flywheel as well.")
-@click.option("--programme", metavar="P.json", type=click.Path(), help="Followed by servos, in place of a regime.")
-@click.option("--motion", metavar="M.json", type=click.Path(), help="Of --programme: what the carrier shall do.")
-@click.option("--servo", metavar="S.toml", type=click.Path(), help="Of --programme: the servos of the flywheels.")
+@click.option("--mounts", is_flag=True, help="Also write the wrench of the mount on each flywheel.")
 @click.option(
-    "--mismatch", metavar="PERCENT", default="0%", show_default=True, help="Of --programme: errors of the stand."
+    "--programme", metavar="P.json", type=click.Path(), help="Programme to follow by servos, instead of a regime."
 )
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of --mismatch.")
-@click.option("--periods", type=click.IntRange(1), help="Of --programme; default: until it has settled.")
+@click.option("--motion", metavar="M.json", type=click.Path(), help="For --programme: the motion file.")
+@click.option("--servo", metavar="S.toml", type=click.Path(), help="For --programme: the servos of the flywheels.")
+@click.option(
+    "--mismatch", metavar="PERCENT", default="0%", show_default=True, help="For --programme: errors of the stand."
+)
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of --mismatch.")
+@click.option("--periods", type=click.IntRange(1), help="For --programme; default: until it has settled.")
 @click.option(
     "--begin",
     type=click.Choice(["settled", "programme", "rest"]),
     default="settled",
     show_default=True,
-    help="Of --programme: in the stand's own periodic motion, in the required state, or at rest with the run-up.",
+    help="For --programme: start in the stand's own periodic motion, the required state, or at rest with the run-up.",
 )
 @click.option(
-    "--table", metavar="NODES|exact", default="128", show_default=True, help="Of --programme: as firmware has it."
+    "--table",
+    metavar="NODES|exact",
+    default="128",
+    show_default=True,
+    help="For --programme: the table as in firmware.",
 )
-@click.option("--causes/--no-causes", default=True, help="Of --programme: say what limits it, in further runs.")
+@click.option("--causes/--no-causes", default=True, help="For --programme: find what limits it, by further runs.")
 @json_option("Print figures as JSON.")
 def simulate(
     stand_file: str,
@@ -81,11 +89,11 @@ def simulate(
 ) -> None:
     """Simulate a stand under a regime, or following a programme.
 
-    Motion of the carrier, flywheels, torques and readings of every point, in columns with units. Ctrl-C keeps
-    what is computed so far.
+    Writes the motion of the carrier and flywheels, torques, and readings of every point, in columns with units. Ctrl-C
+    keeps the rows computed so far.
 
     With --programme, --motion and --servo the flywheels are driven by sampled servos, on a stand whose numbers are
-    wrong by --mismatch: how well the carrier follows, and what limits it.
+    wrong by --mismatch; it prints how well the carrier follows, and what limits it.
     """
     _only(programme is not None)
     if programme is not None:
@@ -118,16 +126,16 @@ def simulate(
 
 
 def _only(follows: bool) -> None:
-    """Raises UsageError where an option was given that goes with the other way of running."""
+    """Raise UsageError if an option was given that belongs to the other way of running."""
     of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts")
     of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes")
     for name in of_regime if follows else of_programme:
         if given(name):
-            raise UsageError(f"--{name}: goes {'without' if follows else 'with'} --programme")
+            raise UsageError(f"--{name}: {'not allowed with' if follows else 'needs'} --programme")
 
 
 def _beginning(stand: Stand, regime: str | None, start: str | None, until: float) -> tuple[Regime, State]:
-    """The regime, and the state to begin with. Raises RegimeError, UsageError, CheckError."""
+    """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
     import math
 
     from mahovik.core import motion
@@ -144,17 +152,19 @@ def _beginning(stand: Stand, regime: str | None, start: str | None, until: float
     try:
         return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
     except CheckError as error:
-        raise CheckError(f"{error}; give a state to begin with by --start") from None
+        raise CheckError(f"{error}; give an initial state by --start") from None
 
 
 def _warn(case: Case) -> None:
-    """Steps that are long for the speeds at the start."""
+    """Warn of steps that are long for the initial speeds."""
     import numpy as np
 
     _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
     fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
     if fastest * case.dt > 0.3:
-        click.echo(f"warning: a flywheel turns {fastest * case.dt:.2g} rad a step: --dt {case.dt:g} is long", err=True)
+        click.echo(
+            f"warning: a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long", err=True
+        )
 
 
 def _plain(found: Run, output: str) -> dict[str, Any]:
@@ -163,16 +173,16 @@ def _plain(found: Run, output: str) -> dict[str, Any]:
         "rows": len(found.data),
         "columns": found.names,
         "t_end": float(found.data[-1, 0]) if len(found.data) else None,
-        "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.short.items()},
+        "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.weak_motors.items()},
         "stopped": found.stopped,
     }
 
 
 def _report(found: Run, as_json: bool) -> None:
-    """Motors that fall short; why a run ended early. Exit status 1, or 130 for Ctrl-C."""
-    for name, (t, missing) in found.short.items():
+    """Print weak motors, and why a run ended early. Exit status 1, or 130 for Ctrl-C."""
+    for name, (t, missing) in found.weak_motors.items():
         click.echo(
-            f"motor of {name}: cannot give what its law asks for; {missing:.4g} N m short at t = {t:.6g} s", err=as_json
+            f"motor of {name}: cannot give the torque of its law; {missing:.4g} N m short at t = {t:.6g} s", err=as_json
         )
     if found.stopped is not None:
         click.echo(f"error: {found.stopped}; what was computed is kept", err=True)

@@ -23,10 +23,10 @@ def verify_on_targets(
     junit: str | None,
     lanes: int,
 ) -> None:
-    """Runs the self-test on targets, prints the table, and ends with the verdict as exit status.
+    """Run the self-test on targets, print the table, and exit with the verdict as status.
 
-    1 where bits differ; 2 where a compiler or an emulator is missing, or the processor lacks what the one target that
-    was asked for wants: then nothing is known.
+    1: bits differ. 2: a compiler or an emulator is missing, or the processor lacks a feature of the only target; then
+    nothing is known.
     """
     from mahovik.proof.verify.files import write
     from mahovik.proof.verify.targets import SWEEP, asked, verify_targets

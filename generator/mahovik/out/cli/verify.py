@@ -29,24 +29,30 @@ if TYPE_CHECKING:
 
 @click.command()
 @stand_argument
-@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="How many states.")
-@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Of the random states.")
+@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="Number of states.")
+@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Seed of the random states.")
 @json_option("Print the table as JSON.")
-@click.option("--junit", metavar="FILE", type=click.Path(), help="Write the table as JUnit XML as well.")
+@click.option("--junit", metavar="FILE", type=click.Path(), help="Also write the table as JUnit XML.")
 @click.option(
     "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
 )
-@click.option("--against", metavar="DIR", type=click.Path(), help="Judge the C that lies there, not a fresh copy.")
+@click.option("--against", metavar="DIR", type=click.Path(), help="Judge the C in this folder, not a fresh copy.")
 @click.option(
     "--with", "command", metavar="COMMAND", help="Judge a program that reads states; {stand}: the stand file."
 )
-@click.option("--want", metavar="NAME,...", help="What the program of --with must offer; default: what it does offer.")
-@click.option("--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Of --with, s.")
-@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, where it can, Basilisk.")
+@click.option(
+    "--want", metavar="NAME,...", help="Wants that the program of --with must offer; default: those it offers."
+)
+@click.option(
+    "--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Time limit of --with, s."
+)
+@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, if possible, Basilisk.")
 @click.option("--rigorous", is_flag=True, help="The true error of the C, by enclosures of the exact answer.")
 @click.option("--bare", is_flag=True, help="With --judges: the stand without fluid, stream, suspension, legs.")
 @click.option(
-    "--targets", metavar="NAME,...", help="The same bits on processors: all, quick, m7,rv64gc,...; both element types."
+    "--targets",
+    metavar="NAME,...",
+    help="Check for the same bits on processors: all, quick, m7,rv64gc,...; both element types.",
 )
 @real_option
 @lanes_option
@@ -77,19 +83,19 @@ def verify(
     C), relative to its natural scale. Exit status 0 only if all agree.
     """
     if real == "float" and (judges or command is not None):
-        raise UsageError("--real float: of the generated C, not with --judges, --with")
+        raise UsageError("--real float: only for the generated C, not with --judges, --with")
     if (lanes is not None or fast) and (judges or command is not None):
-        raise UsageError("--lanes, --fast: of the generated C, not with --judges, --with")
+        raise UsageError("--lanes, --fast: only for the generated C, not with --judges, --with")
     if fast and targets is not None:
         raise UsageError("--fast: its bits are not reproducible, so not with --targets, which compares them")
     if command is not None and against is not None:
-        raise UsageError("--with, --against: one of them")
+        raise UsageError("--with, --against: give only one of them")
     if judges and (command is not None or against is not None):
         raise UsageError("--judges judges a fresh copy: not with --with, --against")
     if bare and not judges:
-        raise UsageError("--bare goes with --judges")
+        raise UsageError("--bare needs --judges")
     if want is not None and command is None:
-        raise UsageError("--want goes with --with")
+        raise UsageError("--want needs --with")
     if rigorous and (judges or command is not None or targets is not None):
         raise UsageError("--rigorous measures the C: not with --judges, --with, --targets")
     if targets is not None:
@@ -164,9 +170,9 @@ def finish(
     more: Mapping[str, Any] | None = None,
     words: Sequence[str] = (),
 ) -> None:
-    """Print, and conclude.
+    """Print the report, and exit with its verdict.
 
-    What is said beyond the table: `more` beside it in the JSON, `words` as lines below it.
+    `more` is added to the JSON, `words` are printed as lines below the table.
     """
     from mahovik.proof.verify.report import as_json as json_text
 
@@ -180,7 +186,7 @@ def finish(
 
 
 def _conclude(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
-    """Write what was asked for, and end with the verdict as exit status."""
+    """Write the requested files, and exit with the verdict as status."""
     if found.error:
         click.echo(f"error: {found.error}", err=True)
     try:
@@ -188,7 +194,7 @@ def _conclude(found: Report, as_json: bool, junit: str | None, worst: str | None
     except UsageError as error:
         if found.passed:
             raise
-        click.echo(f"error: {error}", err=True)  # the verdict counts for more
+        click.echo(f"error: {error}", err=True)  # the verdict is more important
     if not found.passed:
         raise SystemExit(1)
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 @click.option(
     "--tolerance",
     type=click.FloatRange(1e-12, 0.1),
-    help="Of the residual, a share; 20 times it of the simulation. Default 1e-6, with damping of V|V| 1e-5.",
+    help="Largest relative residual; the simulation's is 20 times it. Default 1e-6, with damping of V|V| 1e-5.",
 )
 @json_option("Print JSON instead of a table.")
 def verify_programme(
@@ -31,8 +31,8 @@ def verify_programme(
 ) -> None:
     """Verify that a programme makes the carrier move as required.
 
-    By the literal reference and an adaptive integration only, whatever planned it: the residual of (12) between the
-    programme's own nodes, the carrier's motion by (8), table, period, bounds, bias, and whether the motion is stable.
+    Uses only the literal reference and an adaptive integration, independent of planning: the residual of (12) between
+    the programme's nodes, the carrier's motion by (8), table, period, bounds, bias, and stability of the motion.
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
@@ -58,8 +58,8 @@ def verify_programme(
 def _print(findings: Sequence[Finding]) -> None:
     from rich.text import Text
 
-    out = console(piped=100)  # words about another stand would make every row as long; a program reads --json
-    rows = table("item", "found>", "accepted>", "verdict", "of what")
+    out = console(piped=100)  # long words about another stand would widen every row; programs read --json
+    rows = table("item", "found>", "accepted>", "verdict", "quantity")
     for each in findings:
         verdict = Text("FAILED", "red") if not each.passed else Text("warns", "yellow") if each.warns else Text("ok")
         rows.add_row(Text(each.name), f"{each.value:.3g}", f"{each.limit:.4g}", verdict, Text(each.words))

@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Stand
 
 
 def cmake_project(stand: Stand, real: str, batch: bool = False) -> dict[str, str]:
-    """The project's files, text by file name; `batch`: with the functions for many states.
+    """The project's files, text by file name; `batch`: also the functions for many states.
 
     Raises StandError, UsageError.
     """

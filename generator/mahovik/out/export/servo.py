@@ -1,4 +1,4 @@
-"""A programme's tables with the servos that follow it, as C: gains computed, the sampled loop checked, an example."""
+"""C of a programme's tables and the servos that follow it: computed gains, a checked sampled loop, an example."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from mahovik.use.control.stability import Margins, check, delay
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
 
 PERIODS = 10
-"""Of the example's run."""
+"""Periods of the example's run."""
 
 
 @dataclass(frozen=True)
 class ExportedServo:
-    """Files of the servo and of its programme by name; what is to be said, a line each; program, form, numbers."""
+    """Files of the servo and of its programme by name; messages, one line each; program, form, numbers."""
 
     servo: dict[str, str]
     programme: Exported
@@ -57,8 +57,8 @@ def export_servo(
 ) -> ExportedServo:
     """C of a programme and of the servos that follow it. `sources` name programme and servo in messages.
 
-    CheckError where the sampled loop is not stable with enough margin, the programme is not good enough, or stand,
-    programme and motion do not belong together; UsageError where torques or a trim are wanted without the motion.
+    CheckError: the sampled loop is not stable with enough margin, the programme is not accurate enough, or stand,
+    programme and motion do not belong together. UsageError: torques or a trim without the motion.
     """
     if motion is None and (servo.feedforward or servo.trim is not None):
         what = "feedforward" if servo.feedforward else "trim"
@@ -85,7 +85,7 @@ def export_servo(
 
 
 def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -> tuple[str, ...]:
-    """What was computed, a line each."""
+    """Messages about the computed servo, one line each."""
     J, late = rotor_inertia(stand), delay(stand, servo)
     parts = [f"bandwidth {_hertz(servo.bandwidth)}, damping ratio {servo.damping_ratio:g}"]
     parts += [] if servo.integral is None else [f"integral {_hertz(servo.integral)}"]
@@ -103,7 +103,7 @@ def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -
 
 
 def said_of_trim(made: TrimDesign) -> str:
-    """What the trim corrects, and how fast."""
+    """Message: the trim's corrections, and their speed."""
     trim = made.trim
     names = ", ".join(COORDINATES[i] for i in trim.coordinates)
     return (
@@ -113,7 +113,7 @@ def said_of_trim(made: TrimDesign) -> str:
 
 
 def _loop(layout: Layout, programme: Programme, motion: RequiredMotion | None, servo: Servo) -> dict[str, Any]:
-    """What the example has beside tables: where the carrier starts, delays, how long it runs."""
+    """Data of the example besides tables: initial state of the carrier, delays, duration."""
 
     def literals(values: Any) -> str:
         return ", ".join(real_literal(float(v), layout.precision) for v in values)

@@ -20,7 +20,7 @@ SWEEP = 20
 
 
 def exportable(name: str) -> Target:
-    """The target of that name. Raises UsageError for an unknown one, and for two compilers in one project."""
+    """The target with this name. Raises UsageError for an unknown one, and for one with two compilers."""
     target = TARGETS.get(name)
     if target is None:
         raise UsageError(f'unknown target "{name}"{meant(name, TARGETS)}')

@@ -1,5 +1,5 @@
-"""Stand files made of the models of other programs: URDF and MuJoCo's MJCF.
+"""Stand files from models of other programs: URDF and MuJoCo's MJCF.
 
-A reader of each format gives a `ForeignModel`: links on fixed and turning joints, with what cannot be a stand refused
-by name. `merge` makes a Stand of it, `agreement` compares that with Pinocchio or MuJoCo on the original file.
+The reader of each format returns a `ForeignModel`, links on fixed and turning joints, and refuses features that a stand
+cannot have. `merge` turns it into a Stand, `agreement` compares that with Pinocchio or MuJoCo on the original file.
 """

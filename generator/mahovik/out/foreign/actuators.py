@@ -1,4 +1,4 @@
-"""MuJoCo's actuators of flywheels: what they say of the largest torque of a drive."""
+"""MuJoCo's actuators of flywheels: the largest torque of a drive."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from mahovik.core.stand.units import show
 
 
 def torque_limits(model: Any) -> tuple[dict[int, float], list[str]]:
-    """Largest drive torque, N m, by number of the joint, and what is said of actuators, a line each.
+    """Largest drive torque, N m, by number of the joint, and messages about actuators, one line each.
 
     A motor (force = gain times control) limits by its force range, its control range and the joint's own range,
-    times the gear; every other actuator is a law of control, which a stand has not.
+    times the gear; every other actuator is a law of control, which a stand does not have.
     """
     import mujoco
 

@@ -1,6 +1,6 @@
-"""An imported stand beside the original file, as Pinocchio or MuJoCo reads it: the same dynamics, or how far off.
+"""Comparison of an imported stand with the original file in Pinocchio or MuJoCo: relative differences of the dynamics.
 
-Both are judged in the terms of model.md; the originals know nothing of the stand but the names of its joints.
+Both are compared in the terms of model.md; the originals use only the joint names of the stand.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ class Original(Protocol):
     held: Array | None
 
     def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
-        """QUANTITIES at a state whose carrier has the attitude C (3x3); those that it has."""
+        """The available QUANTITIES at a state whose carrier has the attitude C (3x3)."""
 
 
 LIMIT = 1e-9
-"""Of the relative difference of the equations (K, I, bias, tau): more is another model, not rounding."""
+"""Largest relative difference of the equations (K, I, bias, tau) that rounding can cause."""
 
 
 def disagreement(errors: Mapping[str, float]) -> str:
-    """What of the equations differs by more than LIMIT, in words; "" where nothing does.
+    """Message: quantities of the equations that differ by more than LIMIT; "" if none does.
 
-    Accelerations may differ by what the condition of the mass matrix makes of rounding, and do not decide.
+    Accelerations do not decide: the condition of the mass matrix amplifies their rounding.
     """
     wrong = [
         f"{name} by {errors[name]:.2g}" for name in ("K", "I", "bias", "tau") if not errors.get(name, 0.0) <= LIMIT
@@ -70,19 +70,19 @@ def agreement(found: Imported, original: Original, count: int = 20, seed: int = 
             if value.size:
                 scale = float(np.abs(value).max())
                 error = float(np.abs(ours[name] - value).max()) / (scale or 1.0)
-                worst[name] = float(np.maximum(worst.get(name, 0.0), error))  # NaN stays: it is no agreement
+                worst[name] = float(np.maximum(worst.get(name, 0.0), error))  # NaN stays, as disagreement
     return worst
 
 
 def _ours(stand: Stand, state: State) -> dict[str, Array]:
-    """By the literal reference of the equations."""
+    """QUANTITIES of the stand, by the literal reference."""
     at = evaluate(stand, state, ("matrices", "coupled", "torque"))
     bias = at["M"] @ np.array(state.V) + at["J"] @ np.array(state.phi_dot) - at["F"]
     return {name: np.asarray(at[name]) for name in QUANTITIES if name != "bias"} | {"bias": bias}
 
 
 def _attitude(state: State) -> Array:
-    """C of the carrier."""
+    """Attitude C of the carrier."""
     if state.quaternion is not None:
         return np.asarray(Rotation.from_quat(state.quaternion, scalar_first=True).as_matrix())
     return np.asarray(Rotation.from_euler("ZYX", state.angles or (0.0, 0.0, 0.0)).as_matrix())
@@ -96,7 +96,7 @@ def twist_map(place: Place) -> Array:
 
 
 class PinocchioOriginal:
-    """A URDF in Pinocchio, its root free, or what floats on it. ImportError where Pinocchio is not installed."""
+    """A URDF in Pinocchio, with a free root, or the body that floats on it. ImportError without Pinocchio."""
 
     held: Array | None
 
@@ -158,8 +158,8 @@ class PinocchioOriginal:
 class MujocoOriginal:
     """An MJCF file in MuJoCo, without contacts, friction, limits and laws of control.
 
-    Of a base that is fixed there it has tau alone, of flywheels that turn on a carrier at rest.
-    `model`: what MuJoCo's compiler made of the file.
+    For a fixed base it has only tau, of flywheels that turn on a carrier at rest.
+    `model`: the file as compiled by MuJoCo.
     """
 
     held: Array | None

@@ -1,4 +1,4 @@
-"""ForeignModel -> Stand: what is fixed is merged, what turns on the carrier is a flywheel."""
+"""ForeignModel -> Stand: fixed links are merged, links that turn on the carrier are flywheels."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ _HERE = Place(np.zeros(3), np.eye(3))
 
 @dataclass(frozen=True)
 class Imported:
-    """A stand and where it came from.
+    """A stand and its origin.
 
-    `comments`: lines over the table of a body or point, by name; `notes`: what a user has to know, a line each;
+    `comments`: lines above the table of a body or point, by name; `notes`: messages to the user, one line each;
     `carrier`: the link whose frame is E1, at `place` in the frame of the first link; `joints`, `numbers`:
     name and place in the file of the joint of each flywheel.
     """
@@ -57,7 +57,7 @@ class _Group:
 
 
 def combined(parts: Sequence[RigidMass]) -> RigidMass:
-    """One rigid body of several, all given in one frame. One alone stays as it is, to the last bit."""
+    """One rigid body from several, all given in one frame. A single one is unchanged, to the last bit."""
     if len(parts) == 1:
         return parts[0]
     mass = sum(part.mass for part in parts)
@@ -85,10 +85,10 @@ def stand_of(
     gravity: Array | None = None,
     instruments: bool = False,
 ) -> Imported:
-    """The stand of a model. Raises ForeignError with every reason why it is none.
+    """The stand of a model. Raises ForeignError with every reason against it.
 
     `carrier`: the link whose frame is E1, one that is fixed to the first; default the first. `gravity`, m/s2 in E0:
-    for a format that has none. `instruments`: bodies that are fixed on the carrier stay bodies of their own.
+    for a format without it. `instruments`: keep bodies fixed on the carrier as separate bodies.
     """
     return _Merger(model, name, source, gravity, instruments).stand(carrier)
 
@@ -161,7 +161,7 @@ class _Merger:
         return f"{self._model.noun} {show(link)}"
 
     def _check_masses(self) -> None:
-        """Each body by itself: in a sum one that cannot be would hide."""
+        """Check each body separately, since a sum would hide an impossible one."""
         for link in self._model.links:
             far = float(
                 max(np.abs(link.place.origin).max(), 0.0 if link.spin is None else np.abs(link.spin.anchor).max())
@@ -182,18 +182,18 @@ class _Merger:
                 check_body(body, self._called(link.name), self._problems)
 
     def _fixed_on_the_world(self, chosen: str | None, on_carrier: _Group) -> None:
-        """A carrier moves; whether this one is to, its user says."""
+        """Refuse a carrier that is fixed on the world, unless the user chose it."""
         if chosen is not None:
             self._notes.append(f"{self._called(chosen)}: is fixed on the world there, and free here: see [suspension]")
             return
         with_mass = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None]
         base = [*with_mass, self._model.links[0].name][0]
         self._problems.add(
-            self._called(base), f"is fixed on the world, a carrier moves: give --carrier {base} to have it free"
+            self._called(base), f"is fixed on the world, but a carrier moves: give --carrier {base} to make it free"
         )
 
     def _groups(self) -> dict[str, _Group]:
-        """By the first link of each: it, and what is fixed on it."""
+        """Groups of links fixed together, by the first link of each."""
         groups: dict[str, _Group] = {}
         heads: dict[str, str] = {}
         for link in self._model.links:
@@ -216,7 +216,7 @@ class _Merger:
                 first = self._model.links[0].name
                 reason = f"turns, expected {show(first)} or a {self._model.noun} that is fixed to it"
             else:
-                reason = f"is none of the file{meant(chosen, known)}"
+                reason = f"is not in the file{meant(chosen, known)}"
             self._problems.add(f"--carrier {chosen}: {reason}")
             return _HERE
         return on_carrier.members[chosen][1].inverse
@@ -225,7 +225,8 @@ class _Merger:
         where = f"joint {show(cast(Spin, link.spin).joint)}"
         if link.parent not in on_carrier.members:
             self._problems.add(
-                where, f"turns on {self._called(link.parent or '')}, which turns itself: a flywheel is on the carrier"
+                where,
+                f"turns on {self._called(link.parent or '')}, which turns itself: a flywheel must be on the carrier",
             )
             return
         mass = groups[link.name].merged()
@@ -235,7 +236,7 @@ class _Merger:
     # -- the bodies of the stand ---------------------------------------------------------------------------------------
 
     def _apart(self, on_carrier: _Group, carrier: str) -> list[tuple[Link, Place]]:
-        """Bodies on the carrier that stay bodies of their own."""
+        """Bodies on the carrier that are kept as separate bodies."""
         if not self._instruments:
             return []
         return [each for each in on_carrier.members.values() if each[0].name != carrier and each[0].mass is not None]
@@ -247,9 +248,9 @@ class _Merger:
         return Carrier(name="carrier", **_properties(on_carrier.merged(base, apart)), added_mass=None)
 
     def _sources(self, merged: Sequence[str]) -> str:
-        """Whose mass properties these are."""
+        """Comment that names the links of these mass properties."""
         if not merged:
-            return "No mass of its own."
+            return "Without mass."
         listed = ", ".join(merged)
         return f"Mass, centre of mass, inertia: {listed}{', merged' if len(merged) > 1 else ''}."
 
@@ -321,7 +322,7 @@ class _Merger:
 
 
 def _motor_sources(spin: Spin) -> list[str]:
-    """What of the joint each key of the motor is."""
+    """Comment that names the joint's number for each key of the motor."""
     given = [("damping", "viscous", spin.viscous), ("friction", "coulomb", spin.coulomb)]
     given.append(("largest torque", "torque", spin.torque or 0.0))
     words = [f"{ours} is its {theirs}" for theirs, ours, value in given if value]
@@ -329,7 +330,7 @@ def _motor_sources(spin: Spin) -> list[str]:
 
 
 def _properties(mass: RigidMass) -> dict[str, Any]:
-    """What a Body of the stand has of these."""
+    """Fields of a Body of the stand."""
     return {
         "mass": float(mass.mass),
         "center_of_mass": _vec3(mass.center),

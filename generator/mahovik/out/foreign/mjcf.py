@@ -1,6 +1,6 @@
 """MJCF -> ForeignModel: MuJoCo's own compiler reads the file: defaults, includes, angles, inertias of shapes.
 
-What acts on the motion and a stand has not is refused by name; what does not act is told.
+Features that act on the motion, but that a stand does not have, are refused; features without effect are reported.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ _FREE, _BALL, _SLIDE, _HINGE = range(4)
 def read_mjcf(path: Path) -> ForeignModel:
     """The model of an MJCF file, with every problem found.
 
-    Raises ForeignError where MuJoCo's compiler takes no such file, UsageError without MuJoCo.
+    Raises ForeignError if MuJoCo's compiler refuses the file, UsageError without MuJoCo.
     """
     name = parsed(path, "mujoco").get("model", "")
     return _Reader(compiled(path), Problems(path.name), name).model()
 
 
 def compiled(path: Path) -> Any:
-    """The file as MuJoCo's compiler has it, an MjModel. Raises ForeignError where it takes no such file, UsageError."""
+    """The file as compiled by MuJoCo, an MjModel. Raises ForeignError if it is refused, UsageError without MuJoCo."""
     try:
         import mujoco
     except ImportError as error:
@@ -65,7 +65,7 @@ class _Reader:
             self._children[model.body_parentid[i]].append(i)
 
     def model(self) -> ForeignModel:
-        """The bodies of what moves; none where that is not one tree of finite numbers."""
+        """The moving bodies; none unless they are one tree of finite numbers."""
         self._refuse_what_acts()
         finite = self._finite()
         root = self._root()
@@ -83,16 +83,16 @@ class _Reader:
         notes, problems = tuple(self._notes), tuple(self.problems.lines)
         return ForeignModel(self._name, "body", gravity, tuple(links), tuple(frames), free, notes, problems)
 
-    # -- what a stand has not ------------------------------------------------------------------------------------------
+    # -- unsupported features -----------------------------------------------------------------------------------------
 
     def _refuse_what_acts(self) -> None:
         model, add = self._model, self.problems.add
         for count, of, noun in ((model.neq, model.equality, "equality"), (model.ntendon, model.tendon, "tendon")):
             for i in range(count):
-                add(f"{noun} {show(of(i).name or str(i))}", "constrains the motion, a stand has no such thing")
+                add(f"{noun} {show(of(i).name or str(i))}", "constrains the motion, which a stand cannot have")
         for count, noun in ((model.nflex, "flex"), (model.nplugin, "plugin")):
             if count:
-                add(f"{count} {noun}: a stand has rigid bodies and its own laws alone")
+                add(f"{count} {noun}: a stand has only rigid bodies and its own laws")
         for key in ("density", "viscosity"):
             if getattr(model.opt, key):
                 add(
@@ -108,7 +108,7 @@ class _Reader:
                 add(f"actuator {show(model.actuator(i).name or str(i))}", "armature: inertia without a body")
 
     def _finite(self) -> bool:
-        """Whether all numbers are; MuJoCo's compiler takes NaN and infinity."""
+        """Whether all numbers are finite; MuJoCo's compiler accepts NaN and infinity."""
         model, before = self._model, len(self.problems.lines)
         for key in ("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia"):
             for i in _not_finite(getattr(model, key)):
@@ -126,7 +126,7 @@ class _Reader:
         return len(self.problems.lines) == before
 
     def _refuse_of_joint(self, joint: int, where: str) -> None:
-        """What makes more of a joint than a drive torque and friction."""
+        """Refuse features of a joint beyond a drive torque and friction."""
         model, add = self._model, self.problems.add
         dof = model.jnt_dofadr[joint]
         if model.jnt_limited[joint]:
@@ -153,7 +153,7 @@ class _Reader:
         return [int(self._model.jnt_type[first + i]) for i in range(self._model.body_jntnum[body])]
 
     def _root(self) -> int | None:
-        """The body of the world that is the carrier: the one that is free, or on which something turns."""
+        """The carrier: the body of the world that is free, or on which something turns."""
         moving = [b for b in self._children[_WORLD] if any(self._joints(each) for each in self._below(b))]
         still = len(self._children[_WORLD]) - len(moving)
         if len(moving) == 1:
@@ -193,7 +193,7 @@ class _Reader:
         return Link(name, parent, place, self._mass(body), spin)
 
     def _check_free(self, joint: int, where: str) -> None:
-        """The motion of the carrier has no friction and no spring of its own joint."""
+        """Refuse friction or a spring of the carrier's free joint."""
         dofs = slice(self._model.jnt_dofadr[joint], self._model.jnt_dofadr[joint] + 6)
         for key in ("damping", "dampingpoly", "armature", "frictionloss"):
             if np.any(getattr(self._model, f"dof_{key}")[dofs]):
@@ -230,7 +230,7 @@ class _Reader:
         self._mj.mju_quat2Mat(found, quaternion)
         return found.reshape(3, 3)
 
-    # -- what does not act ---------------------------------------------------------------------------------------------
+    # -- features without effect --------------------------------------------------------------------------------------
 
     def _sites(self, inside: Sequence[int]) -> list[int]:
         """Named places."""
@@ -244,7 +244,7 @@ class _Reader:
         return Frame(model.site(site).name, self._names[model.site_bodyid[site]], place)
 
     def _tell(self, inside: list[int]) -> None:
-        """What is left out."""
+        """Report the features left out."""
         model, off = self._model, self._mj.mjtDisableBit
         counts = {"geom": model.ngeom, "sensor": model.nsensor, "camera": model.ncam, "light": model.nlight}
         counts |= {"keyframe": model.nkey, "site without a name": model.nsite - len(self._sites(inside))}

@@ -1,4 +1,4 @@
-"""What the models of other programs have that a stand can have: links, fixed or turning on others."""
+"""Parts of other programs' models that a stand can have: links, fixed or turning on others."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ class Place:
 class Spin:
     """A joint that turns without end: its name; axis (3, any length) and a point of it (3, m) in the link's frame.
 
-    `number`: its place among the joints of the file, which is the order of the flywheels.
-    `zero`: the joint's coordinate, rad, where the link is as its `place` says. Torques of the joint: `viscous`
+    `number`: its index among the joints of the file, which is the order of the flywheels.
+    `zero`: the joint's coordinate, rad, at which the link has its `place`. Torques of the joint: `viscous`
     N m s/rad, `coulomb` N m, the largest that a drive gives N m, None for no limit.
     """
 
@@ -57,9 +57,9 @@ class Spin:
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """A rigid body. `place`: its frame in that of its parent; `mass`: None where it has none; `spin`: None where fixed.
+    """A rigid body. `place`: its frame in that of its parent; `mass`, `spin`: or None.
 
-    `parent` is None for the first link alone, and its place then says nothing.
+    `parent` is None only for the first link, whose place has no meaning.
     """
 
     name: str
@@ -80,10 +80,10 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class ForeignModel:
-    """A model as it was read: links, parents first; `free`: the first one moves freely, None where the file cannot say.
+    """A model as read: links, parents first; `free`: whether the first one moves freely, None: the file cannot say.
 
-    `gravity` (3, m/s2) None where the format has none; `notes`: what is left out, a line each; `noun`: what the
-    format calls a body. `problems`: why it is no stand, a line each; then links may be missing.
+    `gravity` (3, m/s2), None: the format has none; `notes`: features left out, one line each; `noun`: the format's
+    word for a body. `problems`: why it cannot be a stand, one line each; links may then be missing.
     """
 
     name: str

@@ -8,13 +8,13 @@ from mahovik.core.stand.names import name_problem, stand_name_problem
 
 
 class Names:
-    """Gives each body and point a name of its own that a stand file takes."""
+    """Gives each body and point a unique name that a stand file accepts."""
 
     def __init__(self) -> None:
         self._taken = {"carrier"}
 
     def name(self, given: str, fallback: str) -> str:
-        """The name itself where it will do; else letters, digits and _ of it, with a number where it is taken."""
+        """The name itself if valid; else its letters, digits and _, with a number if the name is taken."""
         plain = _identifier(given, fallback)
         if name_problem(plain) is not None:
             plain += "_"

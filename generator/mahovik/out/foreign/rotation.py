@@ -34,7 +34,7 @@ def angles_of(axes: Array) -> tuple[float, float, float]:
     psi = math.atan2(axes[1, 0], axes[0, 0])
     theta = math.atan2(-axes[2, 0], math.hypot(axes[0, 0], axes[1, 0]))
     s, c = math.sin(psi), math.cos(psi)
-    # the rest of the rotation is about the first axis whatever psi was taken, so that rounding of psi is made good
+    # the rest of the rotation is about the first axis for any psi, which compensates rounding of psi
     phi = math.atan2(s * axes[0, 2] - c * axes[1, 2], c * axes[1, 1] - s * axes[0, 1])
     return psi, theta, phi
 

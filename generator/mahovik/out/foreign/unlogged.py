@@ -1,4 +1,4 @@
-"""MuJoCo without its log: it writes MUJOCO_LOG.TXT into the folder that its user works in."""
+"""MuJoCo without its log: by default it writes MUJOCO_LOG.TXT into the current folder."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def unlogged() -> Iterator[None]:
-    """MuJoCo's warnings go nowhere inside: what is wrong with a model is found and told by the reader."""
+    """Suppress MuJoCo's warnings; the reader finds and reports problems of a model itself."""
     import mujoco
 
     before = mujoco.get_mju_user_warning()

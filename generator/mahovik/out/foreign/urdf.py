@@ -1,4 +1,4 @@
-"""URDF -> ForeignModel: the elements that matter to motion, read here; every other one told or refused."""
+"""URDF -> ForeignModel: elements that affect the motion are read, others reported or refused."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
 @dataclass(frozen=True, eq=False)
 class _Joint:
-    """A joint that was read, whole enough to be followed."""
+    """A joint that was read, complete enough for the tree."""
 
     name: str
     type: str
@@ -40,7 +40,7 @@ class _Joint:
 
 
 def read_urdf(path: Path) -> ForeignModel:
-    """The model of a URDF file, with every problem found. Raises ForeignError where it is none at all."""
+    """The model of a URDF file, with every problem found. Raises ForeignError if the file is not a URDF."""
     return _Reader(parsed(path, "robot"), Problems(path.name)).model()
 
 
@@ -54,7 +54,7 @@ class _Reader:
         self._notes: list[str] = []
 
     def model(self) -> ForeignModel:
-        """The links in order, parents first; none where the joints make no tree."""
+        """The links in order, parents first; none unless the joints make a tree."""
         self._others()
         if not self._root.get("name"):
             self.problems.add("robot", "name", "required, but missing")
@@ -67,7 +67,7 @@ class _Reader:
         return ForeignModel(name, "link", None, tuple(links), (), free, notes, tuple(self.problems.lines))
 
     def _others(self) -> None:
-        """What is neither link nor joint is told; xacro is not URDF yet."""
+        """Report elements other than links and joints; refuse xacro macros."""
         tags = Counter(element.tag.rpartition("}")[2] for element in self._root)
         if any("xacro" in element.tag for element in self._root.iter()):
             self.problems.add("has xacro macros: run `xacro FILE > model.urdf` first")
@@ -102,7 +102,7 @@ class _Reader:
         tensor = element.find("inertia")
         if tensor is None:
             self.problems.add(where, "inertia", "required, but missing")
-            return RigidMass(mass, np.zeros(3), np.eye(3))  # so that nothing follows from what is told here
+            return RigidMass(mass, np.zeros(3), np.eye(3))  # avoids further messages about the same problem
         xx, yy, zz, xy, xz, yz = (self._attributes.number(tensor, key, None, where, "inertia") for key in _MOMENTS)
         if mass < 0:
             self.problems.add(where, "mass", f"{mass:.17g} is negative")
@@ -136,7 +136,7 @@ class _Reader:
         elif kind not in ("fixed", "continuous", "floating"):
             self.problems.add(where, "type", f"expected fixed, continuous or floating, found {show(kind)}")
         if element.find("mimic") is not None:
-            self.problems.add(where, "mimic: a flywheel turns by itself, coupled to no other")
+            self.problems.add(where, "mimic: a flywheel cannot be coupled to another joint")
         if not all(ends):
             return None
         place = self._place(element.find("origin"), where)
@@ -168,7 +168,7 @@ class _Reader:
     # -- the tree ------------------------------------------------------------------------------------------------------
 
     def _tree(self, masses: dict[str, RigidMass | None], joints: list[_Joint]) -> tuple[bool | None, list[Link]]:
-        """Links from the root on. A floating joint of the root says that its child is what is free."""
+        """Links from the root on. A floating joint of the root means that its child is the free body."""
         if not masses:
             return None, []
         before = len(self.problems.lines)
@@ -206,7 +206,9 @@ class _Reader:
                     f"link {show(root)}: what floats is on it, so it is the world, and its mass has no effect"
                 )
             root = floating[0].child
-        free = True if floating else False if root == "world" else None  # what is fixed on `world` stays, by custom
+        free = (
+            True if floating else False if root == "world" else None
+        )  # links fixed on `world` stay fixed, by convention
         links = self._below(root, masses, joints)
         if len(self.problems.lines) == before and len(links) + bool(floating) != len(masses):
             self.problems.add("its joints close a loop")

@@ -8,9 +8,9 @@ from mahovik.out.foreign.merge import Imported
 
 
 def stand_file(found: Imported, source: str, command: str) -> str:
-    """The text of the stand file; reading it back gives the same bits. `command` made it.
+    """The text of the stand file; reading it back gives the same bits. `command` names its origin.
 
-    Raises ForeignError where what was found is no stand, in the words of `mahovik check`.
+    Raises ForeignError if the model is not a valid stand, with the messages of `mahovik check`.
     """
     comments = {name: [_one_line(line) for line in lines] for name, lines in found.comments.items()}
     head = [f"# Made from {source} by `{command}`. SI units.", *(f"# {line}" for line in found.notes)]

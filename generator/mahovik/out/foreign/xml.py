@@ -17,18 +17,18 @@ ROOTS = {
     "mujoco": "an MJCF: mahovik import mjcf",
     "sdf": "an SDF, which has no reader here",
 }
-"""What a file is by its root element."""
+"""Kinds of files by their root element."""
 
 
 def parsed(path: Path, root: str) -> ET.Element:
-    """The root element of a file. Raises ForeignError: no file, no XML, another format."""
+    """The root element of a file. Raises ForeignError: missing, not XML, or another format."""
     try:
         found = readable(path, "an XML file")
     except ValueError as error:
         raise ForeignError([str(error)]) from None
     try:
         element = ET.fromstring(found)
-    except (ET.ParseError, ValueError, LookupError) as error:  # an encoding that is not known is a LookupError
+    except (ET.ParseError, ValueError, LookupError) as error:  # an unknown encoding is a LookupError
         raise ForeignError([f"{path.name}: not XML: {error}"]) from None
     if element.tag != root:
         known = ROOTS.get(element.tag)
@@ -55,13 +55,13 @@ def numbers(text: str, count: int) -> list[float]:
 
 
 class Attributes:
-    """Numbers in the attributes of elements, whose problems are collected."""
+    """Reader of numbers in attributes; it collects the problems."""
 
     def __init__(self, problems: Problems) -> None:
         self._problems = problems
 
     def vector(self, element: ET.Element | None, key: str, default: list[float], *where: str) -> list[float]:
-        """Numbers of an attribute, as many as the default has; that where element or attribute are not there."""
+        """Numbers of an attribute, as many as in the default, which applies if element or attribute are missing."""
         text = None if element is None else element.get(key)
         if text is None:
             return default

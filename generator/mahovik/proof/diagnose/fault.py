@@ -1,72 +1,73 @@
-"""One fault of the dictionary: the equations with a term replaced, and the words that say which."""
+"""A fault of the dictionary: its words, and what it changes between the stages of the literal reference."""
 
 from __future__ import annotations
 
-import functools
-from collections.abc import Callable
-from typing import Any, ClassVar, Literal
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
 
-from mahovik.core.stand.model import Body, Flywheel
-from mahovik.proof.diagnose.equations import Equations
+from mahovik.core.stand.model import Body, Flywheel, Stand
+from mahovik.core.stand.state import State
 
-OF_A_BODY = (
-    "read_body", "theta", "weight", "buoyancy", "damping", "twist_in_fluid", "run_time", "wrench", "carried",
-)  # fmt: skip
-"""Terms of any one body: replaced for those that `bodies` names."""
+Stage = Literal["stand", "state", "attitude", "bodies", "pieces", "values"]
+"""Stages of the reference, in order. What a change of each takes, before the Case, and gives:
 
-OF_A_FLYWHEEL = (
-    "phase", "speed", "acceleration", "wheel_transfer", "wheel_mass", "spin_inertia", "wheel_rate", "coupling",
-    "turning", "spinning", "base_acceleration", "transport", "own_acceleration", "gyroscopic", "own_wrench", "in_mount",
-)  # fmt: skip
-"""Terms of one flywheel."""
+stand     the Stand
+state     the State
+attitude  C (3x3) of the carrier, except in the matrices of the generalized coordinates
+bodies    `reference.bodies.Bodies`: where each body is, and its inertia
+pieces    `reference.Pieces` of the state
+values    the values of a want; it takes the Pieces as well
+"""
 
 
-class Fault(Equations):
-    """Equations with a fault: every override of a subclass is a wrong term, its docstring says what is wrong.
+@dataclass(frozen=True)
+class Case:
+    """The question in which a fault shows: stand and state as the program reads them, and what is wanted.
 
-    name      short, for tables and `--json`
-    equation  where the term stands
-    look      what to look at in it
-    bodies    the bodies whose terms are wrong
+    wrong  whether the program is wrong about this body
     """
 
-    name: ClassVar[str]
-    equation: ClassVar[str]
-    look: ClassVar[str]
-    bodies: ClassVar[Literal["flywheels", "fixed", "all"]] = "flywheels"
-    of_flywheels: ClassVar[bool] = False
-    """Whether it may be a fault of one flywheel alone."""
+    stand: Stand
+    state: State
+    want: str
+    wrong: Callable[[Body], bool]
 
-    def __init_subclass__(cls) -> None:
-        super().__init_subclass__()
-        hooks = [name for name in vars(cls) if callable(getattr(cls, name)) and hasattr(Equations, name)]
-        hooks = [name for name in hooks if not name.startswith("_")]
-        single = [name for name in hooks if name in OF_A_BODY or name in OF_A_FLYWHEEL]
-        cls.of_flywheels = cls.bodies == "flywheels" and bool(hooks) and single == hooks
-        for name in single:
-            setattr(cls, name, _where_it_is(cls, name, vars(cls)[name]))
 
-    @classmethod
-    def words(cls) -> str:
-        """What the program does, as a sentence without its full stop."""
-        return " ".join((cls.__doc__ or cls.name).split()).removesuffix(".")
+@dataclass(frozen=True)
+class Edit:
+    """One change at one stage."""
 
-    @classmethod
-    def concerns(cls, body: Body, wheel: str | None) -> bool:
-        """Whether the term of this body is wrong; `wheel`: the only flywheel that has the fault, where it is one."""
-        turns = isinstance(body, Flywheel)
-        if cls.bodies != "all" and turns != (cls.bodies == "flywheels"):
+    stage: Stage
+    change: Callable[..., Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Fault:
+    """One row of the dictionary.
+
+    name      short, for tables and `--json`
+    equation  where the wrong term stands
+    bodies    the bodies that the program is wrong about
+    edits     what the fault changes
+    words     what the program does, a sentence without its full stop
+    look      what to look at in the equation
+    """
+
+    name: str
+    equation: str
+    bodies: Literal["flywheels", "fixed", "all"]
+    edits: Sequence[Edit]
+    words: str
+    look: str
+
+    @property
+    def of_flywheels(self) -> bool:
+        """Whether it may be a fault of one flywheel alone."""
+        return self.bodies == "flywheels"
+
+    def concerns(self, body: Body, wheel: str | None) -> bool:
+        """Whether the program is wrong about this body; `wheel`: the only flywheel with the fault, or None for all."""
+        if self.bodies != "all" and isinstance(body, Flywheel) != (self.bodies == "flywheels"):
             return False
         return wheel is None or wheel == body.name
-
-
-def _where_it_is(fault: type[Fault], name: str, wrong: Callable[..., Any]) -> Callable[..., Any]:
-    """The wrong term where the fault is, the right one elsewhere."""
-
-    @functools.wraps(wrong)
-    def term(self: Fault, k: Any, *rest: Any) -> Any:
-        if fault.concerns(getattr(k, "body", k), self.wheels.get(fault)):
-            return wrong(self, k, *rest)
-        return getattr(super(fault, self), name)(k, *rest)
-
-    return term

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any, cast
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
-from mahovik.proof.diagnose.equations import Equations, Values
-from mahovik.proof.diagnose.fault import Fault
-from mahovik.proof.diagnose.sheet import Sheet
-from mahovik.proof.reference.array import Array
+from mahovik.proof import reference
+from mahovik.proof.diagnose.fault import Case, Fault, Stage
+from mahovik.proof.diagnose.sheet import NOT_COMPARED, Sheet
+from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.states import Request
 
 
@@ -21,73 +27,117 @@ from mahovik.proof.verify.states import Request
 class Part:
     """A fault of the dictionary; of one flywheel alone where `wheel` names it."""
 
-    fault: type[Fault]
+    fault: Fault
     wheel: str | None = None
+
+    def wrong(self, body: Body) -> bool:
+        """Whether the program is wrong about a body."""
+        return self.fault.concerns(body, self.wheel)
 
 
 Suspect = tuple[Part, ...]
 """One fault, or two at once."""
 
+EARLY: tuple[Stage, ...] = ("stand", "state", "attitude", "bodies")
+"""Stages before the pieces."""
+
+Known = dict[int, tuple[State, Pieces]]
+"""Pieces by the identity of their state, which is held so that the identity stays its own."""
+
 
 class Faulty:
-    """The equations with some faults at once, as a program that answers requests."""
+    """The literal reference with some faults at once, as a program that answers requests."""
 
-    def __init__(self, stand: Stand, suspect: Suspect = ()) -> None:
+    def __init__(self, stand: Stand, suspect: Suspect = (), known: Known | None = None) -> None:
+        """`known`: pieces of states without a fault, for this and other programs of the stand."""
         self._stand = stand
-        kinds = tuple(part.fault for part in suspect)
-        self._equations: type[Equations] = type("Several", kinds, {}) if len(kinds) > 1 else (*kinds, Equations)[0]
-        self._wheels = {part.fault: part.wheel for part in suspect if part.wheel is not None}
-        self._at: tuple[object, Equations | None] = (None, None)
+        self._suspect = suspect
+        early = any(edit.stage in EARLY for part in suspect for edit in part.fault.edits)
+        self._known: Known = {} if early or known is None else known
 
     def answer(self, request: Request) -> Values:
-        """Its values; none where it has no answer to the state."""
+        """Its values that are numbers; none where it has no answer to the state."""
         (want,) = request.want
         try:
             with np.errstate(all="ignore"):
-                return self._equations_at(request).evaluate(want)
+                return self._values(request.state, want)
         except (StateError, np.linalg.LinAlgError, ArithmeticError, ValueError):
             return {}
 
-    def _equations_at(self, request: Request) -> Equations:
-        state, found = self._at
-        if found is None or state is not request.state:
-            found = self._equations(self._stand, request.state, self._wheels)
-            self._at = (request.state, found)
-        return found
+    def _values(self, given: State, want: str) -> Values:
+        stand, state = self._stand, given
+        for part in self._suspect:
+            case = Case(stand, state, want, part.wrong)
+            stand = _changed("stand", stand, part, case)
+            state = _changed("state", state, part, replace(case, stand=stand))
+        if id(given) not in self._known:
+            self._known[id(given)] = given, self._pieces(stand, state, want)
+        _, at = self._known[id(given)]
+        cases = [(part, Case(stand, state, want, part.wrong)) for part in self._suspect]
+        for part, case in cases:
+            at = _changed("pieces", at, part, case)
+        values = reference.evaluate(stand, state, (want,), at)
+        for part, case in cases:
+            values = _changed("values", values, part, case, at)
+        return {name: value for name, value in values.items() if name not in NOT_COMPARED}
+
+    def _pieces(self, stand: Stand, state: State, want: str) -> Pieces:
+        """Pieces of the state, before changes of the stage `pieces`."""
+        bodies, C = bodies_of(stand), carrier_rotation(stand, state)
+        for part in self._suspect:
+            case = Case(stand, state, want, part.wrong)
+            bodies = _changed("bodies", bodies, part, case)
+            turned = _changed("attitude", C, part, case)
+            if turned is not C:
+                C, state = turned, _turned(state, turned)
+        return reference.pieces(stand, state, bodies)
+
+
+def _turned(state: State, C: Array) -> State:
+    """The state with the attitude C (3x3)."""
+    x, y, z, w = Rotation.from_matrix(C).as_quat()
+    return replace(state, angles=None, quaternion=cast(Quaternion, (w, x, y, z)))
+
+
+def _changed(stage: Stage, right: Any, part: Part, case: Case, *more: object) -> Any:
+    """What a stage gives, after the changes of one fault."""
+    for edit in part.fault.edits:
+        if edit.stage == stage:
+            right = edit.change(right, *more, case)
+    return right
 
 
 class Predictions:
-    """Predicted errors of suspects, kept: each is asked for again and again."""
+    """Errors that suspects would make, kept: each is asked for again and again."""
 
     def __init__(self, stand: Stand, whole: Sheet, first: int) -> None:
-        """`first`: so many requests are enough to search by."""
+        """`first`: the number of requests that the search begins with."""
         self._stand = stand
-        self._whole, self._first = whole, whole.head(first)
-        self._rest = whole.tail(first)
-        self._known: dict[tuple[Suspect, bool], Array] = {}
+        self._whole, self._first, self._rest = whole, whole.head(first), whole.tail(first)
+        self._pieces: Known = {}
+        self._errors: dict[tuple[Suspect, bool], Array] = {}
 
     @cached_property
     def _right(self) -> Array:
-        """Of the equations without a fault: so that a fault without effect predicts exactly zero."""
-        return self._whole.filled(Faulty(self._stand).answer)
+        """Answers without a fault, so that a fault without effect makes an error of exactly zero."""
+        return self._answers(self._whole, ())
 
-    def of(self, suspect: Suspect, whole: bool) -> Array:
+    def error(self, suspect: Suspect, whole: bool) -> Array:
         """Error over scale, on the whole sheet or on its first requests."""
         key = (suspect, whole)
-        if key not in self._known:
-            found = self._first.filled(Faulty(self._stand, suspect).answer) if not whole else self._completed(suspect)
+        if key not in self._errors:
+            found = self._answers(self._rest if whole else self._first, suspect)
             error = self._whole.over_scale(found - self._right[: found.size])
             if whole:
-                first = self.of(suspect, False)
+                first = self.error(suspect, False)
                 error[: first.size] = first
-            self._known[key] = error
-        return self._known[key]
+            self._errors[key] = error
+        return self._errors[key]
 
-    def _completed(self, suspect: Suspect) -> Array:
-        """Numbers after the first requests; none there."""
-        return self._rest.filled(Faulty(self._stand, suspect).answer)
+    def _answers(self, sheet: Sheet, suspect: Suspect) -> Array:
+        return sheet.filled(Faulty(self._stand, suspect, self._pieces).answer)
 
 
-def singles(faults: Sequence[type[Fault]]) -> list[Suspect]:
+def singles(faults: Sequence[Fault]) -> list[Suspect]:
     """Each fault for itself, in all bodies that it concerns."""
     return [(Part(fault),) for fault in faults]

@@ -186,7 +186,7 @@ class Search:
         return self._e_whole if whole else self._e_first
 
     def _predicted(self, suspect: Suspect, whole: bool) -> Array:
-        return self._predictions.of(suspect, whole)[self._asked[whole]]
+        return self._predictions.error(suspect, whole)[self._asked[whole]]
 
     def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
         """Noise and quantity of each number that the program has answered."""

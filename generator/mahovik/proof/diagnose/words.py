@@ -76,7 +76,7 @@ def _cause(cause: Cause) -> dict[str, Any]:
             "name": part.fault.name,
             "flywheel": part.wheel,
             "equation": part.fault.equation,
-            "words": part.fault.words(),
+            "words": part.fault.words,
             "look": part.fault.look,
         }
         for part in cause.parts
@@ -86,11 +86,11 @@ def _cause(cause: Cause) -> dict[str, Any]:
 
 def _of_part(part: Part) -> list[str]:
     where = f"in {part.wheel} alone: " if part.wheel else ""
-    return [f"  {where}{part.fault.words()}", f"  equation {part.fault.equation}; look at: {part.fault.look}"]
+    return [f"  {where}{part.fault.words}", f"  equation {part.fault.equation}; look at: {part.fault.look}"]
 
 
 def _sentence(cause: Cause) -> str:
-    words = "; and ".join((f"in {p.wheel} alone: " if p.wheel else "") + p.fault.words() for p in cause.parts)
+    words = "; and ".join((f"in {p.wheel} alone: " if p.wheel else "") + p.fault.words for p in cause.parts)
     return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
 
 

@@ -27,14 +27,19 @@ def torque_velocity_terms(at: Pieces) -> Array:
     return terms
 
 
+def spin_up_torque(at: Pieces, tau: Array) -> Array:
+    """tau - velocity terms + f^T P_s (N, N m): what is left of the drive torques tau (N) for the accelerations."""
+    fP = np.array([f @ at.P[s.body.name] for s in at.flywheels], dtype=np.float64)
+    return tau - torque_velocity_terms(at) + fP
+
+
 def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
     """V* (6; m/s2, rad/s2) in E1 and phi'' (N, rad/s2) for the whole drive torques tau (N, N m).
 
     K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
     With a stream, for V_r.
     """
-    fP = np.array([f @ at.P[s.body.name] for s in at.flywheels], dtype=np.float64)
-    right = np.concatenate([at.F - bias(at), tau - torque_velocity_terms(at) + fP])
+    right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
     solution = solve(full_mass_matrix(at), right)
     return at.V_dot(solution[:6]), solution[6:]
 

@@ -9,14 +9,12 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Placed
-from mahovik.proof.reference.mass import added_mass_matrix, bodies_matrix
 from mahovik.proof.reference.pieces import Pieces
 
 
 def momentum(at: Pieces) -> Array:
     """Z = K V + sum_s I_s phi_s' (6; kg m/s, kg m2/s) in E1 about O1, (2); Lambda takes V_r."""
-    K_bodies, Lambda = bodies_matrix(at.fixed, at.flywheels), added_mass_matrix(at.fixed)
-    return K_bodies @ at.V + Lambda @ at.V_r + at.I @ at.phi_dot
+    return at.K_bodies @ at.V + at.Lambda @ at.V_r + at.I @ at.phi_dot
 
 
 def momentum_in_E0(at: Pieces) -> Array:
@@ -28,14 +26,13 @@ def kinetic_energy(at: Pieces) -> float:
     """Half the sum of V_k^T Theta_k V_k over all bodies k, and of V_r^T Lambda V_r (J)."""
     placed: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
     bodies = sum(k.twist(at.V) @ k.Theta @ k.twist(at.V) for k in placed)
-    fluid = at.V_r @ added_mass_matrix(at.fixed) @ at.V_r
+    fluid = at.V_r @ at.Lambda @ at.V_r
     return float(0.5 * (bodies + fluid))
 
 
 def center_of_mass(at: Pieces) -> Array:
     """Centre of mass (3, m) of all bodies, in E1; added mass is no body. StateError where nothing has mass."""
-    K_bodies = bodies_matrix(at.fixed, at.flywheels)
-    m, m_rc = K_bodies[0, 0], K_bodies[3:, :3]  # m E and <m rc>
+    m, m_rc = at.K_bodies[0, 0], at.K_bodies[3:, :3]  # m E and <m rc>
     if m == 0.0:
         raise StateError("momentum: no body of the stand has a mass, so there is no center_of_mass")
     return np.array([m_rc[2, 1] / m, m_rc[0, 2] / m, m_rc[1, 0] / m])

@@ -12,9 +12,10 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, Fixed, Spinning, bodies_of, spinning_bodies
 from mahovik.proof.reference.mass import (
+    added_mass_matrix,
+    bodies_matrix,
     coupling,
     coupling_bias,
-    mass_matrix,
     mass_matrix_rate,
     spin_inertia,
     velocity_matrix,
@@ -32,7 +33,9 @@ class Pieces:
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
     fixed        carrier and instruments, with L, Theta, Lambda
     flywheels    flywheels, with L = Ls, Theta = Theta_s, phi, phi_dot
-    K, K_dot, M  6x6, (2), (6), (9); M at V_r
+    K_bodies     6x6, (2) without added mass
+    Lambda       6x6, added mass of all bodies
+    K, K_dot, M  6x6, (2), (6), (9); K = K_bodies + Lambda; M at V_r
     I, J         6xN, (9); J at V_r
     Theta_ff     NxN, diag(f^T Theta_s f)
     terms        every wrench of (7) by body and kind, 6 each, in the body's frame about its origin
@@ -48,6 +51,8 @@ class Pieces:
     V_r: Array
     fixed: tuple[Fixed, ...]
     flywheels: tuple[Spinning, ...]
+    K_bodies: Array
+    Lambda: Array
     K: Array
     K_dot: Array
     M: Array
@@ -85,7 +90,8 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     V_r = V - np.concatenate([u, np.zeros(3)])
     bodies = bodies or bodies_of(stand)
     fixed, flywheels = bodies.fixed, spinning_bodies(bodies.mounted, state)
-    K, K_dot = mass_matrix(fixed, flywheels), mass_matrix_rate(flywheels)
+    K_bodies, Lambda = bodies_matrix(fixed, flywheels), added_mass_matrix(fixed)
+    K, K_dot = K_bodies + Lambda, mass_matrix_rate(flywheels)
     terms = external_wrenches(stand, state, C=C, V=V, V_r=V_r, fixed=fixed, flywheels=flywheels)
     P = {name: body_wrench(kinds) for name, kinds in terms.items()}
     return Pieces(
@@ -95,6 +101,8 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         V_r=V_r,
         fixed=fixed,
         flywheels=flywheels,
+        K_bodies=K_bodies,
+        Lambda=Lambda,
         K=K,
         K_dot=K_dot,
         M=velocity_matrix(K, K_dot, V_r),

@@ -1,1 +1,1 @@
-"""Following a programme on a real stand: gains, stability, mismatch, sampled loop, trim; what limits it."""
+"""Following a programme on a real stand: gains, stability, mismatch, sampled loop, trim, causes of errors."""

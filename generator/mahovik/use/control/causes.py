@@ -1,4 +1,4 @@
-"""What limits how well a programme is followed: the same run with causes switched off, and with one cause alone."""
+"""Causes of following errors: the same run with causes switched off, and with one cause alone."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.wanted import Wanted
 
 FASTER = 4
-"""Sampling is switched off by so many samples in place of one, without latency."""
+"""Sampling is switched off by this many samples in place of one, without latency."""
 
 SETTLING, MEASURED = 10, 10
-"""Periods of each run before the error is measured, and while it is."""
+"""Periods of each run before the error is measured, and during the measurement."""
 
 
 @dataclass(frozen=True)
 class Cause:
-    """`without`: the case with this cause switched off; None where it is not there."""
+    """`without`: the case with this cause switched off; None if the case does not have it."""
 
     name: str
     words: str
@@ -30,7 +30,7 @@ class Cause:
 
 @dataclass(frozen=True)
 class Contribution:
-    """A cause's error as a share: of the run with it alone, and of the run without it; None: the run failed."""
+    """Relative error of the run with a cause alone, and of the run without it; None: the run failed."""
 
     cause: Cause
     alone: float | None
@@ -38,9 +38,9 @@ class Contribution:
 
 
 def contributions(case: Case, tell: Callable[[str], None] | None = None) -> list[Contribution]:
-    """Of all causes that are there, the largest alone first. The trim is off: it would hide them.
+    """Contributions of all causes present, largest first. The trim is off, since it would hide them.
 
-    Runs from the settled motion. `tell` gets the name of each cause before its runs.
+    Runs start from the settled motion. `tell` receives the name of each cause before its runs.
     """
     own = replace(case.servo, trim=None)
     base = replace(case, periods=SETTLING + MEASURED, design=None, start="settled", servo=own)
@@ -50,11 +50,11 @@ def contributions(case: Case, tell: Callable[[str], None] | None = None) -> list
         if tell is not None:
             tell(cause.name)
         others = [each for each in there if each is not cause]
-        found.append(Contribution(cause, _error(_off(base, others)), _error(_off(base, [cause]))))
+        found.append(Contribution(cause, _error(_switch_off(base, others)), _error(_switch_off(base, [cause]))))
     return sorted(found, key=lambda each: -math.inf if each.alone is None else -each.alone)
 
 
-def _off(case: Case, causes: list[Cause]) -> Case:
+def _switch_off(case: Case, causes: list[Cause]) -> Case:
     for cause in causes:
         changed = cause.without(case)
         case = case if changed is None else changed
@@ -119,16 +119,16 @@ def _no_table(case: Case) -> Case | None:
 
 
 def _with_wheels(stand: Stand, real: Stand) -> Stand:
-    """The stand of the file with the motors of the real one: other causes may have changed them."""
+    """The stand of the file with the motors of the real one, which other causes may have changed."""
     pairs = zip(stand.flywheels, real.flywheels, strict=True)
     return replace(stand, flywheels=tuple(replace(a, motor=b.motor) for a, b in pairs))
 
 
 CAUSES = (
-    Cause("mismatch", "the stand is not quite that of the file", _no_mismatch),
+    Cause("mismatch", "the stand differs a little from its file", _no_mismatch),
     Cause("sampling", "torques are held over a sample, and late", _no_sampling),
     Cause("encoders", "counts, and their latency", _no_encoder),
-    Cause("friction", "of the motors, what is made up for included", _no_friction),
+    Cause("friction", "of the motors, including what is compensated", _no_friction),
     Cause("limits", "of torques, by motors and servo", _no_limits),
     Cause("table", "the programme between its nodes", _no_table),
 )

@@ -1,4 +1,4 @@
-"""What runs once a sample in firmware: the C of servos and trim, compiled and called."""
+"""The part that runs once per sample in firmware: the C of servos and trim, compiled and called."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Controller:
     """`servo_step` and `trim_step` of the emitted C, with their states.
 
     limited      samples so far in which the servo cut a torque
-    corrections  (N, T): Fourier coefficients that the trim adds now, rad; T = 1 without trim
+    corrections  (N, T): present Fourier coefficients of the trim, rad; T = 1 without trim
     """
 
     def __init__(self, wanted: Wanted, servo: Servo, design: TrimDesign | None) -> None:
@@ -61,12 +61,12 @@ class Controller:
 
     @property
     def trims(self) -> bool:
-        """Does it take the carrier's coordinates?"""
+        """Whether it needs the carrier's coordinates."""
         return self._trim is not None
 
     @property
     def rounds(self) -> int:
-        """Corrections that the trim has made."""
+        """Number of corrections by the trim."""
         return 0 if self._trim is None else int(self._trim.rounds)
 
     def step(
@@ -79,9 +79,9 @@ class Controller:
         phi: Array,
         phi_dot: Array,
     ) -> Array:
-        """Torques (N, N m) of a sample. Raises StateError where the C refuses what it is given.
+        """Torques (N, N m) of a sample. Raises StateError if the C refuses an input.
 
-        phase   of the programme, in [0, 1); q (6): coordinates of the carrier, None while nothing is to be trimmed
+        phase   of the programme, in [0, 1); q (6): coordinates of the carrier, None without trim
         phi_ref, phi_dot_ref, tau_ff   of the programme (N each); phi, phi_dot: measured
         """
         rows = self._rows

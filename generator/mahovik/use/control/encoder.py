@@ -1,4 +1,4 @@
-"""What encoders read: angles of some time ago, in whole counts; speeds as differences of them."""
+"""Readings of encoders: delayed angles in whole counts; speeds are differences of them."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from mahovik.use.plan.array import Array
 
 
 class Sensors(Protocol):
-    """Angles that a servo gets to know."""
+    """Angles as a servo reads them."""
 
     latency: Array
 
     def read(self, phi: Array) -> Array:
-        """Angles (N, rad) as measured, of true angles counted through."""
+        """Angles (N, rad) as measured; true angles are not wrapped."""
 
 
 class Ideal:
-    """Exact, and at once."""
+    """Exact sensors without delay."""
 
     def __init__(self, stand: Stand) -> None:
         self.latency = np.zeros(len(stand.flywheels))
@@ -31,9 +31,9 @@ class Ideal:
 
 
 class Encoders:
-    """Of the stand file: the count that the angle has reached, as the angle in the middle of this count.
+    """Encoders of the stand file: a reading is the middle of the count reached.
 
-    A flywheel without an encoder is measured exactly and at once. `latency`: (N, s).
+    A flywheel without an encoder is measured exactly and without delay. `latency`: (N, s).
     """
 
     def __init__(self, stand: Stand) -> None:

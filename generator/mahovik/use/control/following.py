@@ -1,7 +1,7 @@
-"""How well the carrier follows, after settling: each coordinate about its mean, harmonics of the error, the whole.
+"""Accuracy of following after settling: each coordinate about its mean, harmonics of the error, a total.
 
-A stand that is not quite that of the file hangs at a slightly other mean pose, which no flywheel can help: flywheels
-have no mean wrench. So the error is that of the motion about its mean; the mean is told by itself.
+A stand that differs from its file hangs at a slightly different mean pose. Flywheels cannot correct that: they have no
+mean wrench. So the error is that of the motion about its mean, and the mean is reported separately.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from mahovik.use.control.record import Record
 from mahovik.use.plan.array import Array
 
 HARMONICS = 6
-"""Of the error, at least; more where the motion has more."""
+"""Harmonics of the error, at least; more if the motion has more."""
 
 STILL = 1e-9
-"""m, rad: a coordinate whose amplitude is below is held still."""
+"""m, rad: a coordinate with a smaller amplitude is held still."""
 
 
 @dataclass(frozen=True, eq=False)
 class Following:
-    """Over the last `periods` whole periods of a run (all of m and rad).
+    """Errors over the last `periods` whole periods of a run (all in m and rad).
 
-    amplitude  (6): largest of what is required about its mean
+    amplitude  (6): of the required motion about its mean
     peak, rms  (6): of the error about its mean
     mean       (6): of the error
     harmonics  (K, 6): amplitudes of the error at harmonics 1..K of the programme
@@ -50,11 +50,11 @@ class Following:
     apart: Array
 
     def shares(self) -> list[float | None]:
-        """Peak errors as shares of each coordinate's own amplitude; None where it is held still."""
+        """Peak errors over each coordinate's own amplitude; None for one that is held still."""
         return [float(p / a) if a > STILL else None for p, a in zip(self.peak, self.amplitude, strict=True)]
 
     def as_json(self) -> Mapping[str, Any]:
-        """For `--json`: SI."""
+        """The object for `--json`, in SI."""
         coordinates = {
             name: {
                 "amplitude": float(self.amplitude[i]),
@@ -76,20 +76,18 @@ class Following:
 
 
 def following(record: Record, periods: int) -> Following:
-    """Of a run. Raises CheckError where it is shorter than `periods` periods of the programme."""
+    """Errors of a run. Raises CheckError if it is shorter than `periods` periods of the programme."""
     wanted = record.wanted
     span, step = wanted.motion.span, float(record.t[1] - record.t[0]) if len(record.t) > 1 else np.inf
     rows = round(periods * span / step)
     if rows >= len(record.t):
-        raise CheckError(
-            f"the run has ended at t = {record.t[-1] if len(record.t) else 0:.6g} s, before {periods} periods"
-        )
+        raise CheckError(f"the run ended at t = {record.t[-1] if len(record.t) else 0:.6g} s, before {periods} periods")
     last = slice(len(record.t) - 1 - rows, len(record.t) - 1)
     q, required = record.q[last], record.required[last]
     error = q - required
     K = max(HARMONICS, *wanted.motion.harmonics, 1)
     terms = _waves(record.t[last] / span, min(K, max(1, round(span / step) // 2 - 1)))
-    found = np.linalg.lstsq(terms, error, rcond=None)[0]  # samples need not be whole periods
+    found = np.linalg.lstsq(terms, error, rcond=None)[0]  # samples need not divide a period
     error, mean = error - found[0], found[0]
     about = required - np.linalg.lstsq(terms, required, rcond=None)[0][0]
     scale = scale_of(wanted.stand, wanted.motion, wanted.exact)
@@ -107,8 +105,8 @@ def following(record: Record, periods: int) -> Following:
     )
 
 
-def course(record: Record) -> tuple[Array, Array]:
-    """Middles of the periods of a run (s), and the error of each about its mean, as a share: how a trim converges."""
+def error_course(record: Record) -> tuple[Array, Array]:
+    """Middles of the periods of a run (s), and the relative error of each about its mean: convergence of a trim."""
     span, step = record.wanted.motion.span, float(record.t[1] - record.t[0])
     rows = round(span / step)
     scale = scale_of(record.wanted.stand, record.wanted.motion, record.wanted.exact)

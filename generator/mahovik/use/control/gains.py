@@ -5,8 +5,8 @@ integral of e, so that the poles of (s^2 + 2 zeta omega s + omega^2)(s + omega_i
 
     speed = J (2 zeta omega + omega_i),   angle = J (omega^2 + 2 zeta omega omega_i),   integral = J omega^2 omega_i.
 
-J_s = f^T Theta_s f is the rotor's inertia about its axis. What sampling, delay and a carrier that gives way make of
-these poles is judged by use/control/stability.py.
+J_s = f^T Theta_s f is the rotor's inertia about its axis. use/control/stability.py judges the effect of sampling, delay
+and a moving carrier on these poles.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ from mahovik.proof.reference.mass import coupling, mass_matrix, spin_inertia
 Array = NDArray[np.float64]
 
 NONE = 1e9
-"""A limit that is none, as the C has it (N m)."""
+"""Value that the C takes as no limit (N m)."""
 
 PHASES, SEED = 32, 1986
-"""Angles of all flywheels at which `lightness` is looked for, drawn by seed."""
+"""Number and seed of random flywheel angles at which `lightness` is evaluated."""
 
 LEAST_SAMPLES = 4
-"""Of a period."""
+"""Least samples per period."""
 MOST_TICKS = 2**31 - 1
-"""What the clock of a programme can count."""
+"""Largest count of a programme's clock."""
 
 
 @dataclass(frozen=True)
 class Law:
-    """The loop of one rotor a unit of inertia: gains over J (1/s2, 1/s, 1/s3), and the filter's share a sample."""
+    """The loop of one rotor per unit of inertia: gains over J (1/s2, 1/s, 1/s3), and the filter's share per sample."""
 
     angle: float
     speed: float
@@ -51,7 +51,7 @@ class Law:
 
 
 def law(servo: Servo, bandwidth: float | None = None) -> Law:
-    """Gains a unit of inertia; with another bandwidth (rad/s) the integral keeps its proportion to it."""
+    """Gains per unit of inertia; with another bandwidth (rad/s) the integral gain scales with it."""
     omega = servo.bandwidth if bandwidth is None else bandwidth
     slow = 0.0 if servo.integral is None else servo.integral * (omega / servo.bandwidth)
     damping = 2.0 * servo.damping_ratio * omega
@@ -65,15 +65,15 @@ def rotor_inertia(stand: Stand) -> Array:
 
 
 def lightness(stand: Stand) -> float:
-    """How much lighter rotors feel on a carrier that gives way: the largest eigenvalue of
-    J^1/2 (J - I^T K^-1 I)^-1 J^1/2 (6) over drawn angles; 1 where it does not.
+    """How much lighter rotors feel because the carrier moves: the largest eigenvalue of
+    J^1/2 (J - I^T K^-1 I)^-1 J^1/2 (6) over random angles; 1 if the carrier does not move.
 
-    All gains are in proportion to J, so these eigenvalues are what multiplies the loop's gain in its modes.
+    All gains are proportional to J, so these eigenvalues multiply the loop's gain in its modes.
     """
     drawn = np.random.default_rng(SEED).uniform(-np.pi, np.pi, (PHASES, len(stand.flywheels)))
     bodies, largest = bodies_of(stand), 1.0
     for phi in drawn:
-        rotors = spinning_bodies(bodies.mounted, _turned(stand, phi))
+        rotors = spinning_bodies(bodies.mounted, _state_at(stand, phi))
         I, J = coupling(rotors), spin_inertia(rotors)
         root = np.sqrt(np.diag(J))
         mobility = np.linalg.inv(J - I.T @ np.linalg.solve(mass_matrix(bodies.fixed, rotors), I))
@@ -82,9 +82,9 @@ def lightness(stand: Stand) -> float:
 
 
 def samples(servo: Servo, span: float, source: str = "servo") -> tuple[int, int]:
-    """(ticks, periods): so many samples are so many periods of `span` s, by the decimal numbers of both files.
+    """(ticks, periods): `ticks` samples equal `periods` periods of `span` s, by the decimal numbers of both files.
 
-    CheckError where there are fewer than LEAST_SAMPLES samples a period.
+    CheckError: fewer than LEAST_SAMPLES samples per period.
     """
     exact = Fraction(repr(span)) / Fraction(repr(servo.period))
     if exact < LEAST_SAMPLES:
@@ -98,7 +98,7 @@ def samples(servo: Servo, span: float, source: str = "servo") -> tuple[int, int]
 
 
 def gains(stand: Stand, servo: Servo, span: float | None = None) -> dict[str, Any]:
-    """Members of `servo_gains` in SI; `span` is the programme's period, s, without which feedforward has no lead."""
+    """Members of `servo_gains` in SI; `span` is the programme's period, s; without it feedforward has no lead."""
     J, each = rotor_inertia(stand), law(servo)
     motors = [s.motor if servo.friction else None for s in stand.flywheels]
     back = 0.0 if servo.integral is None else -math.expm1(-servo.bandwidth * servo.period)
@@ -118,6 +118,6 @@ def gains(stand: Stand, servo: Servo, span: float | None = None) -> dict[str, An
     }
 
 
-def _turned(stand: Stand, phi: Array) -> State:
+def _state_at(stand: Stand, phi: Array) -> State:
     """The stand at rest with these angles (N, rad)."""
     return replace(rest_state(stand), phi=tuple(phi.tolist()))

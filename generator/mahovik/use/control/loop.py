@@ -1,8 +1,8 @@
-"""The closed loop: a stand that is not quite that of the file, made to follow a programme by sampled servos.
+"""The closed loop: a stand that differs from its file follows a programme under sampled servos.
 
-At a sample, t = n T: encoders tell angles of their latency ago, and their differences over T, which are the speeds of
-half a sample earlier still; both are compared with the programme of the same moment. Torques are held from
-t + latency for T; the feedforward is the programme's in the middle of that.
+At a sample, t = n T, encoders give angles delayed by their latency, and differences of them over T, which are the
+speeds half a sample earlier. Both are compared with the programme at the same times. Torques are held from t + latency
+for T; the feedforward is the programme's in the middle of that.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.use.control.controller import Controller
 from mahovik.use.control.encoder import Encoders, Ideal
-from mahovik.use.control.orbit import along_required, nodes, settled
+from mahovik.use.control.orbit import nodes, required_orbit, settled_state
 from mahovik.use.control.plant import Plant, plant
-from mahovik.use.control.pose import coordinates, state_of
+from mahovik.use.control.pose import coordinates, plant_state
 from mahovik.use.control.record import Record
 from mahovik.use.control.trim import TrimDesign
 from mahovik.use.control.wanted import Wanted
@@ -33,18 +33,18 @@ from mahovik.use.plan.residual import Mechanics
 STARTS = ("settled", "programme", "rest")
 
 LOST = math.pi
-"""rad: a flywheel so far from its programme is lost: another turn is nearer."""
+"""rad: a flywheel this far from its programme is lost: another turn is nearer."""
 
 _CHUNK = 1000
-"""Samples for which the programme is evaluated at once."""
+"""Samples for which the programme is evaluated in one call."""
 
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """What is simulated over `periods` of the programme.
+    """Parameters of a simulation over `periods` periods of the programme.
 
-    wanted   the stand of the file, its programme and motion: all that firmware and generator know
-    real     the stand as it is
+    wanted   the stand of the file, its programme and motion: the knowledge of firmware and generator
+    real     the real stand
     design   of the trim; None: no trim
     start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required
              state; "rest": its rest, and first the programme's run-up
@@ -60,7 +60,7 @@ class Case:
 
     @property
     def first(self) -> int:
-        """Number of the first sample: the programme begins at 0, a run-up before it."""
+        """Number of the first sample: the programme begins at 0, a run-up before that."""
         table = self.wanted.programme.runup
         if self.start != "rest" or table is None:
             return 0
@@ -73,10 +73,10 @@ class Case:
 
 
 def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
-    """Runs a case. `progress` is told the time (s) now and then.
+    """Run a case. `progress` receives the time (s) now and then.
 
-    A motion that is lost, and Ctrl-C, end the run early: the record's `stopped` says why. Raises StateError,
-    CheckError, ToolchainError where it cannot begin.
+    A lost motion or Ctrl-C ends the run early: the record's `stopped` says why. Raises StateError, CheckError,
+    ToolchainError if it cannot begin.
     """
     start = starting_state(case)
     own = plant(case.real, start, case.backend)
@@ -102,19 +102,19 @@ def starting_state(case: Case) -> State:
     wanted = case.wanted
     count = nodes(wanted.motion, wanted.programme)
     mechanics = Mechanics.of(case.real)
-    orbit = along_required(mechanics, wanted.motion, wanted.programme, count)
+    orbit = required_orbit(mechanics, wanted.motion, wanted.programme, count)
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if case.start == "rest":
         y = equilibrium(orbit.chart, angles.phi[0]).y
     elif case.start == "programme":
         y = orbit.y[0]
     else:
-        y = settled(mechanics, wanted.motion, wanted.programme, count)
-    return state_of(case.real, orbit.chart, y, angles.phi[0], angles.phi_dot[0])
+        y = settled_state(mechanics, wanted.motion, wanted.programme, count)
+    return plant_state(case.real, orbit.chart, y, angles.phi[0], angles.phi_dot[0])
 
 
 class _Loop:
-    """Servo, encoders and plant with what is on its way between them."""
+    """Servo, encoders and plant, with the signals between them."""
 
     def __init__(self, case: Case, own: Plant, record: Record) -> None:
         self._case, self._plant, self._record = case, own, record
@@ -133,29 +133,29 @@ class _Loop:
         self._chunk: int | None = None
 
     def sample(self, n: int) -> None:
-        """Measures, commands, records the sample n, and goes on to the next."""
+        """Measure, command, record sample n, and advance to the next."""
         case, own, T = self._case, self._plant, self._servo.period
         t = n * T
-        i = self._prepared(n)
-        phi, phi_dot = self._measured(t)
+        i = self._prepare(n)
+        phi, phi_dot = self._measure(t)
         required = self._required[i]
         q = coordinates(case.real.angles, own.position[None], own.attitude[None], required[None])[0]
         phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
         measured = q if self.controller.trims and n >= 0 else None
         command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
         corrections = self.controller.corrections
-        apart = self._apart(i, own.phi, phase, corrections)
+        apart = self._distances(i, own.phi, phase, corrections)
         worst = int(np.argmax(np.abs(apart)))
         if not abs(apart[worst]) < LOST:
             name = case.real.flywheels[worst].name
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
         self._record.put(n - case.first, t, own, q, required, apart, command, corrections)
         if n < case.last:
-            self._go_on(t, command)
+            self._next_sample(t, command)
 
-    def _go_on(self, t: float, command: Array) -> None:
+    def _next_sample(self, t: float, command: Array) -> None:
         T = self._servo.period
-        if not self._waiting:  # before the first torque acts, that of the programme does
+        if not self._waiting:  # before the first command acts, the torque is the programme's
             self._waiting.extend([command] * (self._whole + 1))
         self._waiting.append(command)
         old, new = self._waiting[0], self._waiting[1]
@@ -168,8 +168,8 @@ class _Loop:
         self._plant.advance(command, begin, end)
         self._history.add(end)
 
-    def _prepared(self, n: int) -> int:
-        """What the programme wants at the samples of n's chunk; n's row of it."""
+    def _prepare(self, n: int) -> int:
+        """Evaluate the programme at the samples of n's chunk; return n's row of it."""
         chunk, i = divmod(n, _CHUNK)
         if chunk != self._chunk:
             self._chunk = chunk
@@ -186,7 +186,7 @@ class _Loop:
             self._required = wanted.required(t)
         return i
 
-    def _measured(self, t: float) -> tuple[Array, Array]:
+    def _measure(self, t: float) -> tuple[Array, Array]:
         phi = self._encoders.read(self._history.at(t - self._encoders.latency))
         if self._ideal:
             return phi, self._plant.phi_dot.copy()
@@ -197,8 +197,8 @@ class _Loop:
         self._before = phi
         return phi, phi_dot
 
-    def _apart(self, i: int, phi: Array, phase: float, corrections: Array) -> Array:
-        """Of the flywheels from the programme with its corrections (N, rad)."""
+    def _distances(self, i: int, phi: Array, phase: float, corrections: Array) -> Array:
+        """Distances of the flywheels from the programme with its corrections (N, rad)."""
         a = 2.0 * np.pi * phase * np.arange(1, corrections.shape[1] // 2 + 1)
         wave = np.ones(corrections.shape[1])
         wave[1::2], wave[2::2] = np.cos(a), np.sin(a)
@@ -206,7 +206,7 @@ class _Loop:
 
 
 class _History:
-    """Angles of the last moments, by cubic Hermite; before the first, speeds are taken as even."""
+    """Recent angles by cubic Hermite interpolation; before the first, speeds are taken as constant."""
 
     def __init__(self, own: Plant, begin: float, span: float) -> None:
         self._plant, self._span = own, span
@@ -219,7 +219,7 @@ class _History:
             self._rows.popleft()
 
     def at(self, t: Array) -> Array:
-        """Angles at times (N, s), of each flywheel its own."""
+        """Angles at times (N, s), one for each flywheel."""
         last, phi, _ = self._rows[-1]
         if np.all(t >= last):
             return phi.copy()
@@ -244,9 +244,9 @@ class _History:
 
 
 def step_error(case: Case, record: Record, periods: int = 2) -> float:
-    """m and rad, the larger: what the first periods of a run differ by when each step is cut in two.
+    """m and rad, the larger: difference of the first periods of a run with each step cut in two.
 
-    The same torques at the same times.
+    The torques are the same at the same times.
     """
     count = min(len(record.t) - 1, math.ceil(periods * case.wanted.motion.span / case.servo.period))
     if case.backend != "c" or count < 1:

@@ -1,4 +1,4 @@
-"""The real stand beside the one of the file: every number that somebody measured is a little wrong."""
+"""A real stand beside the one of the file: every measured number is a little wrong."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ from mahovik.use.control.measurement import Errors
 from mahovik.use.plan.residual.spatial import mount_axes
 
 MOST = 0.2
-"""Share: with more of it a stand is another one, not one that was measured badly."""
+"""Largest share: beyond it a stand is a different one, not a badly measured one."""
 
 B = TypeVar("B", bound=Body)
 
 
-def mismatched(stand: Stand, share: float, seed: int) -> Stand:
-    """The stand with errors, the same for the same seed; names, counts, laws, gravity, stream, motors as they are.
+def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
+    """The stand with errors, the same for the same seed; names, counts, laws, gravity, stream, motors are unchanged.
 
-    e stands for a number drawn evenly from -share..share, a new one each time:
+    e stands for a random number, uniform in -share..share, a new one each time:
 
     masses, displaced masses           times 1 + e
     vectors (centres of mass and of buoyancy, positions)   each component plus e |vector| / sqrt(3)
@@ -48,7 +48,7 @@ def mismatched(stand: Stand, share: float, seed: int) -> Stand:
     added mass, matrices of damping    S A S, S = diag(sqrt(1 + e)): definite stays definite; terms times 1 + e
     laws of `laws/`                    as each says in its folder
 
-    Raises UsageError where share is outside 0..MOST, or what is drawn is no stand.
+    Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
     """
     if not (math.isfinite(share) and 0.0 <= share <= MOST):
         raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
@@ -69,7 +69,7 @@ def mismatched(stand: Stand, share: float, seed: int) -> Stand:
     if not problems.lines:
         check_stand(found, problems)
     if problems.lines:
-        raise UsageError(f"{problems.lines[0]}; take another --seed or less --mismatch")
+        raise UsageError(f"{problems.lines[0]}; use another --seed or a smaller --mismatch")
     return found
 
 

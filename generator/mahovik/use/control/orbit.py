@@ -1,8 +1,8 @@
-"""The carrier's periodic motion under given motions of the flywheels, and how it answers small changes of them.
+"""The carrier's periodic motion under given motions of the flywheels, and its response to small changes of them.
 
 Linear equations along the motion, x' = A(t) x + B(t) c, are those of plan/forward: derivatives of (8) along the
-programme, exact in the flywheels' motion. With the monodromy matrix Phi of a period, what c leads to in the end has
-x(0) = (1 - Phi)^-1 p, p its end after a period from x(0) = 0.
+programme, exact in the flywheels' motion. With the monodromy matrix Phi of a period, the periodic response to c has
+x(0) = (1 - Phi)^-1 p, where p is the end of a period that starts from x(0) = 0.
 """
 
 from __future__ import annotations
@@ -15,28 +15,28 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.errors import CheckError, StateError
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, Drive, along, course, drive, linearise, pushes
-from mahovik.use.plan.forward.collocation import INTERVALS, Eliminated, integrated
+from mahovik.use.plan.forward import Chart, Drive, acceleration_rates, course, drive, linearise, linearise_along
+from mahovik.use.plan.forward.collocation import INTERVALS, Eliminated, integrate
 from mahovik.use.plan.residual import Mechanics
 
 NODES = 96
-"""A period of the fastest part, at least."""
+"""Least nodes per period of the fastest part."""
 _SINGULAR = 1e-7
-"""Part of the largest singular value of 1 - Phi below which a direction is free: nothing draws the carrier back."""
+"""Part of the largest singular value of 1 - Phi below which a direction is free: nothing returns the carrier."""
 _MOST = 12
 _STEP = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class Orbit:
-    """A period of the carrier at M + 1 uniform nodes, the last a period after the first.
+    """One period of the carrier at M + 1 uniform nodes, the last one period after the first.
 
     chart, given   the stand's equations about the mean pose, and the flywheels' sums at the nodes
     phi_ddot       (M + 1, N)
     y              (M + 1, 12): states of the chart
     near           the linear equations along it
-    free           (M + 1, 12, 12): the way of a deviation at the first node; its last is the monodromy matrix
-    q              (M + 1, 6): coordinates of the motion that is required
+    free           (M + 1, 12, 12): propagation of a deviation at the first node; the last is the monodromy matrix
+    q              (M + 1, 6): coordinates of the required motion
     """
 
     chart: Chart
@@ -55,30 +55,30 @@ class Orbit:
 
     @property
     def t(self) -> Array:
-        """Of the nodes (M + 1), s."""
+        """Times of the nodes (M + 1), s."""
         return np.linspace(0.0, self.span, len(self.y))
 
-    def fixed(self, ends: Array) -> Array:
-        """x(0) (12, n) with x(0) = Phi x(0) + ends: the least where directions are free."""
+    def periodic_start(self, ends: Array) -> Array:
+        """x(0) (12, n) with x(0) = Phi x(0) + ends; the smallest one if directions are free."""
         return np.asarray(np.linalg.lstsq(np.eye(12) - self.monodromy, ends, rcond=_SINGULAR)[0])
 
     def response(self, basis: Array) -> Array:
-        """x (M + 1, 12, N, P): the carrier's periodic answer to phi_s = c_sj basis_j, at c_sj = 1.
+        """x (M + 1, 12, N, P): the carrier's periodic response to phi_s = c_sj basis_j, at c_sj = 1.
 
         basis (3, M + 1, P): functions of a period at the nodes, with two derivatives.
         """
         N, P = self.phi_ddot.shape[1], basis.shape[2]
         rates = np.zeros((len(self.y), 12, N, P))
-        found = along(self.chart, self.given, self.y, self.phi_ddot)
-        for B, function in zip(pushes(self.given, found), basis, strict=True):
+        found = linearise_along(self.chart, self.given, self.y, self.phi_ddot)
+        for B, function in zip(acceleration_rates(self.given, found), basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * function[:, None, None, :]
         spacing = self.span / (len(self.y) - 1)
-        defects = integrated(rates.reshape(-1, 12, N * P), spacing)
+        defects = integrate(rates.reshape(-1, 12, N * P), spacing)
         ends = self.near.solve(defects, np.zeros((12, N * P)))[-1]
-        return self.near.solve(defects, self.fixed(ends)).reshape(-1, 12, N, P)
+        return self.near.solve(defects, self.periodic_start(ends)).reshape(-1, 12, N, P)
 
     def coordinates(self) -> Array:
-        """dq/dx (M + 1, 6, 6): changes of q (m, rad) by those of the pose in y, along the motion."""
+        """dq/dx (M + 1, 6, 6): derivatives of q (m, rad) by the pose in y, along the motion."""
         columns = []
         still = np.zeros_like(self.q)
         for i in range(6):
@@ -90,28 +90,28 @@ class Orbit:
 
 
 def nodes(motion: RequiredMotion, programme: Programme, highest: int = 1) -> int:
-    """How many intervals a period has, for harmonics up to `highest` as well."""
+    """Number of intervals per period, enough for harmonics up to `highest`."""
     fastest = max([1, highest, *motion.harmonics, *(abs(n) for n in programme.winding)])
     return INTERVALS * -(-NODES * fastest // INTERVALS)
 
 
-def along_required(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Orbit:
-    """The orbit of a stand whose programme it is: the required motion itself, at `count` intervals a period."""
+def required_orbit(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Orbit:
+    """The orbit of a stand that matches its programme: the required motion itself, at `count` intervals per period."""
     t = np.linspace(0.0, motion.span, count + 1)
     required = motion.at(t, programme.bias)
-    chart, given, phi_ddot = _driven(mechanics, motion, programme, t)
+    chart, given, phi_ddot = _chart_and_sums(mechanics, motion, programme, t)
     y = chart.of(required)
     near = linearise(chart, given, motion.span / count, y)
     free = near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))
     return Orbit(chart, motion.span, given, phi_ddot, y, near, free, required.q)
 
 
-def settled(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
-    """y (12) at t = 0 of the periodic motion near the required one, of a stand that is not quite the programme's.
+def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
+    """y (12) at t = 0 of the periodic motion near the required one, for a stand that differs from the programme's.
 
-    About the chart of `along_required`. Raises CheckError: there is none near.
+    In the chart of `required_orbit`. Raises CheckError: none is near.
     """
-    orbit = along_required(mechanics, motion, programme, count)
+    orbit = required_orbit(mechanics, motion, programme, count)
     spacing, start, guess = orbit.span / count, orbit.y[0], orbit.y
     for _ in range(_MOST):
         try:
@@ -126,14 +126,16 @@ def settled(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, 
         left = ends - (np.eye(12) - monodromy) @ step
         start, guess = start + step, found.y + step
         if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
-            return np.asarray(start)  # what is left is drift along free directions
+            return np.asarray(start)  # the remainder is drift along free directions
     raise CheckError(
         f"{mechanics.stand.name}: with this mismatch no periodic motion is near the required one; take less mismatch, "
         "or begin on the programme: --start programme"
     )
 
 
-def _driven(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array) -> tuple[Chart, Drive, Array]:
+def _chart_and_sums(
+    mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array
+) -> tuple[Chart, Drive, Array]:
     mean = (motion.mean + programme.bias)[None]
     still = np.zeros((1, 6))
     chart = Chart.about(mechanics, Course(mean, still, still))

@@ -1,4 +1,4 @@
-"""The carrier's pose as coordinates q = (O1 in E0, psi, theta, phi), and states of the plant from such."""
+"""The carrier's pose as coordinates q = (O1 in E0, psi, theta, phi), and plant states from a chart."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart
 
 EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
-"""The stand's sequences, as SciPy calls them: about axes that turn along."""
+"""SciPy's names of the stand's sequences: about axes that turn along."""
 
 
 def coordinates(sequence: Sequence, position: Array, attitude: Array, near: Array) -> Array:
@@ -24,7 +24,7 @@ def coordinates(sequence: Sequence, position: Array, attitude: Array, near: Arra
     return np.hstack([position, wrapped])
 
 
-def state_of(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:
+def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:
     """The state of a plant: y (12) of a chart, flywheels at phi, phi' (N each)."""
     at = chart.twists(y[None])
     a, b, c, w = Rotation.from_matrix(at.C[0]).as_quat().tolist()

@@ -1,4 +1,4 @@
-"""What was recorded of a closed loop: a row a sample; as columns with units."""
+"""Record of a closed loop: a row per sample; as columns with units."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _ANGLES = ("psi", "theta", "phi")
 
 @dataclass(eq=False)
 class Record:
-    """Rows at the samples; of a run that ended early as many as there are. `stopped`: why it did, or None.
+    """Rows at the samples; fewer if the run ended early. `stopped`: why it did, or None.
 
     t (M, s), position (M, 3), attitude (M, 4), V (M, 6), phi, phi_dot (M, N each): the true state
     tau           (M, N; N m): of motors and friction, during the step that ends there
-    q, required   (M, 6): the carrier's coordinates, and what is required of them; m, rad
+    q, required   (M, 6): the carrier's coordinates, actual and required; m, rad
     apart         (M, N; rad): of the flywheels from the programme with its corrections
     command       (M, N; N m): of the servos
     corrections   (M, N, T; rad): of the trim
@@ -50,7 +50,7 @@ class Record:
 
     @staticmethod
     def empty(wanted: Wanted, first: int, last: int, period: float, start: State) -> Record:
-        """For samples of these numbers."""
+        """An empty record for samples with these numbers."""
         t: Array = period * np.arange(first, last + 1, dtype=np.float64)
         M, N = len(t), len(wanted.stand.flywheels)
 
@@ -65,7 +65,7 @@ class Record:
     def put(
         self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
     ) -> None:
-        """The row n."""
+        """Write row n."""
         if n == 0 and corrections.shape != self.corrections.shape[1:]:
             self.corrections = np.zeros((len(self.t), *corrections.shape))
         self.t[n] = t
@@ -75,14 +75,14 @@ class Record:
         self.corrections[n] = corrections
 
     def end(self, rows: int, why: str) -> None:
-        """Keeps the first rows alone."""
+        """Keep only the first rows."""
         for name, value in vars(self).items():
             if isinstance(value, np.ndarray):
                 setattr(self, name, value[:rows])
         self.stopped = why
 
     def run(self) -> Run:
-        """As columns with units, those of `mahovik simulate` and what was required beside them."""
+        """The record as columns with units: those of `mahovik simulate` and the required motion."""
         names = [f"{a} [m]" for a in _AXES] + ["qw", "qx", "qy", "qz"]
         names += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
         names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required_{a} [m]" for a in _AXES)]

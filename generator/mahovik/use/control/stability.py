@@ -1,11 +1,11 @@
-"""Is the sampled, delayed loop of a rotor stable, and by how much?
+"""Stability of the sampled, delayed loop of a rotor, and its margins.
 
 A rotor under held torque is x = (phi, phi'), x' = (phi', lightness u / J), exactly discretised with a delay that need
 not be a whole number of samples (Astrom and Wittenmark, Computer-Controlled Systems, 1997, section 3.2); torques on the
-way are states of their own. The servo's states are those of its C: integral, filtered speed error, and with encoders
-the angle before, since the speed is then a difference of angles. Stable: the spectral radius of the closed loop is
-below 1; margins of gain: factors that leave it so. Margins of phase and delay: by the exact frequency response of the
-open loop up to half the sample rate. All of it for every lightness between 1 and
+way are additional states. The servo's states are those of its C: integral, filtered speed error, and with encoders
+the previous angle, since the speed is then a difference of angles. Stable: the spectral radius of the closed loop is
+below 1; margins of gain: factors that keep it there. Margins of phase and delay: by the exact frequency response of the
+open loop up to half the sample rate. All of this holds for every lightness between 1 and
 that of the stand (use/control/gains.py).
 """
 
@@ -47,7 +47,7 @@ class Loop:
         return float(np.max(np.abs(np.linalg.eigvals(self.A + factor * np.outer(self.B, self.C)))))
 
     def response(self, omega: Array) -> NDArray[np.complex128]:
-        """-C (z - A)^-1 B at z = exp(i omega T): the loop's gain, whose place -1 is to be kept away from."""
+        """-C (z - A)^-1 B at z = exp(i omega T): the loop's gain, to be kept away from -1."""
         z = np.exp(1j * omega * self.period)
         n = len(self.B)
         right = np.broadcast_to(self.B[:, None], (len(z), n, 1))
@@ -57,8 +57,8 @@ class Loop:
 
 @dataclass(frozen=True)
 class Margins:
-    """radius       of the closed loop's poles, the largest; stable below 1
-    gain, less      factors by which the loop's gain may rise, and fall; infinite where there is no end
+    """radius       largest modulus of the closed loop's poles; stable below 1
+    gain, less      factors by which the loop's gain may rise, and fall; infinite without a limit
     phase           degrees that the phase may fall
     delay           s that may be added
     lightness       of the stand, over which all this is the worst
@@ -73,31 +73,31 @@ class Margins:
 
     @property
     def accepted(self) -> bool:
-        """Stable with the least accepted margins."""
+        """Whether it is stable with the least accepted margins."""
         return self.radius < 1.0 and min(self.gain, self.less) >= GAIN and self.phase >= PHASE
 
 
 def delay(stand: Stand, servo: Servo) -> float:
-    """From what is measured until its torque acts, s: the servo's latency and the encoders' longest."""
+    """Delay from measurement to torque, s: the servo's latency plus the largest of the encoders."""
     if servo.encoder == "ideal":
         return servo.latency
     return servo.latency + max((s.encoder.latency for s in stand.flywheels if s.encoder is not None), default=0.0)
 
 
 def loop(each: Law, period: float, late: float, light: float, difference: bool) -> Loop:
-    """The loop of a rotor of inertia 1 / `light` with gains a unit of inertia, delayed by `late` s.
+    """Loop of a rotor of inertia 1 / `light` with gains per unit of inertia, delayed by `late` s.
 
     `difference`: the speed is the difference of angles over a sample.
     """
     whole = max(1, math.ceil(late / period - 1e-9))
     part = late - (whole - 1) * period
-    n = 4 + whole + (1 if difference else 0)  # angle, speed, integral, filter; torques on the way; angle before
+    n = 4 + whole + (1 if difference else 0)  # angle, speed, integral, filter; torques on the way; previous angle
     A, B, C = np.zeros((n, n)), np.zeros(n), np.zeros(n)
     A[:2, :2] = [[1.0, period], [0.0, 1.0]]
     rest = period - part
     new = light * np.array([rest**2 / 2, rest])
     old = light * np.array([part**2 / 2 + part * rest, part])
-    queue = 4  # A[queue + i]: the torque of i + 1 samples ago
+    queue = 4  # A[queue + i]: torque from i + 1 samples ago
     A[:2, queue + whole - 1] += old
     if whole == 1:
         B[:2] += new
@@ -115,7 +115,7 @@ def loop(each: Law, period: float, late: float, light: float, difference: bool) 
     filtered = each.filter * slip
     filtered[3] += 1.0 - each.filter
     A[3] = filtered
-    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral nothing is kept
+    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral there is no integral state
     A[2, 0] = -each.integral * period
     C += each.speed * filtered
     C[0] -= each.angle
@@ -124,22 +124,22 @@ def loop(each: Law, period: float, late: float, light: float, difference: bool) 
 
 
 def margins(stand: Stand, servo: Servo, bandwidth: float | None = None, light: float | None = None) -> Margins:
-    """Of the servos of a stand, the worst over lightness 1 to that of the stand; with another bandwidth (rad/s)."""
+    """Margins of a stand's servos, the worst over lightness 1 to that of the stand; with another bandwidth (rad/s)."""
     most = lightness(stand) if light is None else light
     loops = _loops(stand, servo, bandwidth, most)
-    found = [(*_ends(one), *_phase(one)) for one in (loops[0], loops[-1])]
+    found = [(*_gain_limits(one), *_phase_margin(one)) for one in (loops[0], loops[-1])]
     gain, less, phase, more = (min(values) for values in zip(*found, strict=True))
     return Margins(max(one.radius() for one in loops), gain, less, phase, more, most)
 
 
 def _loops(stand: Stand, servo: Servo, bandwidth: float | None, most: float) -> list[Loop]:
-    """From lightness 1 to the most."""
+    """Loops from lightness 1 to the largest."""
     each, late, encoders = law(servo, bandwidth), delay(stand, servo), servo.encoder == "stand"
     return [loop(each, servo.period, late, float(light), encoders) for light in np.geomspace(1.0, most, _GAINS)]
 
 
 def check(stand: Stand, servo: Servo, source: str) -> Margins:
-    """The margins, where they are enough. Raises CheckError in one line with the highest bandwidth that is."""
+    """The margins if they are sufficient. Otherwise raises CheckError with the highest sufficient bandwidth."""
     found = margins(stand, servo)
     if found.accepted:
         return found
@@ -151,25 +151,25 @@ def check(stand: Stand, servo: Servo, source: str) -> Margins:
     )
     highest = highest_bandwidth(stand, servo, found.lightness)
     remedy = (
-        f"give at most {_down(highest / (2 * math.pi))} Hz"
+        f"give at most {_round_down(highest / (2 * math.pi))} Hz"
         if highest is not None
         else "no lower bandwidth is better: give another damping_ratio, speed_filter or sample_period"
     )
     raise CheckError(
         f"{source}: bandwidth {hertz:.4g} Hz at {servo.period * 1e3:.4g} ms a sample and "
-        f"{late * 1e3:.4g} ms of delay: {what} (wanted {GAIN:g}, {PHASE:g} deg): {remedy}; nothing was written"
+        f"{late * 1e3:.4g} ms of delay: {what} (expected {GAIN:g}, {PHASE:g} deg): {remedy}; nothing was written"
     )
 
 
 def highest_bandwidth(stand: Stand, servo: Servo, light: float) -> float | None:
-    """The highest accepted bandwidth below the servo's, rad/s, by halving and bisection; None where there is none."""
+    """The highest accepted bandwidth below the servo's, rad/s, by halving and bisection; None: there is none."""
 
     def enough(bandwidth: float) -> bool:
         loops = _loops(stand, servo, bandwidth, light)
         factors = np.geomspace(1.0 / GAIN, GAIN, _GAINS)
         ends = (loops[0], loops[-1])
         return all(one.radius(float(f)) < 1.0 for one in ends for f in factors) and all(
-            _phase(one)[0] >= PHASE for one in ends
+            _phase_margin(one)[0] >= PHASE for one in ends
         )
 
     high = servo.bandwidth
@@ -187,7 +187,7 @@ def highest_bandwidth(stand: Stand, servo: Servo, light: float) -> float | None:
     return low
 
 
-def _ends(one: Loop) -> tuple[float, float]:
+def _gain_limits(one: Loop) -> tuple[float, float]:
     """Factors by which the gain may rise, and fall, before the closed loop is unstable; infinite beyond _FACTORS."""
     found = []
     for direction in (1.0, -1.0):
@@ -207,7 +207,7 @@ def _ends(one: Loop) -> tuple[float, float]:
     return found[0], found[1]
 
 
-def _phase(one: Loop) -> tuple[float, float]:
+def _phase_margin(one: Loop) -> tuple[float, float]:
     """Margins of phase (degrees) and delay (s) of one stable loop, by its frequency response."""
     omega = np.geomspace(1e-5, 1.0, _POINTS) * np.pi / one.period
     L = one.response(omega)
@@ -222,7 +222,7 @@ def _phase(one: Loop) -> tuple[float, float]:
     return phase, more
 
 
-def _down(value: float) -> str:
-    """Three digits, rounded down, so that what is advised is accepted."""
+def _round_down(value: float) -> str:
+    """Three digits, rounded down, so that the advised value is accepted."""
     step = 10.0 ** (math.floor(math.log10(value)) - 2)
     return f"{math.floor(value / step) * step:.3g}"

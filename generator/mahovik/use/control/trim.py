@@ -1,16 +1,16 @@
 """Slow trim: corrections of the programme's Fourier coefficients from harmonics of the carrier's measured error.
 
-Along the programme the nominal, linear model says what small corrections c of mean and harmonics of each flywheel do to
-the harmonics E of the carrier, E = G c + E_0, once it has settled. After each window of measuring
+Along the programme the nominal, linear model gives the effect of small corrections c of mean and harmonics of each
+flywheel on the harmonics E of the settled carrier: E = G c + E_0. After each window of measurement
 
     c <- c - g G^+ E,
 
-G^+ of least norm (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg, and what they do to the harmonics
-next above weighs as well), in directions that G reaches. With
-the real stand's G' instead of G and a carrier that has settled, errors in those directions go as (1 - g G' G^+)^n, so
-every g up to 1 converges where |(G' - G) G^+| < 1. A carrier that has not settled is taken into account exactly: the
-state at the beginning of a window and c form a linear system from window to window, whose spectral radius decides.
-Flywheels are taken to follow their corrections at once: the servo is faster than a window by far.
+with G^+ of least norm in directions that G reaches (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg, and
+their effect on the next higher harmonics counts as well). With the real stand's G' instead of G and a settled carrier,
+errors in those directions decay as (1 - g G' G^+)^n, so every g up to 1 converges if |(G' - G) G^+| < 1. A carrier that
+has not settled is taken into account exactly: the state at the beginning of a window and c form a linear system from
+window to window, and its spectral radius decides. Flywheels are assumed to follow their corrections at once: the servo
+is much faster than a window.
 """
 
 from __future__ import annotations
@@ -27,15 +27,15 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.use.control.orbit import Orbit, along_required, nodes
+from mahovik.use.control.orbit import Orbit, nodes, required_orbit
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Mechanics
 
 QUICK = 8.0
-"""Time constants of the corrections' smoothing that the settling has."""
+"""Time constants of the corrections' smoothing during the settling."""
 
 BEYOND, SPILL = 2, 30.0
-"""So many harmonics above those that are corrected shall not suffer: weight of what they get, of G's norm, in G^+."""
+"""Number of harmonics above the corrected ones to protect, and weight of the effect on them in G^+, in G's norm."""
 
 REACHED = 1e-3
 """Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
@@ -43,14 +43,14 @@ REACHED = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class TrimDesign:
-    """What the trim does, by the nominal model.
+    """Design of the trim, by the nominal model.
 
-    trim       what is wanted
+    trim       options in the servo file
     span       period of the programme, s
     response   G (C T, N T), T = 2 H + 1: mean, cos 1, sin 1, cos 2, ... of each measured coordinate in turn (m, rad)
                by the mean, cos 1, sin 1, ... of each flywheel in turn (rad)
-    matrix     g G^+ (N T, C T): what corrections lose by the error; zero by its means, which nobody corrects
-    unit       (C T): a metre, or what is as much in each row, by the inertia
+    matrix     g G^+ (N T, C T): change of corrections by the error; zero for the means, which are not corrected
+    unit       (C T): a metre, or the equivalent in each row, by the inertia
     theta      (N): f^T Theta_s f, kg m2: torque of a correction's acceleration
     window     (12 + r, 12 + r): from window to window, the carrier's deviation and the r directions of c
     """
@@ -65,24 +65,24 @@ class TrimDesign:
 
     @property
     def rank(self) -> int:
-        """Directions of the error that are corrected."""
+        """Number of corrected directions of the error."""
         return len(self.window) - 12
 
     @cached_property
     def radius(self) -> float:
-        """Spectral radius of `window`: what is left of a deviation a window later, in the long run."""
+        """Spectral radius of `window`: decay of a deviation per window, in the long run."""
         return float(np.abs(np.linalg.eigvals(self.window)).max())
 
     @cached_property
     def margin(self) -> float:
-        """How wrong G may be and the settled trim still converges: of its norm, a share."""
+        """Largest relative error of G with which the settled trim still converges."""
         back = self.matrix * self.unit / self.trim.gain
         seen = np.any(back != 0.0, axis=0)
         share = (self.response / self.unit[:, None])[seen]
         return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
 
     def left(self, error: Array) -> Array:
-        """What of an error (C T) no correction reaches, by the nominal model."""
+        """Part of an error (C T) that no correction reaches, by the nominal model."""
         return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
 
 
@@ -92,11 +92,11 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     Raises UsageError: the motion is not periodic, nothing is in reach, or the trim does not converge.
     """
     if not programme.periodic:
-        raise UsageError("trim: the programme is finite, expected a periodic one; leave [trim] out")
+        raise UsageError("trim: the programme is finite, expected a periodic one; remove [trim]")
     H, mechanics = trim.harmonics, Mechanics.of(stand)
-    orbit = along_required(mechanics, motion, programme, nodes(motion, programme, H + BEYOND))
+    orbit = required_orbit(mechanics, motion, programme, nodes(motion, programme, H + BEYOND))
     k = np.array([0, *np.repeat(np.arange(1, H + 1), 2)])  # harmonic of each term
-    seen, above = np.split(_split(orbit, trim), [len(k)], axis=1)
+    seen, above = np.split(_correction_terms(orbit, trim), [len(k)], axis=1)
     unit = np.repeat(_units(mechanics)[list(trim.coordinates)], len(k))
     G = seen.reshape(len(unit), -1)
     moving = np.tile(k > 0, len(trim.coordinates))
@@ -116,8 +116,8 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window)
     if not found.radius < 1.0:
         raise UsageError(
-            f"trim: does not converge, errors grow by {found.radius:.3g} a window; take less `gain` than {trim.gain:g} "
-            f"or more `settling` than {trim.settling} periods"
+            f"trim: does not converge, errors grow by {found.radius:.3g} a window; use a `gain` below {trim.gain:g} "
+            f"or a `settling` above {trim.settling} periods"
         )
     return found
 
@@ -162,8 +162,8 @@ def _averages(H: int, M: int) -> Array:
     return found
 
 
-def _split(orbit: Orbit, trim: Trim) -> Array:
-    """(C, T + 2 BEYOND, N T): terms of the measured coordinates, and those above, by all corrections."""
+def _correction_terms(orbit: Orbit, trim: Trim) -> Array:
+    """(C, T + 2 BEYOND, N T): terms of the measured coordinates, and higher ones, by all corrections."""
     return _terms(orbit, orbit.response(_basis(orbit, trim.harmonics)), trim, trim.harmonics + BEYOND)
 
 
@@ -175,16 +175,17 @@ def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
 
 
 def _units(mechanics: Mechanics) -> Array:
-    """(6): a metre, and turns that are as much, by the inertia."""
+    """(6): a metre, and equivalent rotations, by the inertia."""
     K0 = mechanics.mean_inertia
     return np.repeat([1.0, math.sqrt(K0[0, 0] / (np.trace(K0[3:, 3:]) / 3.0))], 3)
 
 
 def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> Array:
-    """See TrimDesign.window. The carrier's deviation is that from the periodic motion of c = 0, at a window's begin.
+    """See TrimDesign.window. The carrier's deviation is from the periodic motion with c = 0, at a window's start.
 
-    basis (N T, r): every correction is basis u. With Phi the monodromy, X the periodic motion's begin by u, and Q what
-    the window makes of a deviation at its begin, x <- Phi^n (x - X u) + X u and u <- u - matrix (G u + Q (x - X u)).
+    basis (N T, r): every correction is basis u. With Phi the monodromy matrix, X the periodic motion's beginning by u,
+    and Q the effect of a deviation at the beginning on the window's result: x <- Phi^n (x - X u) + X u and u <- u -
+    matrix (G u + Q (x - X u)).
     """
     Phi, periods = orbit.monodromy, trim.settling + trim.averaging
     powers = (np.linalg.matrix_power(Phi, n) for n in range(trim.settling, periods))

@@ -1,4 +1,4 @@
-"""What a programme wants at any time: angles and speeds of the flywheels, their drive torques, the carrier's motion."""
+"""The wanted motion at any time: angles and speeds of the flywheels, their drive torques, the carrier's motion."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, along, course, drive, equilibrium
+from mahovik.use.plan.forward import Chart, course, drive, equilibrium, linearise_along
 from mahovik.use.plan.forward.collocation import INTERVALS
 from mahovik.use.plan.residual import Mechanics, prescribe, torques
 
 TORQUES = 512
-"""Samples of a period that the torques' Fourier coefficients come from."""
+"""Samples per period for the torques' Fourier coefficients."""
 NODES = 64
-"""A turn of the flywheels, of the run-up's torques."""
+"""Nodes per turn of the flywheels, for the run-up's torques."""
 _TAIL = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Wanted:
-    """A periodic programme of a stand for a required motion. `exact`: before it was put into a table."""
+    """A periodic programme of a stand for a required motion. `exact`: the programme before tabulation."""
 
     stand: Stand
     motion: RequiredMotion
@@ -37,13 +37,13 @@ class Wanted:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, programme: Programme, rows: int | None) -> Wanted:
-        """With `rows` nodes of quintic Hermite a period, as firmware has them; None: exact. Raises UsageError."""
+        """Programme with `rows` nodes of quintic Hermite per period, as in firmware; None: exact. Raises UsageError."""
         if not programme.periodic:
-            raise UsageError("the programme is finite, expected a periodic one: following is told of a steady motion")
-        return Wanted(stand, motion, programme if rows is None else tabulated(programme, rows), programme)
+            raise UsageError("the programme is finite, expected a periodic one: following is measured in steady motion")
+        return Wanted(stand, motion, programme if rows is None else tabulate(programme, rows), programme)
 
     def angles(self, t: Array) -> Angles:
-        """phi, phi', phi'' (M, N each; rad, s) at times t (M, s): of the programme, before t = 0 of its run-up."""
+        """phi, phi', phi'' (M, N each; rad, s) at times t (M, s): of the programme, and of its run-up before t = 0."""
         found = self.programme.at(t)
         table, up = self.programme.runup, t < 0.0
         if table is None or not up.any():
@@ -56,7 +56,7 @@ class Wanted:
         return found
 
     def required(self, t: Array) -> Array:
-        """q (M, 6; m, rad) that is required of the carrier at times t (M, s); before t = 0 its mean pose."""
+        """Required q (M, 6; m, rad) of the carrier at times t (M, s); before t = 0 its mean pose."""
         q = self.motion.at(t, self.programme.bias).q
         q[t < 0.0] = self.motion.mean + self.programme.bias
         return q
@@ -84,7 +84,7 @@ class Wanted:
         given = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
         y = course(chart, given, t[1], start, np.tile(start, (len(t), 1)), None).y
-        spline = CubicSpline(t - table.duration, along(chart, given, y, angles.phi_ddot).tau)
+        spline = CubicSpline(t - table.duration, linearise_along(chart, given, y, angles.phi_ddot).tau)
         return lambda times: spline(np.maximum(times, -table.duration))
 
     @cached_property
@@ -99,8 +99,8 @@ class Wanted:
         return found[: last + 1], np.arange(0.0, last + 1.0)
 
 
-def tabulated(programme: Programme, rows: int) -> Programme:
-    """The programme as a table of `rows` even nodes a period."""
+def tabulate(programme: Programme, rows: int) -> Programme:
+    """The programme as a table of `rows` uniform nodes per period."""
     if rows < 4:
         raise UsageError(f"--table {rows}: expected at least 4 nodes")
     t = programme.span * np.arange(rows) / rows

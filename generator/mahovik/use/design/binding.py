@@ -1,4 +1,4 @@
-"""Which constraint binds where nothing was found: each is lifted in turn, and the best start goes on without it."""
+"""Find the binding constraint when no design was found: relax each in turn and continue from the best start."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.budget import Budget
 
 WIDER = 4.0
-"""How much wider the bounds of a key become when it is lifted."""
+"""Factor on the bounds of a key while it is relaxed."""
 STEPS = 80
 _POSITIVE: tuple[Key, ...] = ("unbalance", "mass", "inertia")
 
 
 @dataclass(frozen=True)
-class Lifted:
-    """A constraint, and the relative residual that the best start comes to without it."""
+class Relaxed:
+    """A relaxed constraint, and the relative residual that the best start reaches without it."""
 
     name: str
     residual: float
 
 
-def lifted(task: Task, reached: Reached, budget: Budget) -> list[Lifted]:
-    """Every constraint of a task, lifted alone; the one that gains most first."""
+def relax_each(task: Task, reached: Reached, budget: Budget) -> list[Relaxed]:
+    """Each constraint of a task relaxed in turn, largest gain first."""
     found = []
     for name, motion, freedom in _without_each(task):
         if budget.exhausted:
@@ -37,12 +37,12 @@ def lifted(task: Task, reached: Reached, budget: Budget) -> list[Lifted]:
         if other.space.P != task.space.P:
             continue
         start = Design(reached.design.y, reached.design.motion)
-        found.append(Lifted(name, other.relative(descend(other, start, Weighing(), STEPS, budget))))
+        found.append(Relaxed(name, other.relative(descend(other, start, Weighing(), STEPS, budget))))
     return sorted(found, key=lambda each: each.residual)
 
 
 def _without_each(task: Task) -> Iterator[tuple[str, RequiredMotion, Freedom]]:
-    """Motion and freedom without one of the constraints each."""
+    """Motion and freedom with one constraint removed, for each constraint."""
     own, motion = task.freedom, task.motion
     for key, part in PARTS.items():
         finite = np.isfinite(own.most[:, part] - own.least[:, part]) & own.free[:, part]
@@ -66,19 +66,19 @@ def _without_each(task: Task) -> Iterator[tuple[str, RequiredMotion, Freedom]]:
         yield "groups", motion, replace(own, ties=())
 
 
-def words(task: Task, best: float, found: list[Lifted]) -> tuple[str, ...]:
-    """What is said of them, a line each."""
+def words(task: Task, best: float, found: list[Relaxed]) -> tuple[str, ...]:
+    """Message about them, one line each."""
     goal = task.freedom.quality
     bind = [each for each in found if each.residual <= goal]
     if bind:
         return tuple(
-            f"{each.name} bind: {WIDER:g} times as wide, or left out, the best start comes to {each.residual:.2g}"
+            f"{each.name} bind: {WIDER:g} times as wide, or left out, the best start reaches {each.residual:.2g}"
             for each in bind
         )
     if not found:
-        return ("no bound and no limit was set that could bind: more has to be free, or more flywheels",)
+        return ("no bound or limit was set that could bind: free more numbers, or use more flywheels",)
     most = found[0]
     return (
-        f"no single constraint binds: without {most.name}, which gains most, the best start goes from {best:.2g} to "
-        f"{most.residual:.2g}; more has to be free, or more flywheels",
+        f"no single constraint binds: without {most.name}, the best start improves from {best:.2g} to "
+        f"{most.residual:.2g}; free more numbers, or use more flywheels",
     )

@@ -1,4 +1,4 @@
-"""The cost of a design: total unbalance and largest drive torque, weighted; designs made cheaper where they solve."""
+"""The cost of a design: weighted total unbalance and largest drive torque; steps to cheaper designs."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import prescribe, torques
 
 HEAVY = (1e2, 1e4)
-"""Weights of the residual beside the cost, in turn: each leaves less of it to be traded for cost."""
+"""Weights of the residual beside the cost, used in order: a higher one trades less residual for cost."""
 STEPS, LAST = 40, 40
-"""Evaluations with each of them, and of the return to least residual."""
+"""Evaluations with each of them, and of the final return to least residual."""
 
 
 class Cost(NamedTuple):
-    """unbalance: of all flywheels, kg m; torque: largest drive torque, N m; weighted: what is made least."""
+    """unbalance: of all flywheels, kg m; torque: largest drive torque, N m; weighted: the minimised sum."""
 
     unbalance: float
     torque: float
@@ -27,7 +27,7 @@ class Cost(NamedTuple):
 
 
 def cost_of(task: Task, design: Design, weights: Weights) -> Cost:
-    """The cost of a design, torque from a fine grid."""
+    """The cost of a design, with the torque from a fine grid."""
     problem = task.problem(design.y)
     grid = problem.grid(20 * (2 * design.motion.H + 2), design.motion.H, 0.5)
     tau = torques(prescribe(problem.mechanics, grid.course, design.motion.bias), *design.motion.at(grid.basis))
@@ -36,8 +36,8 @@ def cost_of(task: Task, design: Design, weights: Weights) -> Cost:
     return Cost(unbalance, torque, weights.unbalance * unbalance / whole + weights.torque * torque / task.torque)
 
 
-def cheapened(task: Task, reached: Reached, weights: Weights, budget: Budget) -> Reached:
-    """The design nearby of least cost among those that are as good, or the design itself where that is no cheaper."""
+def reduce_cost(task: Task, reached: Reached, weights: Weights, budget: Budget) -> Reached:
+    """The cheapest nearby design that is equally good, or the design itself if none is cheaper."""
     if not (weights.unbalance or weights.torque):
         return reached
     design = reached.design

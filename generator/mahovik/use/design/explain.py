@@ -1,4 +1,4 @@
-"""What a design changed, how far it is from its bounds, and what a small error of each number would cost."""
+"""Changes that a design made, distances to its bounds, and effect of a small error of each number."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from mahovik.use.design.search import Candidate
 from mahovik.use.plan.residual import by_design
 
 STEPS = {"m": (1e-3, "mm"), "rad": (np.pi / 180.0, "deg"), "kg m": (1e-6, "g mm"), "kg": (1e-3, "g"), "": (0.01, "%")}
-"""A small error of each unit, in SI, and its name: what sensitivities are of."""
+"""A small error of each unit, in SI, and its name; sensitivities refer to it."""
 AT = 1e-6
-"""Of the range: nearer to a bound than this is at it."""
+"""Part of the range: a number nearer to a bound than this is at the bound."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Change:
 
 
 def changes(chosen: Candidate) -> list[Change]:
-    """Of every free number of every flywheel."""
+    """Changes of every free number of every flywheel."""
     task, design = chosen.task, chosen.reached.design
     space, freedom = task.space, task.freedom
     problem = task.problem(design.y)
@@ -52,7 +52,7 @@ def changes(chosen: Candidate) -> list[Change]:
         if not freedom.free[s].any():
             continue
         own = root.scaled(np.swapaxes(space.own_rates(design.y, rates, s), 1, 2))  # (M, WIDTH, 6)
-        before = space.before[s]
+        before = space.original[s]
         for k in range(WIDTH):
             if not freedom.free[s, k]:
                 continue
@@ -67,7 +67,7 @@ def changes(chosen: Candidate) -> list[Change]:
 
 
 def _margin(x: float, least: float, most: float) -> tuple[float | None, str]:
-    """To the nearer bound, and which it is at."""
+    """Distance to the nearer bound, and the bound it is at."""
     below, above = x - least, most - x
     margin = min(below, above)
     if not np.isfinite(margin):

@@ -1,4 +1,4 @@
-"""From a design to what is written: its stand, and its programme, made exact by the planner's steps and verified."""
+"""From a design to its output: the stand, and the programme, made exact by the planner's steps and verified."""
 
 from __future__ import annotations
 
@@ -12,37 +12,37 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import MountingAngles, Stand
 from mahovik.use.design.search import Candidate
 from mahovik.use.design.solve import EXACT
-from mahovik.use.design.space import angles_of
+from mahovik.use.design.space import mounting_angles
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import bounded, exceeded
+from mahovik.use.plan.bounds import exceeded_bounds, has_bounds
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.certificate import certified, programme_of, wrong_items
+from mahovik.use.plan.certificate import certify, failed_items, make_programme
 from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.figures import figures, torques_on
 from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.levenberg import ladder
+from mahovik.use.plan.levenberg import refine_periodic
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.search import RUNGS
+from mahovik.use.plan.search import HARMONIC_COUNTS
 
 ENOUGH = 0.1
-"""Of the tolerance of a programme: a residual below this needs no more harmonics."""
+"""Part of a programme's tolerance: a residual below this needs no more harmonics."""
 
 ROUNDING = 1e-13
-"""Relative residual of a harmonic that is none."""
+"""Relative residual below which a harmonic counts as zero."""
 
 
-def finished(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple[Stand, Programme, str]:
-    """The stand, its programme with a report, and what the verification has against it; empty: it is exact."""
+def finish(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple[Stand, Programme, str]:
+    """The stand, its programme with a report, and the objections of the verification; empty: it is exact."""
     task, design = chosen.task, chosen.reached.design
-    stand, course = phased(task.space.stand_of(design.y), design.motion, task.freedom.phase)
+    stand, course = move_phases(task.space.stand_of(design.y), design.motion, task.freedom.phase)
     problem = Problem.of(stand, motion)
-    course, exceeded = made_exact(problem, course, budget)
+    course, exceeded = make_exact(problem, course, budget)
     found = figures(problem, course)
     report: dict[str, Any] = {
         "kind": "design",
         "harmonics": course.H,
         "residual": found.residual,
-        "residual_by_harmonic": by_harmonic(problem, course),
+        "residual_by_harmonic": residual_by_harmonic(problem, course),
         "exceeded": list(exceeded),
         "peak_speed": found.speed,
         "peak_acceleration": found.acceleration,
@@ -52,19 +52,19 @@ def finished(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple
     }
     fourier = Fourier(np.array(course.mean), np.array(course.cos), np.array(course.sin))
     winding = tuple(round(n) for n in course.winding)
-    programme = certified(stand, motion, programme_of(stand, motion, course.bias, winding, fourier, report))
-    return stand, programme, wrong_items(programme)
+    programme = certify(stand, motion, make_programme(stand, motion, course.bias, winding, fourier, report))
+    return stand, programme, failed_items(programme)
 
 
-def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Periodic, tuple[str, ...]]:
-    """The motion of the flywheels with as many harmonics as it takes, if it can be had; bounds that it exceeds."""
+def make_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Periodic, tuple[str, ...]]:
+    """The motion with as many harmonics as it needs, if it can be made exact; bounds that it exceeds."""
     best, least = course, problem.relative(course)
     if least > ENOUGH * problem.tolerance:
-        longer = ladder(problem, course, RUNGS, budget).motion
+        longer = refine_periodic(problem, course, HARMONIC_COUNTS, budget).motion
         if problem.relative(longer) < min(least, problem.tolerance):
             best, least = longer, problem.relative(longer)
-    best = plainest(problem, best, least)
-    if not bounded(problem.motion.bounds):
+    best = drop_harmonics(problem, best, least)
+    if not has_bounds(problem.motion.bounds):
         return best, ()
     improver = Improver.of(problem)
     over = _exceeded(problem, best)
@@ -75,8 +75,8 @@ def made_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
     return best, over
 
 
-def plainest(problem: Problem, course: Periodic, residual: float) -> Periodic:
-    """With the fewest harmonics that do: constant speed where the others are rounding."""
+def drop_harmonics(problem: Problem, course: Periodic, residual: float) -> Periodic:
+    """The motion with as few harmonics as possible: constant speed if the others are rounding."""
     for H in range(course.H):
         fewer = course.with_harmonics(H)
         if problem.relative(fewer) <= max(residual, EXACT):
@@ -85,38 +85,38 @@ def plainest(problem: Problem, course: Periodic, residual: float) -> Periodic:
 
 
 def _exceeded(problem: Problem, course: Periodic) -> tuple[str, ...]:
-    """Bounds of the motion file that a motion of the flywheels exceeds, in words."""
+    """Bounds of the motion file that the flywheels' motion exceeds, as messages."""
     grid = problem.grid(20 * (2 * course.H + 2), course.H, 0.5)
     angles = course.at(grid.basis)
     swing = angles.phi - course.mean - grid.t[:, None] * (2.0 * np.pi / course.period * course.winding)
     tau = torques_on(problem, grid, course, angles)
-    over = exceeded(problem.motion.bounds, problem.stand, grid.t, angles, swing, tau, course.bias)
+    over = exceeded_bounds(problem.motion.bounds, problem.stand, grid.t, angles, swing, tau, course.bias)
     return tuple(each.words for each in over)
 
 
-def phased(stand: Stand, course: Periodic, into_mounting: bool) -> tuple[Stand, Periodic]:
-    """Mounting angles and means within half a turn; the means in the mountings, where `phase` is free."""
+def move_phases(stand: Stand, course: Periodic, into_mounting: bool) -> tuple[Stand, Periodic]:
+    """Mounting angles and means within half a turn; the means moved into the mountings if `phase` is free."""
     wheels, waves = [], course.waves.copy()
     for s, wheel in enumerate(stand.flywheels):
         mean = float(waves[s, 0])
         own = wheel.mounting
         if into_mounting:
-            psi, theta, zero = angles_of(wheel)
+            psi, theta, zero = mounting_angles(wheel)
             own, mean = MountingAngles(psi, theta, zero + mean), 0.0
         if isinstance(own, MountingAngles):
-            own = MountingAngles(wrapped(own.psi), wrapped(own.theta), wrapped(own.zero))
-        waves[s, 0] = wrapped(mean)
+            own = MountingAngles(wrap_angle(own.psi), wrap_angle(own.theta), wrap_angle(own.zero))
+        waves[s, 0] = wrap_angle(mean)
         wheels.append(replace(wheel, mounting=own))
     return replace(stand, flywheels=tuple(wheels)), replace(course, waves=waves)
 
 
-def wrapped(angle: float) -> float:
-    """The same angle within half a turn; one that is there already keeps its bits."""
+def wrap_angle(angle: float) -> float:
+    """The same angle within half a turn; one already there keeps its bits."""
     return angle if -np.pi <= angle <= np.pi else float((angle + np.pi) % (2.0 * np.pi) - np.pi)
 
 
-def by_harmonic(problem: Problem, course: Periodic) -> list[float]:
-    """Amplitude of the relative residual by harmonics 0, 1, .. of the period, to the last that matters."""
+def residual_by_harmonic(problem: Problem, course: Periodic) -> list[float]:
+    """Amplitude of the relative residual by harmonics 0, 1, .. of the period, up to the last that matters."""
     M = 8 * (2 * course.H + 4)
     rows: Array = problem.rows(problem.grid(M, course.H), course)
     spectrum = np.fft.rfft(rows, axis=0) / M

@@ -1,4 +1,4 @@
-"""What a designer may choose: nine numbers a flywheel inside bounds, ties between flywheels, limits of the whole."""
+"""Choices of a designer: nine numbers per flywheel inside bounds, ties between flywheels, limits of the whole stand."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ PARTS: dict[Key, slice] = {
     "mass": slice(7, 8),
     "inertia": slice(8, 9),
 }
-"""Numbers of each key among those of a flywheel:
+"""Positions of each key's numbers among those of a flywheel:
 
 position      Os in the frame of its mount, m
 angles        psi_s, theta_s, rad: the spin axis
 unbalance     static, m |rho| across the axis, kg m
 unbalance_at  its angle from the flywheel's second axis, rad
-mass          kg; inertia goes with it
-inertia       factor of the tensor that the stand file gives
+mass          kg; the inertia scales with it
+inertia       factor on the stand file's tensor
 """
 WIDTH = 9
 NAMES = ("x", "y", "z", "psi", "theta", "unbalance", "unbalance_at", "mass", "inertia")
@@ -38,7 +38,7 @@ MIRRORS = ("x", "y", "z")
 
 @dataclass(frozen=True)
 class Tie:
-    """Flywheels (numbers) that are alike: equal in the keys `same`; `mirror`: place and axis of two mirrored.
+    """Flywheels (numbers) that are tied: equal in the keys `same`; `mirror`: two with mirrored place and axis.
 
     mirror   "x": through the plane x = 0 of their mount, and so on; None: not mirrored
     """
@@ -50,7 +50,7 @@ class Tie:
 
 @dataclass(frozen=True)
 class Limits:
-    """Of the whole; None: no limit.
+    """Limits of the whole stand; None: no limit.
 
     distance          least, between the places of any two flywheels, m
     total_mass        of all flywheels, kg
@@ -64,7 +64,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class Weights:
-    """Of the cost: total unbalance over that of the stand file, largest torque over that of the first design found."""
+    """Weights of the cost: total unbalance over the stand file's, largest torque over the first design's."""
 
     unbalance: float = 1.0
     torque: float = 0.0
@@ -72,15 +72,15 @@ class Weights:
 
 @dataclass(frozen=True, eq=False)
 class Freedom:
-    """What is free, for a stand of as many flywheels as the largest number asked for.
+    """Free numbers of a stand with the largest number of flywheels requested.
 
-    least, most   (N, WIDTH): bounds; equal where it is held, infinite where there is none
-    free          (N, WIDTH, bool): what was freed
-    phase         the mean angle of each flywheel goes into its mounting: programmes then begin about 0
-    speeds        turns a period to choose from; None: as the motion file says
-    number        least and most flywheels; the first so many of the stand
-    harmonics     of the programme while it is designed
-    quality       relative residual of a design that is accepted
+    least, most   (N, WIDTH): bounds; equal if fixed, infinite if unbounded
+    free          (N, WIDTH, bool): whether free
+    phase         move the mean angle of each flywheel into its mounting: programmes then begin near 0
+    speeds        turns per period to choose from; None: as the motion file says
+    number        least and most flywheels; the stand's first ones are used
+    harmonics     of the programme during design
+    quality       largest accepted relative residual
     """
 
     least: Array
@@ -95,8 +95,8 @@ class Freedom:
     harmonics: int = 2
     quality: float = 1e-3
 
-    def of_first(self, N: int) -> Freedom:
-        """For the first N flywheels: ties of what is left of two or more."""
+    def for_first(self, N: int) -> Freedom:
+        """The freedom of the first N flywheels, with ties between two or more of them."""
         ties = []
         for tie in self.ties:
             kept = tuple(s for s in tie.flywheels if s < N)

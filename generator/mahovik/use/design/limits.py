@@ -1,4 +1,4 @@
-"""Limits of the whole as hinge rows: distances between flywheels, total mass, total unbalance."""
+"""Limits of the whole stand as hinge rows: distances between flywheels, total mass, total unbalance."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.spatial import flywheel_transfer, place
 
 MARGIN = 1e-9
-"""Part of a limit that a design keeps from it, so that rounding does not break it."""
+"""Margin to a limit, as a part of it, so that rounding does not break it."""
 
 
 def limit_rows(limits: Limits, space: Space, y: Array) -> tuple[Array, Array]:
-    """Hinges (n): part of a limit that is broken, 0 inside; derivatives (n, P) by y."""
+    """Hinges (n): relative excess over a limit, 0 inside; derivatives (n, P) by y."""
     values, slopes = [], []
     x = space.numbers(y)
     A = space.A.reshape(len(x), WIDTH, space.P)
@@ -52,7 +52,7 @@ def places_of(stand: Stand, x: Array) -> tuple[Array, Array]:
 
 
 def nearest_two(stand: Stand) -> tuple[float, str, str] | None:
-    """Least distance between two flywheels (m), and their names; None of fewer than two."""
+    """Least distance between two flywheels (m), and their names; None for fewer than two."""
     wheels = stand.flywheels
     places = [place(flywheel_transfer(stand, s)) for s in wheels]
     pairs = [

@@ -1,4 +1,4 @@
-"""What a design ends with: a status, the stand, its programme, and the explanation."""
+"""Outcome of a design: a status, the stand, its programme, and the explanation."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Status = Literal["OK", "OK_LIMIT", "APPROXIMATE", "NO_DESIGN"]
 class Outcome:
     """Outcome of a design.
 
-    status    OK: its programme is exact and passes the verification; OK_LIMIT: so, but exceeds a bound of the motion
-              file; APPROXIMATE: its relative residual is within `quality`, no exact programme was found;
+    status    OK: its programme is exact and passes the verification; OK_LIMIT: the same, but it exceeds a bound of the
+              motion file; APPROXIMATE: its relative residual is within `quality`, no exact programme was found;
               NO_DESIGN: nothing within `quality` was found in the budget, which proves nothing
-    words     why, a line each: what binds, what is exceeded
-    residual  relative residual of the programme, or the least that was seen
-    totals    of the stand as it was and of the design: unbalance, mass, nearest distance
+    words     reasons, one line each: binding constraints, exceeded bounds
+    residual  relative residual of the programme, or the least seen
+    totals    of the given stand and of the design: unbalance, mass, nearest distance
     """
 
     status: Status

@@ -10,10 +10,10 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
-from mahovik.core.motion.document import checked, document_of, text_of
-from mahovik.core.motion.fields import NOT_NULL, choice, chosen, context_validator, quantity, short_integer, whole
+from mahovik.core.motion.document import document_of, text_of, validate_table
+from mahovik.core.motion.fields import NOT_NULL, choice, context_validator, positions, short_integer, whole
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.fields import Flag, Table, refuse, validator
+from mahovik.core.stand.fields import Flag, Table, refuse, scalar, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
@@ -32,7 +32,7 @@ from mahovik.errors import DesignError
 from mahovik.nearest import meant
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
 from mahovik.use.design.limits import nearest_two
-from mahovik.use.design.space import numbers_of
+from mahovik.use.design.space import flywheel_numbers
 
 CHOICES = ("phase", "speed", "number")
 DIMENSIONS: dict[Key, Dimension] = {
@@ -118,9 +118,9 @@ def _number(raw: Any, context: dict[str, Any]) -> tuple[int, int]:
     return least, most
 
 
-Flywheels = Annotated[tuple[int, ...], context_validator(lambda raw, context: chosen(raw, context["names"]))]
-Mass = Annotated[float | None, quantity(MASS, least=0.0)]
-Weight = Annotated[float, quantity(PLAIN, least=0.0)]
+Flywheels = Annotated[tuple[int, ...], context_validator(lambda raw, context: positions(raw, context["names"]))]
+Mass = Annotated[float | None, scalar(MASS, least=0.0)]
+Weight = Annotated[float, scalar(PLAIN, least=0.0)]
 
 
 class FreeTable(Table):
@@ -146,9 +146,9 @@ class GroupTable(Table):
 class LimitsTable(Table):
     """`[limits]` of the whole stand."""
 
-    distance: Annotated[float | None, quantity(LENGTH, least=0.0)] = None
+    distance: Annotated[float | None, scalar(LENGTH, least=0.0)] = None
     total_mass: Mass = None
-    total_unbalance: Annotated[float | None, quantity(STATIC_UNBALANCE, least=0.0)] = None
+    total_unbalance: Annotated[float | None, scalar(STATIC_UNBALANCE, least=0.0)] = None
 
 
 class CostTable(Table):
@@ -165,7 +165,7 @@ class FreedomTable(Table):
     phase: Flag = False
     speed: Annotated[tuple[int, ...] | None, validator(_speeds)] = None
     harmonics: Annotated[int, whole(0, MOST_HARMONICS)] = 3
-    quality: Annotated[float, quantity(PLAIN, above=0.0, most=0.1)] = 1e-3
+    quality: Annotated[float, scalar(PLAIN, above=0.0, most=0.1)] = 1e-3
     free: list[FreeTable] = Field(default_factory=list)
     group: list[GroupTable] = Field(default_factory=list)
     limits: Annotated[LimitsTable | None, NOT_NULL] = None
@@ -201,7 +201,7 @@ def _freedom(document: dict[str, Any], stand: Stand, problems: Problems) -> Free
     if not stand.flywheels:
         problems.add(f"stand {stand.name} has no flywheels: there is nothing to design")
         raise DesignError(problems.lines)
-    table = checked(FreedomTable, document, problems, names=[s.name for s in stand.flywheels])
+    table = validate_table(FreedomTable, document, problems, names=[s.name for s in stand.flywheels])
     if table is None or problems.lines:
         raise DesignError(problems.lines)
     N = len(stand.flywheels)
@@ -228,7 +228,7 @@ class _Bounds:
 
     def __init__(self, stand: Stand, problems: Problems) -> None:
         self._stand, self._problems = stand, problems
-        self._current = np.array([numbers_of(s) for s in stand.flywheels]).reshape(-1, WIDTH)
+        self._current = np.array([flywheel_numbers(s) for s in stand.flywheels]).reshape(-1, WIDTH)
         self.least, self.most = self._current.copy(), self._current.copy()
         self.free = np.zeros(self._current.shape, dtype=bool)
 
@@ -287,16 +287,16 @@ class _Bounds:
 
 def _ties(groups: list[GroupTable], stand: Stand, problems: Problems) -> Iterator[Tie]:
     for i, group in enumerate(groups):
-        where, chosen_ones, mirror = f"group[{i}]", group.flywheels, group.mirror
-        if mirror is not None and len(chosen_ones) != 2:
-            problems.add(where, "mirror", f"needs two flywheels, found {len(chosen_ones)}")
+        where, flywheels, mirror = f"group[{i}]", group.flywheels, group.mirror
+        if mirror is not None and len(flywheels) != 2:
+            problems.add(where, "mirror", f"needs two flywheels, found {len(flywheels)}")
         elif mirror is not None and {"position", "angles"} & set(group.same):
             problems.add(where, "mirror", "contradicts `same` about position and angles")
-        elif len(chosen_ones) < 2:
-            problems.add(where, "flywheels", f"a group needs two or more flywheels, found {len(chosen_ones)}")
+        elif len(flywheels) < 2:
+            problems.add(where, "flywheels", f"a group needs two or more flywheels, found {len(flywheels)}")
         elif mirror is None and not group.same:
             problems.add(where, "nothing is tied: expected `same`, `mirror` or both")
-        elif len({stand.flywheels[s].mount for s in chosen_ones}) > 1:
+        elif len({stand.flywheels[s].mount for s in flywheels}) > 1:
             problems.add(where, "flywheels", "all flywheels of a group need the same mount")
         else:
-            yield Tie(chosen_ones, group.same, mirror)
+            yield Tie(flywheels, group.same, mirror)

@@ -1,4 +1,4 @@
-"""What no design can do, known before any search: the motion is refused, in one line."""
+"""Refuse, before any search, a motion that no design can do."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from mahovik.use.plan.residual import prescribe
 from mahovik.use.plan.residual.kinematics import twists
 
 SLACK = 1.01
-"""The carrier turns a little, and the mean pose may move."""
+"""Margin: the carrier turns a little, and the mean pose may move."""
 
 
 def refuse(task: Task, freedom: Freedom) -> None:
-    """Raises DesignError where the mean force is carried by nothing, or all unbalance that may be is too little."""
+    """Raise DesignError if nothing carries the mean force, or the largest allowed unbalance is too small."""
     motion, problem = task.motion, task.start
     masses = bool(freedom.free[:, 7].any())
     pose = mean_pose(problem)
@@ -31,7 +31,7 @@ def refuse(task: Task, freedom: Freedom) -> None:
     course = motion.at(uniform(motion.span, max(128, 16 * problem.highest)))
     turns = np.ptp(course.q[:, 3:], axis=0).max() > 0.0
     if masses or any(problem.mechanics.tables.damping) or (turns and freedom.free[:, :3].any()):
-        return  # what the flywheels have to do depends on the design
+        return  # the required flywheel wrench depends on the design
     P = prescribe(problem.mechanics, course, pose.bias).locked()
     C = twists(problem.stand, course).C
     force = (C @ P[:, :3, None])[:, :, 0]

@@ -1,4 +1,4 @@
-"""The search of a design: seeded starts, each number of flywheels in turn, from the fewest."""
+"""The search of a design: seeded starts for each number of flywheels, from the fewest upwards."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.core.stand import loads
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.write import dumps
 from mahovik.errors import StandError
-from mahovik.use.design.cost import Cost, cheapened, cost_of
+from mahovik.use.design.cost import Cost, cost_of, reduce_cost
 from mahovik.use.design.limits import limit_rows
 from mahovik.use.design.solve import Reached, refine
 from mahovik.use.design.task import Design, Task
@@ -19,17 +19,17 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.preflight.mean_wrench import mean_pose
-from mahovik.use.plan.windings import Kind, drawn
+from mahovik.use.plan.windings import Kind, draw_windings
 
 STARTS, ENOUGH = 40, 2
-"""Starts of one number of flywheels; designs after which it looks for no more."""
+"""Starts per number of flywheels; number of designs that ends the search."""
 KINDS: tuple[Kind, ...] = ("spin", "spin", "mixed", "rock")
-"""Windings of the starts, in turn, where they are left open: few flywheels turn rather than rock."""
+"""Windings of the starts, in order, if the motion leaves them open: few flywheels turn rather than rock."""
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A design that is accepted, and its cost."""
+    """An accepted design and its cost."""
 
     task: Task
     reached: Reached
@@ -38,10 +38,10 @@ class Candidate:
 
 @dataclass
 class Search:
-    """What a search has found and tried so far.
+    """State of the search.
 
     best     least relative residual; nearest: the design that has it; tried: the least by number of flywheels
-    refused  why designs of a good residual were refused: a body that cannot be
+    refused  why designs with a good residual were refused: an impossible body
     """
 
     found: list[Candidate] = field(default_factory=list)
@@ -58,21 +58,23 @@ class Search:
         """One line of progress."""
         return f"searching: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} designs found"
 
-    def seen(self, task: Task, reached: Reached) -> None:
-        """Remembers the least residual."""
+    def record(self, task: Task, reached: Reached) -> None:
+        """Remember the least residual."""
         self.tried[task.N] = min(self.tried.get(task.N, np.inf), reached.residual)
         if reached.residual < self.best:
             self.best, self.nearest = reached.residual, (task, reached)
 
 
-Tell = Callable[[Search], None]
+OnProgress = Callable[[Search], None]
 
 
-def search(tasks: Sequence[Task], seed: int, budget: Budget, tell: Tell | None = None, starts: int = STARTS) -> Search:
+def search(
+    tasks: Sequence[Task], seed: int, budget: Budget, on_progress: OnProgress | None = None, starts: int = STARTS
+) -> Search:
     """Designs of the first task that has any; tasks have rising numbers of flywheels.
 
-    Exact ones stand before others, cheap ones before dear. The same for the same tasks and seed unless time cut it;
-    Ctrl-C ends it with what it has.
+    Exact designs come first, then cheap before expensive. The same tasks and seed give the same result unless time cut
+    the search; Ctrl-C ends it with its results so far.
     """
     state = Search()
     try:
@@ -82,9 +84,9 @@ def search(tasks: Sequence[Task], seed: int, budget: Budget, tell: Tell | None =
             for k in range(starts):
                 if budget.exhausted or len(state.found) >= ENOUGH:
                     break
-                _one(task, drawn_start(task, bias, seed, k), budget, state)
-                if tell is not None:
-                    tell(state)
+                _run_start(task, random_start(task, bias, seed, k), budget, state)
+                if on_progress is not None:
+                    on_progress(state)
             if state.found or budget.exhausted:
                 break
     except KeyboardInterrupt:
@@ -94,33 +96,33 @@ def search(tasks: Sequence[Task], seed: int, budget: Budget, tell: Tell | None =
     return state
 
 
-def _one(task: Task, start: Design, budget: Budget, state: Search) -> None:
-    """One start."""
+def _run_start(task: Task, start: Design, budget: Budget, state: Search) -> None:
+    """Run one start."""
     state.starts += 1
     reached = refine(task, start, budget)
     if reached is None:
         return
-    state.seen(task, reached)
-    if reached.residual > task.freedom.quality or broken(task, reached.design):
+    state.record(task, reached)
+    if reached.residual > task.freedom.quality or breaks_limit(task, reached.design):
         return
-    problem = trouble(task.space.stand_of(reached.design.y))
+    problem = refusal(task.space.stand_of(reached.design.y))
     if problem is not None:
         state.refused.append(problem)
         return
     weights = task.freedom.weights
     state.found.append(Candidate(task, reached, cost_of(task, reached.design, weights)))  # before Ctrl-C may come
-    cheap = cheapened(task, reached, weights, budget)
-    if not broken(task, cheap.design) and trouble(task.space.stand_of(cheap.design.y)) is None:
-        state.seen(task, cheap)
+    cheap = reduce_cost(task, reached, weights, budget)
+    if not breaks_limit(task, cheap.design) and refusal(task.space.stand_of(cheap.design.y)) is None:
+        state.record(task, cheap)
         state.found[-1] = Candidate(task, cheap, cost_of(task, cheap.design, weights))
 
 
-def drawn_start(task: Task, bias: Array, seed: int, k: int) -> Design:
-    """Start k of a seed: the first from the stand as it is, the others from anywhere inside the bounds."""
+def random_start(task: Task, bias: Array, seed: int, k: int) -> Design:
+    """Start k of a seed: the first from the given stand, the others from anywhere inside the bounds."""
     rng = np.random.default_rng([seed, task.N, k])
-    y = task.space.drawn(rng)
+    y = task.space.random(rng)
     if k == 0:
-        y = task.space.now
+        y = task.space.current
     motion, N = task.motion, task.N
     if task.freedom.speeds is not None:
         turning = [n for n in task.freedom.speeds if n] if KINDS[k % len(KINDS)] == "spin" else []
@@ -129,18 +131,18 @@ def drawn_start(task: Task, bias: Array, seed: int, k: int) -> Design:
         kind: Kind = "given" if isinstance(motion.winding, tuple) else KINDS[k % len(KINDS)]
         if isinstance(motion.winding, str) and motion.winding != "any":
             kind = motion.winding
-        winding = drawn(kind, motion, N, 1, rng)[0]
+        winding = draw_windings(kind, motion, N, 1, rng)[0]
     waves = rng.uniform(-np.pi, np.pi, (N, 1))
     return Design(y, Periodic(motion.span, winding, waves, bias))
 
 
-def broken(task: Task, design: Design) -> bool:
-    """Whether a limit of the whole is broken."""
+def breaks_limit(task: Task, design: Design) -> bool:
+    """Whether a design breaks a limit of the whole stand."""
     return bool(limit_rows(task.freedom.limits, task.space, design.y)[0].max(initial=0.0) > 1e-6)
 
 
-def trouble(stand: Stand) -> str | None:
-    """Why a stand is refused by its own reader, one line; None: it is not."""
+def refusal(stand: Stand) -> str | None:
+    """Why the stand reader refuses a stand, in one line; None: it accepts it."""
     try:
         loads(dumps(stand), "the design")
     except StandError as error:

@@ -1,4 +1,4 @@
-"""An outcome as rows, lines and an object, for people and for programs."""
+"""An outcome as table rows, lines and a JSON object."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ SHOWN = {
     "kg": (1.0, "kg"),
     "": (1.0, "times"),
 }
-"""Factor and unit of what is SI inside."""
+"""Factor and unit for printing SI values."""
 
 
-def changed(found: Outcome) -> list[tuple[str, ...]]:
+def change_rows(found: Outcome) -> list[tuple[str, ...]]:
     """Flywheel, number, unit, before, after, margin, a small error, relative residual that it makes."""
     return [_row(each) for each in found.changes]
 
@@ -68,7 +68,7 @@ def front(found: Outcome) -> list[tuple[str, ...]]:
 
 
 def as_object(found: Outcome) -> dict[str, Any]:
-    """All of it, in SI; what is not finite is null."""
+    """The whole outcome, in SI; values that are not finite become null."""
     values: dict[str, Any] = {
         "status": found.status,
         "words": list(found.words),

@@ -13,15 +13,15 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 
 EXACT = 1e-9
-"""Relative residual that is called exact: more harmonics would gain nothing."""
+"""Relative residual that counts as exact: more harmonics would gain nothing."""
 HOPELESS = 0.5
 """Relative residual at constant speed (root mean square at the nodes) above which a start is given up."""
 FIRST, LATER = 40, 120
-"""Evaluations of the first rung, and of each later one."""
+"""Evaluations with the first number of harmonics, and with each later one."""
 STALL = 1e-5
-"""A step that lessens the sum of squares by less than this part of it is the last; near an exact design none does."""
+"""A run ends when a step reduces the sum of squares by less than this part; near an exact design no step does."""
 _INSIDE = 1e-10
-"""Of the range: how far inside its bounds a start begins, as the method needs."""
+"""Part of the range: distance of a start from its bounds, which the method needs."""
 
 
 class Reached(NamedTuple):
@@ -32,11 +32,11 @@ class Reached(NamedTuple):
 
 
 class _OverError(Exception):
-    """The budget is spent in the middle of a run."""
+    """The budget ran out during a run."""
 
 
 def descend(task: Task, start: Design, weighing: Weighing, steps: int, budget: Budget) -> Design:
-    """Least squares of the rows from a design, inside the bounds; ends with the budget with the best so far."""
+    """Least squares of the rows from a design, inside the bounds; the end of the budget returns the best so far."""
     like = start.motion
     low, high = task.box(like.H)
     room = np.where(np.isfinite(high - low), high - low, 1.0) * _INSIDE
@@ -64,13 +64,13 @@ def descend(task: Task, start: Design, weighing: Weighing, steps: int, budget: B
 
 
 def size(task: Task, design: Design) -> float:
-    """Root mean square of the rows that shall vanish."""
+    """Root mean square of the rows that must vanish."""
     rows = task.rows(design, Weighing())
     return float(np.linalg.norm(rows))
 
 
 def refine(task: Task, start: Design, budget: Budget) -> Reached | None:
-    """A start through its rungs: constant speed where flywheels turn, then harmonics; None: it promises nothing."""
+    """Refine a start: constant speed if flywheels turn, then rising numbers of harmonics; None: not promising."""
     design = start
     turning = bool(np.any(start.motion.winding))
     rungs = [H for H in range(task.freedom.harmonics + 1) if H > 0 or turning] or [0]

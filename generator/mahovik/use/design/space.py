@@ -1,6 +1,6 @@
-"""The unknowns of a design: what is free and not tied, and the stand that they make.
+"""The unknowns of a design: numbers that are free and not tied, and the stand that they define.
 
-All numbers of all flywheels, x (N, WIDTH), are x = A y + b of the free ones y (P); ties make columns of A longer.
+All numbers of all flywheels, x (N, WIDTH), are x = A y + b with the free ones y (P); ties add entries to columns of A.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Space:
 
     A, b         (N WIDTH, P), (N WIDTH)
     least, most  (P) bounds of y
-    size         (P) what counts as a large change of each
+    size         (P) a large change of each
     owner        (P): number of the first of the numbers x that y moves: s WIDTH + k
     """
 
@@ -47,13 +47,13 @@ class Space:
         least, most = freedom.least.ravel().copy(), freedom.most.ravel().copy()
         root, sign, shift = list(range(N * WIDTH)), [1.0] * (N * WIDTH), [0.0] * (N * WIDTH)
         for tie in freedom.ties:
-            for other, first, s, o in _tied(tie):
+            for other, first, s, o in _tied_pairs(tie):
                 _join(other, first, s, o, root, sign, shift)
         roots = sorted(set(root))
         b, columns, bounds = np.zeros(N * WIDTH), [], []
         for r in roots:
             members = [i for i in range(N * WIDTH) if root[i] == r]
-            low, high = _common(members, sign, shift, least, most)
+            low, high = _common_bounds(members, sign, shift, least, most)
             rounding = _ROUNDING * max(1e-6, abs(low)) if math.isfinite(low) else 0.0
             if low > high + rounding:
                 raise DesignError([_contradiction(stand, members)])
@@ -68,7 +68,7 @@ class Space:
         A = np.stack(columns, axis=1) if columns else np.zeros((N * WIDTH, 0))
         low_high = np.array([each[:2] for each in bounds]).reshape(-1, 2)
         owner = tuple(each[2] for each in bounds)
-        size = np.array([_size(*pair) for pair in low_high])
+        size = np.array([_large_change(*pair) for pair in low_high])
         return Space(stand, freedom.free, A, b, low_high[:, 0], low_high[:, 1], size, owner)
 
     @property
@@ -78,29 +78,29 @@ class Space:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the unknowns: flywheel and number."""
+        """Names of the unknowns: flywheel and number."""
         return tuple(f"{self.stand.flywheels[k // WIDTH].name} {NAMES[k % WIDTH]}" for k in self.owner)
 
     @property
-    def now(self) -> Array:
-        """y (P) of the stand as it is, inside the bounds."""
-        return self.inside((self.before.ravel() - self.b)[list(self.owner)] if self.P else np.zeros(0))
+    def current(self) -> Array:
+        """y (P) of the given stand, clipped to the bounds."""
+        return self.inside((self.original.ravel() - self.b)[list(self.owner)] if self.P else np.zeros(0))
 
     @property
-    def before(self) -> Array:
-        """x (N, WIDTH) of the stand as it is."""
-        return np.array([numbers_of(s) for s in self.stand.flywheels]).reshape(-1, WIDTH)
+    def original(self) -> Array:
+        """x (N, WIDTH) of the given stand."""
+        return np.array([flywheel_numbers(s) for s in self.stand.flywheels]).reshape(-1, WIDTH)
 
     def own_rates(self, y: Array, by_parameters: Array, s: int) -> Array:
-        """Derivatives (..., WIDTH) by the numbers of flywheel s of what has those (..., N, K) by its parameters."""
-        return np.asarray(by_parameters[..., s, :] @ rates(self.stand.flywheels[s], self.numbers(y)[s], True))
+        """Derivatives (..., WIDTH) by the numbers of flywheel s, from those (..., N, K) by its parameters."""
+        return np.asarray(by_parameters[..., s, :] @ parameter_rates(self.stand.flywheels[s], self.numbers(y)[s], True))
 
     def inside(self, y: Array) -> Array:
         """y (P) clipped to the bounds."""
         return np.asarray(np.clip(y, self.least, self.most))
 
-    def drawn(self, rng: np.random.Generator) -> Array:
-        """y (P) anywhere inside the bounds; angles without bounds: any direction."""
+    def random(self, rng: np.random.Generator) -> Array:
+        """Random y (P) inside the bounds; angles without bounds have any direction."""
         y = np.empty(self.P)
         for k, (low, high, owner) in enumerate(zip(self.least, self.most, self.owner, strict=True)):
             if math.isfinite(low) and math.isfinite(high):
@@ -116,33 +116,33 @@ class Space:
         return np.asarray((self.A @ y + self.b).reshape(-1, WIDTH))
 
     def stand_of(self, y: Array) -> Stand:
-        """The stand of a design; flywheels without freedom are as they were."""
+        """The stand of a design; flywheels without freedom are unchanged."""
         wheels = tuple(
-            built(wheel, x) if free.any() else wheel
+            build_flywheel(wheel, x) if free.any() else wheel
             for wheel, x, free in zip(self.stand.flywheels, self.numbers(y), self.free, strict=True)
         )
         return replace(self.stand, flywheels=wheels)
 
     def chain(self, y: Array, by_parameters: Array) -> Array:
-        """Derivatives by y (..., P) of what has the derivatives (..., N, K) by `residual.PARAMETERS`."""
+        """Derivatives by y (..., P), from those (..., N, K) by `residual.PARAMETERS`."""
         x = self.numbers(y)
         own = [
-            by_parameters[..., s, :] @ rates(wheel, x[s], bool(self.free[s].any()))
+            by_parameters[..., s, :] @ parameter_rates(wheel, x[s], bool(self.free[s].any()))
             for s, wheel in enumerate(self.stand.flywheels)
         ]
         return np.asarray(np.concatenate(own, axis=-1) @ self.A)
 
 
-def numbers_of(wheel: Flywheel) -> Array:
-    """(WIDTH) of a flywheel."""
-    psi, theta, _ = angles_of(wheel)
+def flywheel_numbers(wheel: Flywheel) -> Array:
+    """Numbers (WIDTH) of a flywheel."""
+    psi, theta, _ = mounting_angles(wheel)
     _, y, z = wheel.center_of_mass
     at = math.atan2(z, y) if y or z else 0.0
     return np.array([*wheel.position, psi, theta, wheel.mass * math.hypot(y, z), at, wheel.mass, 1.0])
 
 
-def angles_of(wheel: Flywheel) -> tuple[float, float, float]:
-    """psi_s, theta_s, phi0 of a mounting, however the file gives it."""
+def mounting_angles(wheel: Flywheel) -> tuple[float, float, float]:
+    """psi_s, theta_s, phi0 of a mounting, in whichever form the file gives it."""
     own = wheel.mounting
     if isinstance(own, MountingAngles):
         return own.psi, own.theta, own.zero
@@ -152,15 +152,15 @@ def angles_of(wheel: Flywheel) -> tuple[float, float, float]:
     return psi, theta, math.atan2(rest[2, 1], rest[1, 1])
 
 
-def built(wheel: Flywheel, x: Array) -> Flywheel:
-    """The flywheel of the numbers x (WIDTH)."""
+def build_flywheel(wheel: Flywheel, x: Array) -> Flywheel:
+    """The flywheel with the numbers x (WIDTH)."""
     place, psi, theta, unbalance, at, mass, factor = x[:3], *(float(each) for each in x[3:])
     r = unbalance / mass if mass > 0.0 else 0.0
     J = np.array(wheel.inertia) * factor * _share(wheel, mass)
     return replace(
         wheel,
         position=(float(place[0]), float(place[1]), float(place[2])),
-        mounting=MountingAngles(psi, theta, angles_of(wheel)[2]),
+        mounting=MountingAngles(psi, theta, mounting_angles(wheel)[2]),
         mass=mass,
         center_of_mass=(wheel.center_of_mass[0], r * math.cos(at), r * math.sin(at)),
         inertia=cast(Mat3, tuple(tuple(float(each) for each in row) for row in J)),
@@ -168,7 +168,7 @@ def built(wheel: Flywheel, x: Array) -> Flywheel:
 
 
 def _share(wheel: Flywheel, mass: float) -> float:
-    """Mass over that of the stand file."""
+    """Mass over that in the stand file."""
     return mass / wheel.mass if wheel.mass > 0.0 else 1.0
 
 
@@ -177,13 +177,13 @@ _POSITION, _TURN, _MASS, _CENTER, _INERTIA = (
 )
 
 
-def rates(wheel: Flywheel, x: Array, free: bool) -> Array:
-    """Derivatives (K, WIDTH) of `residual.PARAMETERS` by the numbers of a flywheel; zero where nothing is free."""
+def parameter_rates(wheel: Flywheel, x: Array, free: bool) -> Array:
+    """Derivatives (K, WIDTH) of `residual.PARAMETERS` by the numbers of a flywheel; zero if nothing is free."""
     D = np.zeros((len(PARAMETERS), WIDTH))
     if not free:
         return D
     theta, unbalance, at, mass, factor = (float(each) for each in x[4:])
-    rolled = turn(0, angles_of(wheel)[2]).T
+    rolled = turn(0, mounting_angles(wheel)[2]).T
     D[_POSITION : _POSITION + 3, PARTS["position"]] = np.eye(3)
     D[_TURN : _TURN + 3, 3] = rolled @ turn(1, theta).T @ np.array([0.0, 0.0, 1.0])
     D[_TURN : _TURN + 3, 4] = rolled @ np.array([0.0, 1.0, 0.0])
@@ -201,7 +201,7 @@ def rates(wheel: Flywheel, x: Array, free: bool) -> Array:
     return D
 
 
-def _tied(tie: Tie) -> list[tuple[int, int, float, float]]:
+def _tied_pairs(tie: Tie) -> list[tuple[int, int, float, float]]:
     """(i, j, sign, shift): x_i = sign x_j + shift, for all numbers that a tie joins."""
     first, found = tie.flywheels[0] * WIDTH, []
     for s in tie.flywheels[1:]:
@@ -216,7 +216,7 @@ def _tied(tie: Tie) -> list[tuple[int, int, float, float]]:
 
 
 def _join(i: int, j: int, s: float, o: float, root: list[int], sign: list[float], shift: list[float]) -> None:
-    """Makes x_i = s x_j + o: the set of i hangs on the root of j."""
+    """Impose x_i = s x_j + o by joining the set of i to the root of j."""
     if root[i] == root[j]:
         return
     # x_i = sign_i r_i + shift_i and x_j = sign_j r_j + shift_j give r_i by r_j
@@ -228,7 +228,7 @@ def _join(i: int, j: int, s: float, o: float, root: list[int], sign: list[float]
             root[k] = root[j]
 
 
-def _common(
+def _common_bounds(
     members: list[int], sign: list[float], shift: list[float], least: Array, most: Array
 ) -> tuple[float, float]:
     """Bounds of a root that keep all its members inside theirs."""
@@ -240,14 +240,14 @@ def _common(
 
 
 def _contradiction(stand: Stand, members: list[int]) -> str:
-    """What is said of numbers that are tied and have no value in common."""
+    """Message about tied numbers that have no common value."""
     names = ", ".join(f'"{stand.flywheels[i // WIDTH].name}"' for i in members)
     return (
-        f"group of {names}: {NAMES[members[0] % WIDTH]} shall be alike, but bounds, or values that are held, have none "
-        "in common; free it for all of them, inside the same bounds"
+        f"group of {names}: {NAMES[members[0] % WIDTH]} must be equal, but their bounds or fixed values have no "
+        "common value; free it for all of them, inside the same bounds"
     )
 
 
-def _size(low: float, high: float) -> float:
-    """What counts as a large change: half the range, one radian where there is none."""
+def _large_change(low: float, high: float) -> float:
+    """A large change: half the range, or one radian without a range."""
     return (high - low) / 2.0 if math.isfinite(low) and math.isfinite(high) else 1.0

@@ -1,6 +1,6 @@
 """One design problem: unknowns of a stand and of its programme together, with the rows of a least-squares sum.
 
-A vector z holds the unknowns y of the design in parts of their sizes, then waves and free bias as in `plan/fourier`.
+A vector z holds the unknowns y of the design divided by their sizes, then waves and free bias as in `plan/fourier`.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from mahovik.use.design.freedom import WIDTH, Freedom
 from mahovik.use.design.limits import limit_rows
 from mahovik.use.design.space import Space
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import RHO, bias_hinges, bounded, hinges
+from mahovik.use.plan.bounds import RHO, bias_hinges, has_bounds, hinge_rows
 from mahovik.use.plan.fourier import Periodic, uniform
 from mahovik.use.plan.problem import Grid, Problem
 from mahovik.use.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design, prescribe
@@ -39,7 +39,7 @@ class Evaluated(NamedTuple):
 
 
 class Weighing(NamedTuple):
-    """Weights of the rows: the residual's; those of the cost, unbalance and torque, in the units of the rows."""
+    """Weights of the rows: of the residual; of unbalance and torque of the cost, in the units of the rows."""
 
     residual: float = 1.0
     unbalance: float = 0.0
@@ -48,10 +48,10 @@ class Weighing(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What a search has to know.
+    """Data of a search.
 
-    start    the problem of the stand as it is; its norm is kept while the design changes
-    torque   N m: what drive torques are told in
+    start    the problem of the given stand; its norm is kept while the design changes
+    torque   N m: unit of drive torques
     """
 
     space: Space
@@ -63,7 +63,7 @@ class Task:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, freedom: Freedom) -> Task:
-        """Of a stand with as many flywheels as are wanted. Raises DesignError, StateError (a leg has no length)."""
+        """Task for a stand with the wanted number of flywheels. Raises DesignError, StateError (leg without length)."""
         problem = Problem.of(stand, motion)
         Omega = 2.0 * np.pi / motion.span * problem.highest
         torque = max(float(problem.mechanics.tables.Theta_ff.max(initial=0.0)) * Omega**2, 1e-12)
@@ -71,7 +71,7 @@ class Task:
 
     @property
     def motion(self) -> RequiredMotion:
-        """What is required."""
+        """The required motion."""
         return self.start.motion
 
     @property
@@ -80,12 +80,12 @@ class Task:
         return self.start.N
 
     def problem(self, y: Array) -> Problem:
-        """The problem of the stand that y makes, in the norm of the start."""
+        """The problem of the stand with the unknowns y, in the norm of the start."""
         stand, own = self.space.stand_of(y), self.start
         return Problem(stand, own.motion, Mechanics.of(stand), own.norm, own.free, own.tolerance, self._grids)
 
     def grid(self, winding: Array, H: int) -> Grid:
-        """Times enough for the products of two harmonics."""
+        """Enough times for the products of two harmonics."""
         highest = max(self.start.highest, int(np.abs(winding).max(initial=0)))
         return self.start.grid(max(16, 2 * (2 * highest + H) + 4), H)
 
@@ -98,12 +98,12 @@ class Task:
         return own.relative(design.motion)
 
     def norm(self, problem: Problem) -> Norm:
-        """The norm that the planner takes for the stand of a design."""
+        """The norm that the planner uses for the stand of a design."""
         t = uniform(self.motion.span, max(256, 16 * max(self.motion.harmonics, default=1)))
         return Norm.of(prescribe(problem.mechanics, self.motion.at(t)), self.motion.span)
 
     def scales(self, H: int) -> Array:
-        """What a step of 1 in z means: of y its sizes; of waves less for higher harmonics; of the bias the motion's."""
+        """Change for a step of 1 in z: sizes of y; waves, smaller for higher harmonics; bias, of the motion's size."""
         orders = np.concatenate([[0.0], np.arange(1.0, H + 1), np.arange(1.0, H + 1)])
         waves = np.tile(1.0 / np.sqrt(1.0 + orders**2), self.N)
         return np.concatenate([self.space.size, waves, np.array([0.01] * 3 + [0.1] * 3)[self.start.free]])
@@ -123,7 +123,7 @@ class Task:
         return Design(self.space.inside(own[:P]), start.moved(own[P:], self.start.free))
 
     def box(self, H: int) -> tuple[Array, Array]:
-        """Least and most of z."""
+        """Lower and upper bounds of z."""
         scale = self.scales(H)
         rest = np.full(len(scale) - self.space.P, np.inf)
         return np.concatenate([self.space.least, -rest]) / scale, np.concatenate([self.space.most, rest]) / scale
@@ -133,7 +133,7 @@ class Task:
         return self._evaluated(design, weighing, False)[0]
 
     def jacobian(self, design: Design, weighing: Weighing) -> Array:
-        """Their derivatives by z."""
+        """Derivatives of all rows by z."""
         return self._evaluated(design, weighing, True)[1] * self.scales(design.motion.H)
 
     def _evaluated(self, design: Design, weighing: Weighing, differentiate: bool) -> tuple[Array, Array]:
@@ -171,7 +171,7 @@ class Task:
         return np.concatenate(parts), np.vstack(slopes) if differentiate else np.zeros((0, n))
 
     def _linear(self, design: Design, grid: Grid) -> Evaluated:
-        """At a design; that of the latest is kept: rows are asked for first, then their derivatives."""
+        """(12) at a design; the latest is cached, since rows are needed first and then their derivatives."""
         y, motion = design
         key = b"".join(x.tobytes() for x in (y, motion.waves, motion.bias, motion.winding))
         if key not in self._latest:
@@ -183,23 +183,23 @@ class Task:
     def _kinds(self, problem: Problem, grid: Grid, motion: Periodic, torque: Rows, weighing: Weighing) -> list[Rows]:
         """Rows of each flywheel at each time: bounds of the motion file, torque in the cost."""
         angles, found = motion.at(grid.basis), []
-        if bounded(self.motion.bounds):
+        if has_bounds(self.motion.bounds):
             swing = angles.phi - motion.mean - grid.t[:, None] * (2.0 * np.pi / motion.period * motion.winding)
-            given = hinges(self.motion.bounds, angles, swing, torque, motion.winding)
-            found += [rows.times(1.0 / RHO) for rows in given.values()]
+            given = hinge_rows(self.motion.bounds, angles, swing, torque, motion.winding)
+            found += [rows.scaled(1.0 / RHO) for rows in given.values()]
         if weighing.torque > 0.0:
-            tau = torque.times(1.0 / self.torque)
-            squared = tau.times(2.0 * tau.value)  # the sum of their squares is of fourth powers: near the peak
+            tau = torque.scaled(1.0 / self.torque)
+            squared = tau.scaled(2.0 * tau.value)  # their squares sum fourth powers, which is near the peak
             by = squared.by_bias
             found.append(
-                Rows.of(tau.value**2, squared.by_phi, squared.by_phi_dot, squared.by_phi_ddot, by).times(
+                Rows.of(tau.value**2, squared.by_phi, squared.by_phi_dot, squared.by_phi_ddot, by).scaled(
                     weighing.torque
                 )
             )
         return found
 
     def _by_owner(self, y: Array, rates: Array) -> Array:
-        """(M, N, P) of tau (M, N, K) by the parameters of each flywheel itself."""
+        """(M, N, P) from derivatives of tau (M, N, K) by each flywheel's own parameters."""
         M, N, K = rates.shape
         spread = np.zeros((M, N, N, K))
         spread[:, np.arange(N), np.arange(N)] = rates
@@ -217,7 +217,7 @@ class Task:
 
 
 _FLOOR = 1e-4
-"""Of the total unbalance, added under the root, whose slope at zero is infinite."""
+"""Part of the total unbalance added under the root, whose slope at zero is infinite."""
 
 
 def _by_all(rows: Rows, grid: Grid, P: int, F: int) -> Array:

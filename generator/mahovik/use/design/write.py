@@ -1,4 +1,4 @@
-"""The files of a design: its stand and the programme beside it, both or none."""
+"""Write the files of a design: its stand with the programme beside it, both or none."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.use.design.outcome import Outcome
 
 
 def save_design(found: Outcome, stand_path: Path, programme_path: Path, of: tuple[str, str]) -> None:
-    """Writes stand and programme into their folder; `of` names the files that it was made of. Raises UsageError."""
+    """Write stand and programme into their folder; `of` names the input files. Raises UsageError."""
     assert found.stand is not None
     assert found.programme is not None
     head = (

@@ -1,7 +1,7 @@
-"""E_x and E_u of (13): bounds as hinge rows of a least-squares sum, and what a programme exceeds.
+"""E_x and E_u of (13): bounds as hinge rows of a least-squares sum, and the bounds that a programme exceeds.
 
-A hinge row of a magnitude y with a limit L is RHO max(0, |y| / L - KNEE): zero well inside, steep at the limit. That
-of a least speed pushes the other way, and towards the side of the winding.
+A hinge row of a magnitude y with a limit L is RHO max(0, |y| / L - KNEE): zero well inside, steep at the limit. A
+row of a least speed pushes the other way, towards the side of the winding.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from mahovik.use.plan.rows import Rows
 RHO = 100.0
 KNEE = 0.94
 ROUNDING = 1e-9
-"""Of the limit: an excess below this is rounding."""
+"""Share of the limit: an excess below this is rounding."""
 
 UNITS = {"speed": "rad/s", "speed_min": "rad/s", "acceleration": "rad/s^2", "torque": "N m", "angle": "rad"}
 COMPONENTS = (("x", "m"), ("y", "m"), ("z", "m"), ("psi", "rad"), ("theta", "rad"), ("phi", "rad"))
 
 
-class Exceeded(NamedTuple):
+class ExceededBound(NamedTuple):
     """A bound that a programme exceeds.
 
     kind   as in the motion file; `of` a flywheel's name, or a component of the bias
-    value, limit   in `unit`; `ratio` above 1 says by how much: value/limit, of `speed_min` limit/value
-    time   s, where it is worst; None of a bias
+    value, limit   in `unit`; `ratio` is value/limit (`speed_min`: limit/value), above 1
+    time   s, of the largest excess; None for a bias
     """
 
     kind: str
@@ -45,15 +45,15 @@ class Exceeded(NamedTuple):
 
     @property
     def words(self) -> str:
-        """One line."""
+        """The bound in one line: kind, flywheel, value found, limit, excess."""
         when = "" if self.time is None else f" at {self.time:.6g} s"
         side = "least is" if self.kind == "speed_min" else "bound is"
         found = f"{self.value:.6g} {self.unit}{when}"
-        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {self._by}"
+        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {self._excess}"
 
     @property
-    def _by(self) -> str:
-        """By how much."""
+    def _excess(self) -> str:
+        """The excess, in words."""
         if not self.limit:
             return "not free"
         if self.ratio > 2.0 and self.kind != "speed_min":
@@ -62,14 +62,14 @@ class Exceeded(NamedTuple):
         return f"{100.0 * abs(self.value - self.limit) / self.limit:.3g} % {side}"
 
 
-def bounded(bounds: Bounds) -> bool:
-    """Whether a bound was asked for that a periodic motion can exceed."""
+def has_bounds(bounds: Bounds) -> bool:
+    """Whether the motion file sets a bound that a periodic motion can exceed."""
     kinds = (bounds.speed, bounds.speed_min, bounds.acceleration, bounds.torque, bounds.angle, bounds.bias)
     return any(kind is not None for kind in kinds)
 
 
-def magnitudes(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> dict[str, tuple[Array, Array]]:
-    """What is bounded from above: y (M, N) and its limit (N), by kind; `swing` is phi less winding and mean."""
+def bounded_quantities(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> dict[str, tuple[Array, Array]]:
+    """Quantities with an upper bound: y (M, N) and its limit (N), by kind; `swing` is phi less winding and mean."""
     of = {"speed": angles.phi_dot, "acceleration": angles.phi_ddot, "torque": torque, "angle": swing}
     found = {}
     for kind, y in of.items():
@@ -79,18 +79,18 @@ def magnitudes(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> d
     return found
 
 
-def hinges(
+def hinge_rows(
     bounds: Bounds, angles: Angles, swing: Array, torque: Rows, winding: Array, wider: float = 1.0
 ) -> dict[str, Rows]:
-    """Hinge rows by kind, of limits `wider` times those of the bounds (least speeds: divided by it)."""
+    """Hinge rows by kind, for limits `wider` times the bounds (least speeds: divided by it)."""
     slopes = {"speed": (0.0, 1.0, 0.0), "acceleration": (0.0, 0.0, 1.0), "angle": (1.0, 0.0, 0.0)}
     found = {}
-    for kind, (y, limit) in magnitudes(bounds, angles, swing, torque.value).items():
+    for kind, (y, limit) in bounded_quantities(bounds, angles, swing, torque.value).items():
         over = np.abs(y) / (wider * limit) - KNEE
         active = over > 0.0
         factor = np.where(active, np.sign(y) * (RHO / (wider * limit)), 0.0)
         own = torque if kind == "torque" else Rows.of(y, *slopes[kind])
-        found[kind] = replace(own.times(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
+        found[kind] = replace(own.scaled(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
     if bounds.speed_min is not None:
         found["speed_min"] = _least_speed(np.array(bounds.speed_min), angles.phi_dot, winding, wider)
     return found
@@ -98,11 +98,11 @@ def hinges(
 
 def _least_speed(least: Array, phi_dot: Array, winding: Array, wider: float) -> Rows:
     """RHO max(0, 2 - KNEE - |phi'| / L), |phi'| counted along the winding."""
-    asked = least > 0.0
-    limit = np.where(asked, least, 1.0) / wider
+    bounded = least > 0.0
+    limit = np.where(bounded, least, 1.0) / wider
     along = np.where(winding < 0.0, -1.0, 1.0)
     under = 2.0 - KNEE - along * phi_dot / limit
-    active = (under > 0.0) & asked
+    active = (under > 0.0) & bounded
     return Rows.of(RHO * np.where(active, under, 0.0), by_phi_dot=np.where(active, -RHO * along / limit, 0.0))
 
 
@@ -111,36 +111,36 @@ def bias_hinges(bounds: Bounds, bias: Array) -> tuple[Array, Array]:
     if bounds.bias is None:
         return np.zeros(6), np.zeros(6)
     limit = np.array(bounds.bias, dtype=np.float64)
-    asked = limit > 0.0  # of a limit 0 the bias is no unknown
-    L = np.where(asked, limit, 1.0)
+    bounded = limit > 0.0  # a bias with the limit 0 is not an unknown
+    L = np.where(bounded, limit, 1.0)
     over = np.abs(bias) / L - KNEE
-    active = asked & (over > 0.0)
+    active = bounded & (over > 0.0)
     return RHO * np.where(active, over, 0.0), np.where(active, np.sign(bias) * RHO / L, 0.0)
 
 
-def exceeded(
+def exceeded_bounds(
     bounds: Bounds, stand: Stand, t: Array, angles: Angles, swing: Array, torque: Array, bias: Array
-) -> tuple[Exceeded, ...]:
-    """Bounds that are exceeded at the times t (M, s), each flywheel at its worst; the worst first."""
+) -> tuple[ExceededBound, ...]:
+    """Bounds exceeded at the times t (M, s), each flywheel at its largest excess; largest first."""
     names, found = [s.name for s in stand.flywheels], []
-    for kind, (y, limit) in magnitudes(bounds, angles, swing, torque).items():
+    for kind, (y, limit) in bounded_quantities(bounds, angles, swing, torque).items():
         worst = np.argmax(np.abs(y), axis=0)
         for s, m in enumerate(worst):
             value, most = float(abs(y[m, s])), float(limit[s])
             if value > most * (1.0 + ROUNDING):
-                found.append(Exceeded(kind, names[s], value, most, value / most, UNITS[kind], float(t[m])))
+                found.append(ExceededBound(kind, names[s], value, most, value / most, UNITS[kind], float(t[m])))
     if bounds.speed_min is not None:
-        found += _too_slow(bounds.speed_min, names, t, angles.phi_dot)
+        found += _below_least_speed(bounds.speed_min, names, t, angles.phi_dot)
     for i, most in enumerate(bounds.bias or ()):
         value = float(abs(bias[i]))
         if value > most * (1.0 + ROUNDING):
             name, unit = COMPONENTS[i]
-            found.append(Exceeded("bias", name, value, most, value / most if most else np.inf, unit, None))
+            found.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
     return tuple(sorted(found, key=lambda each: -each.ratio))
 
 
-def _too_slow(least: Sequence[float], names: Sequence[str], t: Array, phi_dot: Array) -> list[Exceeded]:
-    """A flywheel that turns back stands still on the way, whether or not at a sample."""
+def _below_least_speed(least: Sequence[float], names: Sequence[str], t: Array, phi_dot: Array) -> list[ExceededBound]:
+    """Flywheels below their least speed. One that turns back stops on the way, even between samples."""
     found = []
     for s, limit in enumerate(least):
         slowest = int(np.argmin(np.abs(phi_dot[:, s])))
@@ -150,18 +150,18 @@ def _too_slow(least: Sequence[float], names: Sequence[str], t: Array, phi_dot: A
             slowest, value = int(turns[0]), 0.0
         if value < limit * (1.0 - ROUNDING):
             ratio = limit / value if value else np.inf
-            found.append(Exceeded("speed_min", names[s], value, limit, ratio, "rad/s", float(t[slowest])))
+            found.append(ExceededBound("speed_min", names[s], value, limit, ratio, "rad/s", float(t[slowest])))
     return found
 
 
 def utilisation(bounds: Bounds, angles: Angles, swing: Array, torque: Array, bias: Array, winding: Array) -> float:
-    """Largest part of any bound that is used: 1 is the limit; 0 without bounds. Least speeds: 2 - |phi'|/L."""
-    used = [float((np.abs(y) / limit).max()) for y, limit in magnitudes(bounds, angles, swing, torque).values()]
+    """Largest use of any bound: 1 is the limit, 0 means no bounds. Least speeds: 2 - |phi'|/L."""
+    used = [float((np.abs(y) / limit).max()) for y, limit in bounded_quantities(bounds, angles, swing, torque).values()]
     if bounds.speed_min is not None:
-        asked = np.array(bounds.speed_min) > 0.0
+        bounded = np.array(bounds.speed_min) > 0.0
         along = np.where(winding < 0.0, -1.0, 1.0) * angles.phi_dot
-        if asked.any():
-            used.append(float((2.0 - along[:, asked] / np.array(bounds.speed_min)[asked]).max()))
+        if bounded.any():
+            used.append(float((2.0 - along[:, bounded] / np.array(bounds.speed_min)[bounded]).max()))
     for i, most in enumerate(bounds.bias or ()):
         if most > 0.0:
             used.append(float(abs(bias[i])) / most)

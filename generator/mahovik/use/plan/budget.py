@@ -1,16 +1,20 @@
-"""The budget of a search: counted in steps, so that the same file and seed give the same programme; time only cuts."""
+"""The budget of a search in steps: the same file and seed give the same programme. Time and Ctrl-C cut it short."""
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 
 @dataclass
 class Budget:
-    """`steps` of Levenberg-Marquardt that may be taken; `seconds` from its making: a cut-off, told in the result.
+    """Steps of Levenberg-Marquardt that may be taken, and `seconds` since creation: a cut-off, reported in the result.
 
-    interrupted   by Ctrl-C in the middle of something that can end with what it has
+    interrupted   whether the user pressed Ctrl-C during work that can stop with its best result so far
     """
 
     steps: int
@@ -21,7 +25,7 @@ class Budget:
     _begun: float = field(default_factory=time.monotonic)
 
     def step(self) -> bool:
-        """Counts a step; False where none is left."""
+        """Count a step; False if none is left."""
         if self.seconds is not None and self.elapsed > self.seconds:
             self.cut = True
         if self.exhausted:
@@ -30,25 +34,44 @@ class Budget:
         return True
 
     def interrupt(self) -> None:
-        """By Ctrl-C."""
+        """Record Ctrl-C."""
         self.interrupted = True
 
     def over(self) -> bool:
-        """Whether time has run out or Ctrl-C was pressed, where steps are not counted."""
+        """Whether time has run out or the user interrupted, for work that does not count steps."""
         if self.seconds is not None and self.elapsed > self.seconds:
             self.cut = True
         return self.cut or self.interrupted
 
     def left(self, share: float = 1.0) -> float | None:
-        """This share of the seconds that are left; None: there is no end to them."""
+        """This share of the remaining seconds; None: unlimited."""
         return None if self.seconds is None else max(share * (self.seconds - self.elapsed), 0.0)
 
     @property
     def exhausted(self) -> bool:
-        """Whether the search has to end."""
+        """Whether the search must end."""
         return self.cut or self.interrupted or self.taken >= self.steps
 
     @property
     def elapsed(self) -> float:
-        """s since the search began."""
+        """Time since the search began, s."""
         return time.monotonic() - self._begun
+
+
+@contextmanager
+def defer_interrupt(mark: Callable[[], None], *, again: bool) -> Iterator[None]:
+    """Ctrl-C calls `mark` and work continues; with `again` a second one interrupts. Only in the main thread."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def pressed(*_: object) -> None:
+        mark()
+        if again:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    before = signal.signal(signal.SIGINT, pressed)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,4 +1,4 @@
-"""A programme with whose it is, and what the independent verification says of it."""
+"""Programmes with stand, motion and hashes, and with the findings of the independent verification."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
-"""What may stand beside a programme: key of the file, and how it is called."""
+"""Optional tables of a programme: key in the file, and name in messages."""
 
 ROUNDING = 1e-15
-"""m, rad: a shift of the mean below this is no shift."""
+"""m, rad: a smaller shift of the mean counts as none."""
 
 
-def programme_of(
+def make_programme(
     stand: Stand,
     motion: RequiredMotion,
     bias: Array,
@@ -46,7 +46,7 @@ def programme_of(
     )
 
 
-def certified(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
+def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
     """The programme with the findings of the independent verification in its report."""
     from mahovik.proof.verify.programme import verify_programme
     from mahovik.proof.verify.programme.finding import floquet_of
@@ -65,10 +65,10 @@ def certified(stand: Stand, motion: RequiredMotion, programme: Programme) -> Pro
     return replace(programme, report={**programme.report, **words})
 
 
-def wrong_items(programme: Programme, of: str = "") -> str:
-    """Items of the verification that failed, bounds apart: those are told as such. Empty where none.
+def failed_items(programme: Programme, of: str = "") -> str:
+    """Failed items of the verification, in words, except bounds, which are reported separately. Empty if none failed.
 
-    `of`: what the names of the items begin with.
+    `of`: only items whose names begin with this.
     """
     found = [each for each in programme.report.get("verification", ()) if each["name"].startswith(of)]
     wrong = [each for each in found if not each["passed"] and "bound" not in each["name"].split()]
@@ -80,18 +80,18 @@ def wrong_items(programme: Programme, of: str = "") -> str:
     return "; ".join(told)
 
 
-def without_refused_tables(programme: Programme) -> Programme:
-    """Without a run-up or run-down that the verification refuses: its report says why under `reason`.
+def drop_refused_tables(programme: Programme) -> Programme:
+    """Leave out a run-up or run-down that the verification refuses; its report has the reason under `reason`.
 
-    The programme does not depend on them. What was found of such a table is no item of its verification any more.
+    The programme does not depend on them. The findings about such a table leave its verification, too.
     """
     report = dict(programme.report)
     for key, name in TABLES.items():
-        wrong = wrong_items(programme, f"{name} ")
+        wrong = failed_items(programme, f"{name} ")
         if not wrong:
             continue
         left = [each for each in report["verification"] if not each["name"].startswith(f"{name} ")]
         report["verification"], report["verified"] = left, all(each["passed"] for each in left)
-        report[key] = {"reason": f"{name}: one was found and refused by the verification: {wrong}"}
+        report[key] = {"reason": f"{name}: found, but refused by the verification: {wrong}"}
         programme = replace(programme, runup=None) if key == "runup" else replace(programme, rundown=None)
     return replace(programme, report=report)

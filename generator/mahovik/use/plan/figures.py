@@ -1,4 +1,4 @@
-"""Figures of a periodic programme for its report: residual, peaks, how near to singular it comes."""
+"""Figures of a periodic programme for its report: residual, peaks, smallest singular value."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from mahovik.use.plan.residual.flywheels import waves
 
 @dataclass(frozen=True, eq=False)
 class Figures:
-    """residual: largest relative one between the nodes. speed, acceleration, torque (N): peaks; rad/s, rad/s2, N m.
+    """Figures of a motion. residual: largest relative one between the nodes. speed, acceleration, torque: peaks (N).
 
-    sigma         least singular value of K^-1/2 I Theta_ff^-1/2 along the way
-    sign_changes  of det I in a period; None unless there are six flywheels
+    \n    sigma         least singular value of K^-1/2 I Theta_ff^-1/2 along the way
+        sign_changes  of det I in a period; None unless there are six flywheels
     """
 
     residual: float
@@ -30,7 +30,7 @@ class Figures:
 
 
 def figures(problem: Problem, motion: Periodic) -> Figures:
-    """Of a motion, on a grid 20 times finer than its harmonics need."""
+    """Figures on a grid 20 times finer than the motion's harmonics need."""
     grid = problem.grid(20 * (2 * motion.H + 2), motion.H, 0.5)
     angles = motion.at(grid.basis)
     sigma, determinants = singular_values(problem.mechanics, angles.phi)

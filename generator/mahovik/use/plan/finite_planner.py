@@ -6,42 +6,42 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.use.plan.bounds import exceeded
-from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.certificate import certified, programme_of, wrong_items
+from mahovik.use.plan.bounds import exceeded_bounds
+from mahovik.use.plan.budget import Budget, defer_interrupt
+from mahovik.use.plan.certificate import certify, failed_items, make_programme
 from mahovik.use.plan.figures import singular_values
 from mahovik.use.plan.finite import FiniteProblem, FiniteSearch, Solved, search_finite, table_of
 from mahovik.use.plan.fourier import Angles
-from mahovik.use.plan.interrupt import deferred
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.outcome import Plan, Tell, Ways
+from mahovik.use.plan.options import PlanOptions
+from mahovik.use.plan.outcome import Candidates, OnProgress, Plan
 from mahovik.use.plan.preflight import Preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual import linear, prescribe
 from mahovik.use.plan.rows import Rows
-from mahovik.use.plan.wishes import Wishes
 
 _TIMES = 2000
-"""Times at which peaks and bounds are looked at."""
+"""Times at which peaks and bounds are evaluated."""
 
 
 def plan_finite(
     own: Problem,
     first: Preflight,
-    asked: Wishes,
+    options: PlanOptions,
     budget: Budget,
-    tell: Tell | None = None,
+    on_progress: OnProgress | None = None,
     plus: tuple[int, ...] | None = None,
 ) -> Plan:
-    """A programme of a finite motion, or why there is none.
+    """A programme of a finite motion, or the reason why none was found.
 
-    The objective chooses among those found; by the method `fourier` it moves none. plus: the dependent six of (13).
+    The objective chooses among the programmes found; with the method `fourier` it changes none of them. plus: the six
+    dependent flywheels of (13).
     """
-    problem = FiniteProblem.from_rest(own)
+    problem = FiniteProblem.from_problem(own)
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
-    found = search_finite(problem, first.bias, asked.seed, budget, max(asked.enough, asked.keep), tell)
+    found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), on_progress)
     effort = {
-        "seed": asked.seed,
+        "seed": options.seed,
         "starts": found.starts,
         "steps": budget.taken,
         "windings_tried": {"finite": found.starts},
@@ -49,29 +49,31 @@ def plan_finite(
         "best_residual": float(found.best),
         "cut_by_time": budget.cut,
     }
-    ways: Ways[Solved] = Ways([(each, {}) for each in found.found], words=[_not_found(found)])
-    if asked.method != "fourier" and found.found and not found.interrupted:
+    candidates: Candidates[Solved] = Candidates([(each, {}) for each in found.found], words=[_not_found(found)])
+    if options.method != "fourier" and found.found and not found.interrupted:
         from mahovik.use.plan.ocp.plan import finite_ocp
 
         warm = sorted(found.found, key=lambda each: _report(problem, cost, each)["objective"])
-        ways = finite_ocp(problem, cost, warm, lambda one: _report(problem, cost, one), asked, plus, budget, tell)
-        found.interrupted |= ways.interrupted
-        effort["cut_by_time"] = budget.cut or ways.cut
-    reports = [{**_report(problem, cost, each), **told} for each, told in ways.found]
+        candidates = finite_ocp(
+            problem, cost, warm, lambda one: _report(problem, cost, one), options, plus, budget, on_progress
+        )
+        found.interrupted |= candidates.interrupted
+        effort["cut_by_time"] = budget.cut or candidates.cut
+    reports = [{**_report(problem, cost, each), **told} for each, told in candidates.found]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort["objective_spread"] = [reports[k]["objective"] for k in order]
     programmes, refused = [], []
     found.doing = "verifying"
-    if tell is not None:
-        tell(found)
-    for k in order[: asked.keep]:
-        motion, report = ways.found[k][0].motion, {**reports[k], "search": effort}
-        table = table_of(problem, ways.found[k][0])
-        programme = programme_of(own.stand, own.motion, motion.bias, (0,) * own.N, table, report)
-        if asked.verify:
-            with deferred(budget.interrupt, again=True):
-                programme = certified(own.stand, own.motion, programme)
-        wrong = wrong_items(programme)
+    if on_progress is not None:
+        on_progress(found)
+    for k in order[: options.keep]:
+        motion, report = candidates.found[k][0].motion, {**reports[k], "search": effort}
+        table = table_of(problem, candidates.found[k][0])
+        programme = make_programme(own.stand, own.motion, motion.bias, (0,) * own.N, table, report)
+        if options.verify:
+            with defer_interrupt(budget.interrupt, again=True):
+                programme = certify(own.stand, own.motion, programme)
+        wrong = failed_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
         else:
@@ -80,8 +82,8 @@ def plan_finite(
             break
     found.interrupted |= budget.interrupted
     if not programmes:
-        words = tuple(refused) or tuple(ways.words)
-        return Plan("NO_PROGRAM", ways.reason, words, tuple(first.warnings), (), effort, found.interrupted)
+        words = tuple(refused) or tuple(candidates.words)
+        return Plan("NO_PROGRAM", candidates.reason, words, tuple(first.warnings), (), effort, found.interrupted)
     over = tuple(programmes[0].report["exceeded"])
     status: Any = "OK_LIMIT" if over else "OK"
     return Plan(status, None, over, tuple(first.warnings), tuple(programmes), effort, found.interrupted)
@@ -96,7 +98,7 @@ def _report(problem: FiniteProblem, cost: Cost, solved: Solved) -> dict[str, Any
     at = linear(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
     swing = angles.phi - angles.phi.mean(axis=0)
     parts = cost.value(angles, np.zeros(problem.N), Rows.torque(at))
-    over = exceeded(problem.motion.bounds, problem.stand, t, angles, swing, at.tau, motion.bias)
+    over = exceeded_bounds(problem.motion.bounds, problem.stand, t, angles, swing, at.tau, motion.bias)
     sigma, determinants = singular_values(problem.mechanics, angles.phi)
     return {
         "kind": "finite",
@@ -115,9 +117,9 @@ def _report(problem: FiniteProblem, cost: Cost, solved: Solved) -> dict[str, Any
 
 
 def _not_found(found: FiniteSearch) -> str:
-    """Words of a search without success; it proves nothing."""
+    """Message of a search without success; it proves nothing."""
     ended = "cut by time" if found.cut else "interrupted" if found.interrupted else "out of budget"
     return (
-        f"no programme was found, which is no proof that there is none: {found.starts} starts tried, best relative "
-        f"residual {found.best:.3g}, {ended}; eight flywheels, a smaller or slower motion, free means may help"
+        f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
+        f"residual {found.best:.3g}, {ended}; try eight flywheels, a smaller or slower motion, or free means"
     )

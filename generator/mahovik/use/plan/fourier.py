@@ -25,10 +25,10 @@ class Angles(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Periodic:
-    """A periodic flywheel motion with its bias: what the search moves.
+    """A periodic flywheel motion with its bias: the unknowns of the search.
 
     period   T, s
-    winding  (N,) turns a period
+    winding  (N,) turns per period
     waves    (N, 2H + 1): mean, cosines, sines of each flywheel, rad
     bias     (6; m, rad)
     """
@@ -57,7 +57,7 @@ class Periodic:
         return replace(self, waves=wide)
 
     def moved(self, step: Array, free: Array) -> Periodic:
-        """The motion after a step of the unknowns; `free` (6, bool): components of the bias that are unknowns."""
+        """The motion after a step of the unknowns; `free` (6, bool): which components of the bias are unknowns."""
         n = self.waves.size
         bias = self.bias.copy()
         bias[free] += step[n:]
@@ -71,17 +71,17 @@ class Periodic:
 
     @property
     def mean(self) -> Array:
-        """(N,) rad."""
+        """Mean angles (N,), rad."""
         return self.waves[:, 0]
 
     @property
     def cos(self) -> Array:
-        """(H, N) rad, as the programme file has them."""
+        """Cosine amplitudes (H, N), rad, in the layout of the programme file."""
         return self.waves[:, 1 : self.H + 1].T
 
     @property
     def sin(self) -> Array:
-        """(H, N) rad."""
+        """Sine amplitudes (H, N), rad."""
         return self.waves[:, self.H + 1 :].T
 
 
@@ -97,7 +97,7 @@ class Basis:
 
     @property
     def of_each(self) -> tuple[Array, Array, Array]:
-        """Matrices that make phi, phi', phi'' of one flywheel's waves."""
+        """Matrices from the waves of one flywheel to its phi, phi', phi''."""
         return self.value, self.first, self.second
 
     @property
@@ -122,7 +122,7 @@ class Basis:
         )
 
     def chain(self, by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array) -> Array:
-        """Derivatives by the waves (R M, N (2H + 1)) of R rows a time whose derivatives by the angles are (M, R, N)."""
+        """Derivatives by the waves (R M, N (2H + 1)) of R rows per time, from derivatives (M, R, N) by the angles."""
         M, R, N = by_phi.shape
         local = np.stack([by_phi, by_phi_dot, by_phi_ddot], axis=-1).reshape(M, R * N, 3)
         found = local @ np.stack([self.value, self.first, self.second], axis=1)
@@ -130,5 +130,5 @@ class Basis:
 
 
 def uniform(period: float, M: int, shift: float = 0.0) -> Array:
-    """M times of one period, `shift` (of one interval) after 0."""
+    """M times of one period; `shift` (in intervals) is the first one."""
     return np.asarray((np.arange(M) + shift) * (period / M))

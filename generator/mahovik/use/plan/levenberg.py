@@ -18,15 +18,15 @@ from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.problem import Grid, Problem
 
 LONGEST = 1.5
-"""rad: no angle moves by more in a step."""
+"""rad: limit of the change of an angle in one step."""
 RENEWED = 8
-"""Steps after which the derivatives by the bias are taken anew."""
+"""Steps after which the derivatives by the bias are computed again."""
 _LEAST = 1e-12
 
 
 @dataclass(frozen=True)
 class Rules:
-    """How one run goes: residuals (relative, largest at the nodes) to stop at and to give up above, steps, damping."""
+    """Settings of one run: residuals (relative, largest at the nodes) to stop at or give up above, steps, damping."""
 
     goal: float
     steps: int
@@ -37,7 +37,7 @@ class Rules:
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """What a run ended with: the motion, its residual at the nodes, the damping, how many steps it took."""
+    """End of a run: the motion, its residual at the nodes, the damping, the number of steps."""
 
     motion: Periodic
     residual: float
@@ -51,7 +51,7 @@ def largest(rows: Array) -> float:
 
 
 def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: Budget) -> Reached:
-    """Steps from `start` until the goal, the last step, a stall, or the end of the budget."""
+    """Take steps from `start` until the goal, the last step, a stall, or the end of the budget."""
     motion, lam = start, rules.damping
     rows = problem.rows(grid, motion)
     cost = float(np.vdot(rows, rows))
@@ -71,7 +71,7 @@ def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: 
             except LinAlgError:
                 lam = max(lam * 6.0, _LEAST)
                 continue
-            trial = motion.moved(step * cut(grid, problem.N, step), problem.free)
+            trial = motion.moved(step * step_factor(grid, problem.N, step), problem.free)
             rows_there = problem.rows(grid, trial)
             cost_there = float(np.vdot(rows_there, rows_there))
             if cost_there < cost:
@@ -96,7 +96,7 @@ def jacobian(problem: Problem, grid: Grid, motion: Periodic, biased: Array) -> A
 
 
 def damping_of(grid: Grid, N: int, J: Array) -> Array:
-    """What lambda is multiplied by: 1 + k^2 for harmonic k; for the bias, so that it moves as easily as k = 1."""
+    """Factors of lambda: 1 + k^2 for harmonic k; for the bias, chosen so that it moves as easily as k = 1."""
     orders = np.tile(1.0 + grid.basis.orders**2, N)
     n = len(orders)
     squares = np.einsum("ij,ij->j", J, J)
@@ -105,34 +105,34 @@ def damping_of(grid: Grid, N: int, J: Array) -> Array:
     return np.concatenate([orders, 2.0 * squares[n:] / first + 1e-6])
 
 
-def cut(grid: Grid, N: int, step: Array) -> float:
-    """Factor that keeps the longest change of an angle within LONGEST."""
+def step_factor(grid: Grid, N: int, step: Array) -> float:
+    """Factor that keeps the largest change of an angle within LONGEST."""
     waves = step[: N * grid.basis.value.shape[1]].reshape(N, -1)
     change = float(np.abs(grid.basis.value @ waves.T).max())
     return min(1.0, LONGEST / change) if change > 0.0 else 1.0
 
 
-def ladder(problem: Problem, start: Periodic, rungs: tuple[int, ...], budget: Budget) -> Reached:
-    """`climb` for periodic motions: enough nodes for the harmonics of the residual."""
+def refine_periodic(problem: Problem, start: Periodic, counts: tuple[int, ...], budget: Budget) -> Reached:
+    """`refine_harmonics` for periodic motions: enough nodes for the harmonics of the residual."""
     highest = max(problem.highest, int(np.abs(start.winding).max(initial=0)))
     dense = 12 if problem.kinked else 3
-    return climb(problem, start, rungs, lambda H: max(64, dense * H + 4 * highest + 16), budget)
+    return refine_harmonics(problem, start, counts, lambda H: max(64, dense * H + 4 * highest + 16), budget)
 
 
-def climb(
+def refine_harmonics(
     problem: Problem,
     start: Periodic,
-    rungs: tuple[int, ...],
+    counts: tuple[int, ...],
     nodes: Callable[[int], int],
     budget: Budget,
     hopeless: float = 0.3,
 ) -> Reached:
-    """Refined over rising numbers of harmonics until what is between the nodes is well below the tolerance.
+    """Refine with rising numbers of harmonics until the residual between the nodes is well below the tolerance.
 
-    Gives up where the first rung ends above `hopeless`, and where a later one does not halve the residual.
+    Gives up if the first number of harmonics ends above `hopeless`, or a later one does not halve the residual.
     """
     motion, damping, before = start, 1e-2, np.inf
-    for number, H in enumerate(rung for rung in rungs if rung >= start.H):
+    for number, H in enumerate(rung for rung in counts if rung >= start.H):
         grid = problem.grid(nodes(H), H)
         first = number == 0
         rules = Rules(3e-3 if first else 1e-3 * problem.tolerance, 40 if first else 14, damping)

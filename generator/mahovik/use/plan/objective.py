@@ -8,7 +8,7 @@ With Omega the frequency of the motion, J_s = f^T Theta_s f and n_s the winding,
     power             (R i^2 + tau_m phi') / (J_s Omega^3),   i = tau_m / k,   tau_m = tau + friction
 
 and J is the sum over flywheels of weight times mean square. tau_m is what the motor gives, k and R its constant and
-resistance, and the power what it takes from the supply, or returns to it where negative.
+resistance. The power is taken from the supply; negative power is returned to it.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Drives:
 
     @staticmethod
     def of(stand: Stand, wanted: tuple[float, ...]) -> Drives:
-        """Those of a stand. MotionError: a flywheel with `wanted` above 0 has no motor constant or resistance."""
+        """Motors of a stand. MotionError: a flywheel with `wanted` above 0 has no motor constant or resistance."""
         missing, columns = [], []
         for flywheel, weight in zip(stand.flywheels, wanted, strict=True):
             motor = flywheel.motor
@@ -61,7 +61,7 @@ class Drives:
         return Drives(*np.array(columns).reshape(-1, 5).T)
 
     def friction(self, phi_dot: Array) -> tuple[Array, Array]:
-        """What the motor must give against friction (M, N; N m), and its slope by speed."""
+        """Torque of the motor against friction (M, N; N m), and its slope by speed."""
         smooth = np.tanh(phi_dot / self.coulomb_speed)
         slope = self.viscous + self.coulomb / self.coulomb_speed * (1.0 - smooth**2)
         return self.viscous * phi_dot + self.coulomb * smooth, slope
@@ -93,16 +93,16 @@ class Cost:
         return Cost(weights, drives, Omega, mechanics.tables.Theta_ff)
 
     def rows(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, Rows]:
-        """Weighted rows of every kind that has a weight, at angles (M, N) with mean speeds (N, rad/s) and torques."""
+        """Weighted rows of every kind with a weight, at angles (M, N), mean speeds (N, rad/s) and torques."""
         found = {}
         for kind, weight in self.weights.items():
             if weight.any():
                 rows = getattr(self, f"_{kind}")(angles, mean_speed, torque)
-                found[kind] = rows.times(np.sqrt(weight))
+                found[kind] = rows.scaled(np.sqrt(weight))
         return found
 
     def value(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, float]:
-        """The part of J that each weighted kind has."""
+        """Part of J of each weighted kind."""
         return {kind: rows.mean_square for kind, rows in self.rows(angles, mean_speed, torque).items()}
 
     def _acceleration(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
@@ -112,7 +112,7 @@ class Cost:
         return Rows.of((angles.phi_dot - mean_speed) / self.Omega, by_phi_dot=1.0 / self.Omega)
 
     def _torque(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
-        return torque.times(1.0 / (self.spin_inertia * self.Omega**2))
+        return torque.scaled(1.0 / (self.spin_inertia * self.Omega**2))
 
     def _power(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
         own, drives, speed = torque, self.drives, angles.phi_dot
@@ -126,4 +126,4 @@ class Cost:
             by_torque * own.by_phi_ddot,
             None if own.by_bias is None else by_torque[..., None] * own.by_bias,
         )
-        return power.times(1.0 / (self.spin_inertia * self.Omega**3))
+        return power.scaled(1.0 / (self.spin_inertia * self.Omega**3))

@@ -1,4 +1,4 @@
-"""What planning ends with: a status, programmes best first, and words."""
+"""Outcome of planning: a status, programmes best first, and messages."""
 
 from __future__ import annotations
 
@@ -9,32 +9,32 @@ from typing import Any, Generic, Literal, Protocol, TypeVar
 from mahovik.core.motion.programme import Programme
 
 Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
-"""BAD_INPUT is a MotionError or StandError before anything is planned."""
+"""Outcomes of planning. A bad input raises MotionError or StandError before anything is planned."""
 
 
 class Progress(Protocol):
-    """What planning tells on its way."""
+    """Progress of planning."""
 
     @property
     def doing(self) -> str:
-        """What it does: searching, improving, run-up, run-down, verifying."""
+        """Name of the activity: searching, improving, run-up, run-down, verifying."""
 
     @property
     def words(self) -> str:
         """One line."""
 
 
-Tell = Callable[[Progress], None]
+OnProgress = Callable[[Progress], None]
 
 
 Kind = TypeVar("Kind")
 
 
 @dataclass
-class Ways(Generic[Kind]):
-    """Flywheel motions that may become programmes, best first, each with what its report has to say of the method.
+class Candidates(Generic[Kind]):
+    """Flywheel motions that may become programmes, best first, each with the method's entries for its report.
 
-    reason, words   where there are none: why, as in `Plan`
+    reason, words   why there are none, as in `Plan`
     """
 
     found: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
@@ -50,8 +50,8 @@ class Plan:
 
     status      OK; OK_LIMIT: a bound is exceeded, or no run-up was found; NO_PROGRAM with a `reason` of preflight
                 (proven), SEARCH (not), or SINGULAR_PARTITION: det I+ of (13) is zero on the way
-    words       why, a line each: the refusal, or the bounds exceeded and by how much
-    warnings    what to know besides
+    words       reasons, one per line: the refusal, or the exceeded bounds and their excess
+    warnings    further remarks, one per line
     programmes  best first
     effort      starts, steps, windings tried, best residual, seed, whether time cut the search
     """

@@ -1,4 +1,4 @@
-"""One planning problem: a stand, a required motion, and what is computed of both once."""
+"""One planning problem: a stand, a required motion, and quantities computed once from both."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from mahovik.use.plan.fourier import Angles, Basis, Periodic, uniform
 from mahovik.use.plan.residual import Linear, Mechanics, Norm, Prescribed, linear, prescribe, residual
 
 EXACT = 1e-6
-"""Relative residual of a programme that is accepted."""
+"""Relative residual up to which a programme is accepted."""
 KINKED = 1e-5
-"""The same with V |V| in the fluid's laws: their second derivative jumps, Fourier coefficients fall slowly."""
+"""The same with |V| in the damping laws: their second derivative jumps, so Fourier coefficients fall slowly."""
 
 _STEP = 1e-6
-"""m, rad: of the differences by the bias."""
+"""m, rad: step of the differences by the bias."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Grid:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What a search has to know.
+    """Data of a search.
 
     free       (6, bool): components of the bias that are unknowns
     tolerance  relative residual below which a programme is accepted
@@ -80,7 +80,7 @@ class Problem:
         return max(self.motion.harmonics, default=1)
 
     def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
-        """M uniform times, `shift` of an interval after 0, with H harmonics; kept for the next call."""
+        """M uniform times, the first at `shift` intervals, with H harmonics; cached."""
         key = (M, H, shift)
         if key not in self._grids:
             t = uniform(self.motion.span, M, shift)
@@ -96,7 +96,7 @@ class Problem:
         return self.norm.scaled(residual(prescribe(self.mechanics, grid.course, bias), *angles))
 
     def linear(self, grid: Grid, motion: Periodic) -> tuple[Prescribed, Linear]:
-        """R, tau and their derivatives at the times of a grid, not scaled."""
+        """R, tau and their derivatives at the times of a grid, unscaled."""
         at = prescribe(self.mechanics, grid.course, motion.bias)
         return at, linear(at, *motion.at(grid.basis))
 
@@ -114,14 +114,14 @@ class Problem:
         return np.asarray((R[:F] - R[F:]).T / (2 * _STEP))
 
     def relative(self, motion: Periodic, times: int = 20) -> float:
-        """Relative residual on a grid `times` finer than the motion's harmonics need, none of whose times repeats."""
+        """Relative residual on a grid `times` finer than the motion's harmonics need, without repeated times."""
         M = times * (2 * motion.H + 2)
         grid = self.grid(M, motion.H, 0.381966)
         return float(np.linalg.norm(self.rows(grid, motion), axis=1).max())
 
 
 def has_magnitude(damping: Damping | None) -> bool:
-    """Whether a damping law has a magnitude in it."""
+    """Whether a damping law contains a magnitude."""
     if damping is None:
         return False
     return damping.quadratic is not None or any(a.absolute for term in damping.terms for a in term.of)

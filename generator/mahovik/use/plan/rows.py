@@ -1,7 +1,7 @@
-"""Rows of a least-squares sum over times and flywheels, with their derivatives, and what Gauss-Newton makes of them.
+"""Rows of a least-squares sum over times and flywheels, with their derivatives, and Gauss-Newton sums over them.
 
-A row at time t of flywheel s depends on phi_s, phi_s', phi_s'' there and on the bias alone, so the curvature is one
-block a flywheel, bordered by the bias.
+A row at time t of flywheel s depends on phi_s, phi_s', phi_s'' there and on the bias alone, so the curvature has
+one block per flywheel, bordered by the bias.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from mahovik.use.plan.residual import Linear
 class Rows:
     """One kind of rows: value and derivatives by the flywheel's own angle, speed, acceleration (M, N each).
 
-    by_bias      (M, N, 6), or None: the bias does not enter
-    about_mean   the angle counts less its mean: a step of the mean changes nothing
+    by_bias      (M, N, 6), or None: independent of the bias
+    about_mean   the mean of the angle is subtracted: a step of the mean changes nothing
     """
 
     value: Array
@@ -40,16 +40,16 @@ class Rows:
         by_phi_ddot: Array | float = 0.0,
         by_bias: Array | None = None,
     ) -> Rows:
-        """Rows whose derivatives may be numbers."""
+        """Rows from derivatives that may be single numbers."""
         a, b, c = (np.broadcast_to(np.asarray(x, dtype=float), value.shape) for x in (by_phi, by_phi_dot, by_phi_ddot))
         return Rows(value, a, b, c, by_bias)
 
     @staticmethod
     def torque(linear: Linear, by_bias: Array | None = None) -> Rows:
-        """Drive torques tau (N m) at a prescribed motion; `by_bias` where it is known."""
+        """Rows of drive torques tau (N m) at a prescribed motion; `by_bias` if known."""
         return Rows(linear.tau, linear.tau_by_phi, linear.tau_by_phi_dot, linear.tau_by_phi_ddot, by_bias)
 
-    def times(self, factor: Array | float) -> Rows:
+    def scaled(self, factor: Array | float) -> Rows:
         """Every row times a factor (one, N, or M x N)."""
         by_bias = None if self.by_bias is None else self.by_bias * np.broadcast_to(factor, self.value.shape)[..., None]
         value, a, b, c = (x * factor for x in (self.value, self.by_phi, self.by_phi_dot, self.by_phi_ddot))
@@ -57,7 +57,7 @@ class Rows:
 
     @property
     def mean_square(self) -> float:
-        """Sum over the flywheels of the mean over time of the squares."""
+        """Mean over time of the squares, summed over the flywheels."""
         return float(np.sum(self.value**2) / len(self.value))
 
 
@@ -72,8 +72,8 @@ class Sums(NamedTuple):
     curvature: Array
 
 
-def sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
-    """Gauss-Newton of half the sum of mean squares of all kinds; `free` (6, bool): bias that is unknown."""
+def gauss_newton_sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
+    """Gauss-Newton sums of half the mean squares of all kinds; `free` (6, bool): unknown components of the bias."""
     W, n_bias = basis.value.shape[1], int(free.sum())
     n = N * W
     g, G = np.zeros(n + n_bias), np.zeros((n + n_bias, n + n_bias))

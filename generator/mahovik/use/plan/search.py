@@ -10,43 +10,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import Exceeded, bounded
+from mahovik.use.plan.bounds import ExceededBound, has_bounds
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.outcome import Tell
+from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.starts import Crowd
-from mahovik.use.plan.windings import Kind, drawn, order, rounds
+from mahovik.use.plan.starts import StartBatch
+from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order, rounds
 
 Indices = NDArray[np.intp]
-RUNGS = (5, 10, 20, 32, 48, 64)
-"""Numbers of harmonics, in turn."""
+HARMONIC_COUNTS = (5, 10, 20, 32, 48, 64)
+"""Numbers of harmonics, in rising order."""
 DRAWN, CHOSEN, REFINED = 256, 48, 6
-"""Starts a round; those of the best score, which get harmonics; those that are refined, best first."""
+"""Starts per round; the best-scored, which get harmonics; those refined, best first."""
 REFINED_IN_BOUNDS = 3
-"""Where there are bounds: the best of a fresh crowd promise more than the rest of this one."""
+"""Starts refined when there are bounds: the best of a new batch promise more than the rest of this one."""
 _MEANS = 8
-"""Steps of the whole crowd over mean angles."""
+"""Steps of the whole batch over mean angles."""
 _WAVES = ((2, 20), (5, 40), (8, 60), (11, 60))
-"""Harmonics beyond the motion's, and steps, of the chosen: in the first round of a kind, the second, and so on."""
+"""Harmonics beyond the motion's, and steps, of the chosen starts: in a kind's first round, its second, and so on."""
 _PROMISING = 0.6
-"""Root mean square of the relative residual above which no start is refined."""
+"""Root mean square of the relative residual above which a start is not refined."""
 SPARE = 3
 """Candidates beyond the bounds that are remembered."""
 _LARGEST = 16
-"""Flywheels times harmonics beyond which fewer starts are drawn at once: memory."""
+"""Flywheels times harmonics above which fewer starts are made at once, to limit memory."""
 ROUNDS = 40
 ROUNDS_IN_BOUNDS = 15
-"""Rounds after which the search ends without a programme; with bounds each of them takes longer."""
+"""Rounds after which the search ends without a programme; with bounds each round takes longer."""
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """What a start became.
+    """Result of refining a start.
 
-    exact      its residual between the nodes is accepted: a programme
+    exact      whether its residual between the nodes is accepted, which makes it a programme
     objective  J of (13), and the part of each kind
-    used       largest part of a bound that is used, above 1: `exceeded`, the worst first
+    used       largest use of a bound; above 1 see `exceeded`, largest excess first
     """
 
     motion: Periodic
@@ -56,7 +56,7 @@ class Candidate:
     objective: float
     parts: Mapping[str, float]
     used: float
-    exceeded: tuple[Exceeded, ...]
+    exceeded: tuple[ExceededBound, ...]
 
     @property
     def accepted(self) -> bool:
@@ -65,20 +65,20 @@ class Candidate:
 
 
 class Polisher(Protocol):
-    """Who makes programmes of starts, and says which promise most."""
+    """Turns starts into programmes, and ranks starts."""
 
-    def rank(self, crowd: Crowd) -> Indices:
-        """Numbers of the crowd's motions, the most promising first."""
+    def rank(self, batch: StartBatch) -> Indices:
+        """Numbers of the batch's motions, the most promising first."""
 
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
-        """The programme that a start becomes; None: it becomes none."""
+        """The programme that a start leads to; None: it leads to none."""
 
 
 @dataclass
 class Search:
-    """What a search has found and tried so far. `best`: least relative residual seen, found or not.
+    """State of a search. `best`: least relative residual seen, found or not.
 
-    found   programmes inside the bounds; `beyond`: of the others those that exceed them least, the least first
+    found   programmes inside the bounds; `beyond`: those that exceed the bounds least, smallest excess first
     """
 
     found: list[Candidate] = field(default_factory=list)
@@ -96,11 +96,11 @@ class Search:
         return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
 
     def seen(self, residual: float) -> None:
-        """Remembers the least residual."""
+        """Remember the least residual."""
         self.best = min(self.best, residual)
 
     def take(self, candidate: Candidate) -> None:
-        """Remembers what a start became."""
+        """Remember the result of a start."""
         self.seen(candidate.residual)
         if candidate.accepted:
             self.found.append(candidate)
@@ -116,25 +116,25 @@ def search(
     budget: Budget,
     enough: int = 1,
     most: int | None = None,
-    tell: Tell | None = None,
+    on_progress: OnProgress | None = None,
 ) -> Search:
     """Programmes of a periodic motion, in the order found; the same for the same problem, seed and budget of steps.
 
-    polisher  makes programmes of starts
+    polisher  turns starts into programmes
     bias    (6): where starts begin, the mean pose at which the surroundings carry the weight
-    enough  programmes of each kind of winding after which it looks for no more of this kind
-    most    rounds, None: as many as are sensible; Ctrl-C ends the search with what it has
+    enough  programmes of each kind of winding, after which this kind is skipped
+    most    rounds, None: a sensible number; Ctrl-C ends the search with its results so far
     """
     rng = np.random.default_rng(seed)
     state = Search()
-    kinds = order(problem.motion, problem.N)
+    kinds = kinds_in_order(problem.motion, problem.N)
     if most is None:
-        most = ROUNDS_IN_BOUNDS if bounded(problem.motion.bounds) else ROUNDS
+        most = ROUNDS_IN_BOUNDS if has_bounds(problem.motion.bounds) else ROUNDS
     try:
         for number, kind in enumerate(rounds(problem.motion, problem.N)):
             if number >= most or budget.exhausted or (state.found and number >= min(2, len(kinds))):
                 break
-            _round(problem, polisher, bias, kind, rng, budget, enough, state, tell)
+            _round(problem, polisher, bias, kind, rng, budget, enough, state, on_progress)
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
@@ -151,20 +151,20 @@ def _round(
     budget: Budget,
     enough: int,
     state: Search,
-    tell: Tell | None,
+    on_progress: OnProgress | None,
 ) -> None:
-    """One crowd of starts of one kind; the best of it refined."""
+    """One batch of starts of one kind; refine the best of it."""
     state.doing = "searching"
-    if tell is not None:
-        tell(state)
+    if on_progress is not None:
+        on_progress(state)
     K = max(CHOSEN, int(DRAWN * min(1.0, _LARGEST / (problem.N * problem.highest))))
-    windings = drawn(kind, problem.motion, problem.N, K, rng)
-    crowd = Crowd(problem, windings, rng.uniform(-np.pi, np.pi, (K, problem.N, 1)), bias)
+    windings = draw_windings(kind, problem.motion, problem.N, K, rng)
+    batch = StartBatch(problem, windings, rng.uniform(-np.pi, np.pi, (K, problem.N, 1)), bias)
     if np.any(windings):
-        crowd.improve(_MEANS, budget)
-    crowd = crowd.with_harmonics(np.arange(K), problem.highest + 1)
+        batch.improve(_MEANS, budget)
+    batch = batch.with_harmonics(np.arange(K), problem.highest + 1)
     harmonics, steps = _WAVES[min(state.tried.get(kind, 0) // K, len(_WAVES) - 1)]
-    chosen = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], problem.highest + harmonics)
+    chosen = batch.with_harmonics(np.argsort(batch.scores(), kind="stable")[:CHOSEN], problem.highest + harmonics)
     chosen.improve(steps, budget)
     residuals = chosen.residuals()
     state.starts += K
@@ -173,15 +173,15 @@ def _round(
     here = 0
     order = polisher.rank(chosen)
     state.doing = "improving"
-    most = REFINED_IN_BOUNDS if bounded(problem.motion.bounds) else REFINED
+    most = REFINED_IN_BOUNDS if has_bounds(problem.motion.bounds) else REFINED
     for k in order[residuals[order] <= _PROMISING][:most]:
-        if tell is not None:
-            tell(state)
+        if on_progress is not None:
+            on_progress(state)
         if budget.exhausted or here >= enough:
             break
         candidate = polisher.polish(chosen.motion(int(k)), kind, budget)
         if candidate is not None:
             state.take(candidate)
             here += candidate.accepted
-    if tell is not None:
-        tell(state)
+    if on_progress is not None:
+        on_progress(state)

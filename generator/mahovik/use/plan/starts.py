@@ -1,7 +1,7 @@
-"""Starts of the search: many flywheel motions at once, from drawn mean angles at constant speed, improved and sorted.
+"""Starts of the search: many flywheel motions at once, from random mean angles at constant speed, improved and sorted.
 
-Of each, the linear model of (12) in a few harmonics tells how near a programme is: the least sum of its squared
-residual and its damped amplitude. Rocking flywheels are told apart by the amplitude alone, spinning ones by both.
+The linear model of (12) in a few harmonics shows how near a programme is: the least sum of squared residual and damped
+amplitude. Rocking starts differ by the amplitude alone, spinning ones by both.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from mahovik.use.plan.residual import Linear, Prescribed, linear, prescribe
 Numbers = NDArray[np.intp]
 
 _AMPLITUDE = 1e-2
-"""Square of the residual that a wave of 1 rad counts for in the score."""
-_TURN = 1.0  # rad: longest change of an angle in a step
+"""Squared residual that a wave of 1 rad is worth in the score."""
+_TURN = 1.0  # rad: limit of the change of an angle in a step
 _PARTS = ("by_phi", "by_phi_dot", "by_phi_ddot")
 
 
-class Crowd:
+class StartBatch:
     """K motions with H harmonics each at the same M times and the same bias.
 
-    windings (K, N), waves (K, N, 2H + 1) as in `Periodic`, lam (K): damping of each.
+    windings (K, N), waves (K, N, 2H + 1) as in `Periodic`, lam (K): damping of each motion.
     """
 
     def __init__(self, problem: Problem, windings: Array, waves: Array, bias: Array) -> None:
@@ -54,18 +54,18 @@ class Crowd:
         return n // 2
 
     def angles(self, waves: Array) -> Angles:
-        """Angles of all (K M, N)."""
+        """Angles of all motions (K M, N)."""
         rate = 2.0 * np.pi / self.problem.motion.span * self.windings[:, None, :]
         turned = self.grid.t[None, :, None] * rate
         phi, phi_dot, phi_ddot = (B @ np.swapaxes(waves, 1, 2) for B in self.grid.basis.of_each)
         return Angles(*(x.reshape(-1, self.N) for x in (phi + turned, phi_dot + rate, phi_ddot)))
 
     def linear(self, waves: Array) -> Linear:
-        """(12) with its derivatives, of all."""
+        """(12) with its derivatives, for all motions."""
         return linear(self.at, *self.angles(waves))
 
     def rows(self, found: Linear) -> Array:
-        """Scaled residual (K, 6 M), its square the mean over the times."""
+        """Scaled residual (K, 6 M); the sum of its squares is the mean over the times."""
         return np.asarray(self.problem.norm.scaled(found.R).reshape(self.K, -1) / np.sqrt(self.M))
 
     def jacobian(self, found: Linear) -> Array:
@@ -76,7 +76,7 @@ class Crowd:
         return np.asarray(J.reshape(self.K, 6 * self.M, -1))
 
     def improve(self, steps: int, budget: Budget) -> None:
-        """Levenberg-Marquardt on all, each with its own damping, lambda (1 + k^2)."""
+        """Levenberg-Marquardt on all motions, each with its own damping, lambda (1 + k^2)."""
         rows = self.rows(self.now)
         weight = np.tile(1.0 + self.grid.basis.orders**2, self.N)
         n = len(weight)
@@ -95,16 +95,16 @@ class Crowd:
             self.waves = np.where(better[:, None, None], self.waves + step, self.waves)
             rows = np.where(better[:, None], rows_there, rows)
             self.lam = np.where(better, np.maximum(self.lam * 0.2, 1e-9), self.lam * 6.0)
-            self.now = self._mixed(np.repeat(better, self.M), there)
+            self.now = self._replace_rows(np.repeat(better, self.M), there)
 
-    def _mixed(self, there: Array, new: Linear) -> Linear:
-        """The new at rows `there` (K M), the present elsewhere."""
+    def _replace_rows(self, there: Array, new: Linear) -> Linear:
+        """Values of `new` at rows `there` (K M), present values elsewhere."""
         names = Linear.__dataclass_fields__
         pairs = [(getattr(new, name), getattr(self.now, name)) for name in names]
         return Linear(*(np.where(there.reshape(-1, *(1,) * (a.ndim - 1)), a, b) for a, b in pairs))
 
     def scores(self) -> Array:
-        """Least of the damped linear model (K)."""
+        """Minimum of the damped linear model (K)."""
         rows, J = self.rows(self.now), self.jacobian(self.now)
         A = np.swapaxes(J, 1, 2) @ J
         n = A.shape[1]
@@ -116,8 +116,8 @@ class Crowd:
         """Root mean square of the scaled residual (K)."""
         return np.asarray(np.linalg.norm(self.rows(self.now), axis=1))
 
-    def with_harmonics(self, which: Numbers, H: int) -> Crowd:
-        """Those of the numbers `which`, with H harmonics."""
+    def with_harmonics(self, which: Numbers, H: int) -> StartBatch:
+        """The motions with the numbers `which`, with H harmonics."""
         motions = [self.motion(int(k)).with_harmonics(H).waves for k in which]
         return type(self)(self.problem, self.windings[which], np.array(motions), self.bias)
 

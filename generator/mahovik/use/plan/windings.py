@@ -1,8 +1,8 @@
-"""Which winding numbers are tried, in which order: they decide whether there is a programme, planning's chief choice.
+"""Winding numbers to try, and their order: they decide whether there is a programme, the main choice of planning.
 
-Flywheels turn with the common period of the motion (`spin`, +-1), rock about a mean angle (`rock`, 0), or some do this
-and some that (`mixed`). Never with the highest of several harmonics: unbalance forces grow with the speed squared,
-and the surplus must cancel among the wheels.
+Flywheels turn with the common period of the motion (`spin`, +-1), rock about a mean angle (`rock`, 0), or some turn and
+some rock (`mixed`). They never turn with the highest of several harmonics: unbalance forces grow with the speed
+squared, and the surplus must cancel among the wheels.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ from mahovik.use.plan.array import Array
 Kind = Literal["spin", "rock", "mixed", "given"]
 
 _SLOW = 4
-"""Periods of the lowest harmonic in that of the motion from which flywheels rock first."""
+"""Periods of the lowest harmonic in the motion's period from which on rocking is tried first."""
 
 
-def unit(motion: RequiredMotion) -> int:
-    """Turns a period that count as one: the greatest common divisor of the motion's harmonics."""
+def unit_turns(motion: RequiredMotion) -> int:
+    """Turns per period that count as one: the greatest common divisor of the motion's harmonics."""
     return math.gcd(*motion.harmonics) or 1
 
 
-def order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
-    """Kinds to try in turn. With seven flywheels or fewer, spinning sets mostly cross det I = 0: they rock first.
+def kinds_in_order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
+    """Kinds of winding, in the order to try them. Seven or fewer spinning flywheels mostly cross det I = 0: rock first.
 
-    So do all where the lowest harmonic is high.
+    Rocking is also first if the lowest harmonic is high.
 
     A kind that the bounds of speed forbid for all flywheels is left out.
     """
@@ -39,9 +39,9 @@ def order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
         return ("given",)
     if motion.winding != "any":
         return (motion.winding,)
-    slow = min(motion.harmonics, default=1) >= _SLOW * unit(motion)  # turning with the period is hardly turning
+    slow = min(motion.harmonics, default=1) >= _SLOW * unit_turns(motion)  # turning once per period would be very slow
     kinds: tuple[Kind, ...] = ("spin", "rock", "mixed") if N >= 8 and not slow else ("rock", "spin", "mixed")
-    able = [allowed("mixed", motion, s) for s in range(N)]
+    able = [allowed_windings("mixed", motion, s) for s in range(N)]
     if all(0 not in turns for turns in able):
         return ("spin",)
     if all(turns == (0,) for turns in able):
@@ -50,16 +50,16 @@ def order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
 
 
 def rounds(motion: RequiredMotion, N: int) -> Iterator[Kind]:
-    """The kinds of all rounds, without end."""
-    return cycle(order(motion, N))
+    """Kinds of all rounds, without end."""
+    return cycle(kinds_in_order(motion, N))
 
 
-def allowed(kind: Kind, motion: RequiredMotion, s: int) -> tuple[int, ...]:
-    """Windings that flywheel s may have in a kind, inside the bounds of speed; another kind's where it may have none.
+def allowed_windings(kind: Kind, motion: RequiredMotion, s: int) -> tuple[int, ...]:
+    """Windings that flywheel s may have in a kind, inside the bounds of speed; another kind's if it may have none.
 
-    Its mean speed lies between least and greatest speed; one that must not stop does not rock.
+    The mean speed lies between least and greatest speed; a flywheel that must not stop does not rock.
     """
-    bounds, turn = motion.bounds, unit(motion)
+    bounds, turn = motion.bounds, unit_turns(motion)
     least = bounds.speed_min[s] if bounds.speed_min is not None else 0.0
     turn *= max(1, math.ceil(least * motion.span / (2.0 * math.pi * turn) - 1e-9))
     fast = bounds.speed is not None and 2.0 * math.pi * turn / motion.span > bounds.speed[s]
@@ -70,9 +70,9 @@ def allowed(kind: Kind, motion: RequiredMotion, s: int) -> tuple[int, ...]:
     return (rock or spin) if kind == "rock" else (spin or rock)
 
 
-def drawn(kind: Kind, motion: RequiredMotion, N: int, K: int, rng: np.random.Generator) -> Array:
-    """Winding numbers (K, N) of K starts."""
+def draw_windings(kind: Kind, motion: RequiredMotion, N: int, K: int, rng: np.random.Generator) -> Array:
+    """Random winding numbers (K, N) of K starts."""
     if kind == "given":
         return np.tile(np.array(motion.winding, dtype=np.float64), (K, 1))
-    choices = [np.array(allowed(kind, motion, s), dtype=np.float64) for s in range(N)]
+    choices = [np.array(allowed_windings(kind, motion, s), dtype=np.float64) for s in range(N)]
     return np.stack([rng.choice(each, size=K) for each in choices], axis=1) if N else np.zeros((K, 0))

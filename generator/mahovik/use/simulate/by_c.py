@@ -15,7 +15,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.use.simulate.case import Array, Case, wrapped
+from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.mobility import Mobility
 from mahovik.use.simulate.moment import Moment
 from mahovik.use.simulate.reaction import Reaction
@@ -23,18 +23,18 @@ from mahovik.use.simulate.steepness import Steepness
 
 
 class CMotion:
-    """Steps of the C. Phases and speeds that are given are set exactly at the beginning of each step.
+    """Simulation by steps of the C. Given phases and speeds are set exactly at the beginning of each step.
 
     Within a step torques, wrenches and flywheel accelerations are constant: torques and wrenches of its middle,
     accelerations by the speeds at its ends. Where a torque falls steeply with speed a step is cut into parts
     (Steepness). Beside torques a flywheel of given speed is locked at its mean speed,
-    and what its acceleration asks of the carrier is a wrench there (Reaction).
+    and the reaction to its acceleration is a wrench on the carrier (Reaction).
     """
 
     def __init__(self, case: Case) -> None:
         self.case = case
         reacting = {case.stand.carrier.name} if case.regime.mixed else set()
-        self.c = compiled(with_inputs(case.stand, set(case.regime.wrenches) | reacting))
+        self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting))
         self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
         N = len(case.stand.flywheels)
         ffi = self.c.library.ffi
@@ -50,7 +50,7 @@ class CMotion:
         start = case.start
         attitude = self.c.arguments(start)["x"]["attitude"]
         self._view[:13] = [*start.position, *attitude, *start.V]
-        self._view[self._phi] = wrapped(case.phi0)
+        self._view[self._phi] = wrap_phases(case.phi0)
         self._view[self._phi_dot] = case.phi_dot0
         self._reaction = Reaction(self.c, self._x) if case.regime.mixed else None
         self._steepness = Steepness(case)
@@ -88,7 +88,7 @@ class CMotion:
         return [known[a.name] for a in self.c.program.function(self._name).arguments]
 
     def _advance(self, begin: float, end: float, phi: Array) -> Array:
-        """Steps from one time of output to the next; returns the phases there, counted through."""
+        """Step from one time of output to the next; return the phases there, not wrapped."""
         case, view = self.case, self._view
         count = max(1, math.ceil((end - begin) / case.dt * (1 - 1e-9)))
         h = (end - begin) / count
@@ -108,11 +108,11 @@ class CMotion:
         return np.where(self._given, case.motion(times[-1:])[0][0], phi + turned)
 
     def _given_speeds(self, times: Array) -> Array:
-        """Steps of even length where all speeds are given; returns the phases at the end."""
+        """Steps of equal length if all speeds are given; return the phases at the end."""
         view, h = self._view, float(times[1] - times[0])
         step, arguments = self.c.library.function(self._name), self._arguments(h)
         given, speeds, _ = self.case.motion(times)
-        states, mean = wrapped(given), np.diff(speeds, axis=0) / h
+        states, mean = wrap_phases(given), np.diff(speeds, axis=0) / h
         for k, begin in enumerate(times[:-1]):
             self._set_wrench(begin + h / 2)
             view[self._phi], view[self._phi_dot] = states[k], speeds[k]
@@ -122,19 +122,19 @@ class CMotion:
         return np.asarray(given[-1])
 
     def _driven(self, times: Array) -> Array:
-        """Steps of even length under torques; returns how far flywheels have turned."""
+        """Steps of equal length under torques; return the angles turned by the flywheels."""
         case, view, held = self.case, self._view, self._given
         h = float(times[1] - times[0])
         step, arguments = self.c.library.function(self._name), self._arguments(h)
         middles = times[:-1] + h / 2
         (given, speeds, _), (halfway, middle_speeds, _) = case.motion(times), case.motion(middles)
-        states, mean = wrapped(given), np.diff(speeds, axis=0) / h
-        locked = (speeds[:-1] + 4 * middle_speeds + speeds[1:]) / 6  # no difference of phases: these may be large
+        states, mean = wrap_phases(given), np.diff(speeds, axis=0) / h
+        locked = (speeds[:-1] + 4 * middle_speeds + speeds[1:]) / 6  # not a difference of phases, which may be large
         whole = np.zeros(len(self._rate))
         for k, middle in enumerate(middles):
             before, phase = view[self._phi_dot].copy(), view[self._phi].copy()
             if self._reaction is not None:
-                view[self._phi][held] = wrapped(halfway[k])[held]
+                view[self._phi][held] = wrap_phases(halfway[k])[held]
             self._set_wrench(middle, np.where(held, mean[k], 0.0))
             view[self._phi][held], view[self._phi_dot][held] = states[k][held], locked[k][held]
             self._drive[:] = case.torques(middle, before + h / 2 * self._rate)
@@ -147,7 +147,7 @@ class CMotion:
         return whole
 
     def _set_wrench(self, t: float, accelerations: Array | None = None) -> None:
-        """Run-time wrenches of a time; on the carrier also what given `accelerations` beside torques ask of it."""
+        """Set the run-time wrenches at a time; on the carrier also the reaction to given `accelerations`."""
         if self.case.regime.wrenches or self._reaction is not None:
             now = self.case.regime.wrench(t)
             for i, body in enumerate(self.c.inputs):
@@ -157,7 +157,7 @@ class CMotion:
 
     def _check(self, status: int, t: float) -> None:
         if status < 0:
-            raise StateError(f"at t = {t:.6g} s a step ends with {status_words(status)}: the motion leaves its ranges")
+            raise StateError(f"at t = {t:.6g} s a step returned {status_words(status)}: the motion leaves its ranges")
 
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""
@@ -198,13 +198,13 @@ class CMotion:
 
 
 @lru_cache(maxsize=4)
-def compiled(stand: Stand) -> CBackend:
-    """The compiled C of a stand; of the last few it is kept, so that many runs of one stand compile once."""
+def compiled_backend(stand: Stand) -> CBackend:
+    """The compiled C of a stand; the last few are cached, so that many runs of one stand compile once."""
     return CBackend(stand)
 
 
-def with_inputs(stand: Stand, bodies: set[str]) -> Stand:
-    """The stand with a run-time wrench on the bodies named, beside those that take one already."""
+def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
+    """The stand with a run-time wrench on the named bodies, besides those that have one already."""
 
     def one(body: Any) -> Any:
         return replace(body, wrench_input=body.wrench_input or body.name in bodies)

@@ -1,4 +1,4 @@
-"""Motion by SciPy's DOP853 on the literal reference: adaptive, slow, with kinematics of its own. It judges the C."""
+"""Simulation by SciPy's DOP853 on the literal reference: adaptive, slow, independent kinematics. A judge of the C."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class SciPyMotion:
             y, begin = solver.y, corner
 
     def _state(self, t: float, y: Array) -> tuple[State, Array]:
-        """The state of y at t, and phases counted through."""
+        """The state of y at t, and phases that are not wrapped."""
         N = len(self.case.stand.flywheels)
         (phi,), (phi_dot,), _ = self.case.motion(np.array([t]))
         if self.case.regime.by_torque:
@@ -71,7 +71,7 @@ class SciPyMotion:
         fP = np.array([f @ at.P[s.body.name] for s in at.flywheels])
         known = np.where(self._given, phi_ddot, 0.0)
         right = np.concatenate([at.F - bias(at) - at.I @ known, tau - torque_velocity_terms(at) + fP])
-        rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel of given speed: no unknown, no row
+        rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel with given speed has no unknown and no row
         solution = np.linalg.solve(full_mass_matrix(at)[np.ix_(rows, rows)], right[rows])
         phi_ddot[self._free] = solution[6:]
         return at.V_dot(solution[:6]), phi_ddot, tau
@@ -99,7 +99,7 @@ class SciPyMotion:
 
 
 def _quaternion(case: Case) -> Array:
-    """Of the start, w first; of angles by the rotation they give."""
+    """Quaternion of the start, w first; from angles if these are given."""
     start = case.start
     if start.quaternion is not None:
         return np.array(start.quaternion)

@@ -1,4 +1,4 @@
-"""What is simulated: a stand, a regime, a start, times; and what every backend needs to know of it."""
+"""A simulation: a stand, a regime, a start, times, and derived data that every backend needs."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 
 Array = NDArray[np.float64]
-LARGE = 1e6  # rad; phases beyond are wrapped before they go into a state, whose range ends at 1e7
-MAX_STEP = BOUNDS["MAX_STEP"].value  # s
+LARGE = 1e6  # rad; larger phases are wrapped before they enter a state, whose range ends at 1e7
+MAX_STEP = BOUNDS["MAX_STEP"].value  # s; the C refuses longer steps
 _TURN = 2 * math.pi
 
 
@@ -26,7 +26,7 @@ _TURN = 2 * math.pi
 class Case:
     """A run of `until` s with output every `every` s; steps of at most `dt` s, of order 4 or 2.
 
-    `start`: position, attitude, V; its phases and speeds where the regime leaves them open. Raises UsageError.
+    `start`: position, attitude, V; also phases and speeds that the regime does not give. Raises UsageError.
     """
 
     stand: Stand
@@ -67,7 +67,7 @@ class Case:
 
     @cached_property
     def phi_dot0(self) -> Array:
-        """Speeds at t = 0: by law, or those given for a law of torque."""
+        """Speeds at t = 0: by the speed law, or the given ones for a torque law."""
         _, by_law, _ = self.regime.motion(np.zeros(1))
         given = zip(self.regime.flywheels, self.start.phi_dot, by_law[0], strict=True)
         found = [(open_ if each.speed is None else each.speed) if each.by_torque else law for each, open_, law in given]
@@ -84,7 +84,7 @@ class Case:
 
     def state(self, t: float, position: Array, attitude: Array, V: Array,
               phi: Array, phi_dot: Array) -> State:  # fmt: skip
-        """A state for evaluation, with the run-time wrenches of the time t; quaternion brought to unit length."""
+        """A state for evaluation, with the run-time wrenches at time t and a normalised quaternion."""
         length = math.hypot(*attitude)
         w, x, y, z = (float(c) / length for c in attitude)
         return replace(
@@ -93,12 +93,12 @@ class Case:
             angles=None,
             quaternion=(w, x, y, z),
             V=cast(Vec6, tuple(V.tolist())),
-            phi=tuple(wrapped(phi).tolist()),
+            phi=tuple(wrap_phases(phi).tolist()),
             phi_dot=tuple(phi_dot.tolist()),
             wrench=self.regime.wrench(t),
         )
 
 
-def wrapped(phi: Array) -> Array:
-    """Phases within a state's range."""
+def wrap_phases(phi: Array) -> Array:
+    """Phases wrapped into a state's range."""
     return np.where(np.abs(phi) > LARGE, np.remainder(phi, _TURN), phi)

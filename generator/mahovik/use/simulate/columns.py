@@ -1,4 +1,4 @@
-"""Columns of a run: names with units, and their numbers at one moment."""
+"""Columns of a run: names with units, and their numbers at one time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from mahovik.use.simulate.moment import Moment
 _AXES = "xyz"
 
 
-def names(stand: Stand, mounts: bool) -> list[str]:
+def column_names(stand: Stand, mounts: bool) -> list[str]:
     """Column names in order, each with its unit."""
     found = ["t [s]", *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"]
     found += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
@@ -34,8 +34,8 @@ def names(stand: Stand, mounts: bool) -> list[str]:
     return found
 
 
-def numbers(stand: Stand, moment: Moment) -> list[float]:
-    """The numbers of those columns at a moment."""
+def column_values(stand: Stand, moment: Moment) -> list[float]:
+    """Numbers of these columns at one time."""
     state = moment.state
     found = [moment.t, *state.position, *(state.quaternion or (1.0, 0.0, 0.0, 0.0)), *state.V, *state.V_dot]
     for i, s in enumerate(stand.flywheels):
@@ -51,7 +51,7 @@ def numbers(stand: Stand, moment: Moment) -> list[float]:
 
 
 def _motor(motor: Motor, tau: float, speed: float) -> Iterator[float]:
-    """What the motor itself gives, and how much more it could."""
+    """Torque of the motor itself, and how much more it could give."""
     own = needed(motor, tau, speed)
     yield own
     if motor.torque is not None:

@@ -1,4 +1,4 @@
-"""Flight logs: what the emitted recorder wrote, as records; damage is found and named, never guessed away.
+"""Flight logs of the emitted recorder, as records; damage is found and reported, never guessed around.
 
 The format stands in the header of the recorder (templates/recorder.h.j2).
 """
@@ -25,7 +25,7 @@ FLAGS = {name: bit for name, (bit, _) in CHANGING.items()}
 
 @dataclass(frozen=True)
 class Start:
-    """A start record: whose log it is, and the state before step `count`. `real` is "double" or "float"."""
+    """A start record: identity of the log's stand, and the state before step `count`. `real` is "double" or "float"."""
 
     offset: int
     stand: str
@@ -43,10 +43,10 @@ class Start:
 
 @dataclass(frozen=True)
 class Step:
-    """The record of one step: all that went in, and what came out.
+    """The record of one step: all inputs and the result.
 
-    `written` are members of the state that were written since the step before; `drive` is tau, or phi_ddot where
-    `driven`; `hash` is that of the state after the step.
+    `written` are members of the state set since the previous step; `drive` is tau, or phi_ddot if `driven`; `hash` is
+    of the state after the step.
     """
 
     offset: int
@@ -65,16 +65,16 @@ class Step:
 
 @dataclass(frozen=True)
 class Damage:
-    """A place where the log cannot be read: the steps up to the next start are lost. `end`: it just stops there."""
+    """A place where the log cannot be read: the steps up to the next start are lost. `end`: the log stops there."""
 
     message: str
     end: bool = False
 
 
 def load(path: Path) -> tuple[bytes, list[str]]:
-    """The bytes of a log file, binary or as text of a serial console; beside them a note a spoiled line.
+    """The bytes of a log file, binary or as text from a serial console, and a note for each spoiled line.
 
-    In text, lines that begin with `@` hold hexadecimal digits, and all others are someone else's output.
+    In text, lines that begin with `@` hold hexadecimal digits, and all other lines are unrelated output.
     Raises UsageError.
     """
     try:
@@ -103,7 +103,7 @@ def _from_hex(data: bytes, notes: list[str]) -> bytes:
 
 
 def _no_log(data: bytes) -> str:
-    """Why bytes without a start record are no log."""
+    """Why bytes without a start record are not a log."""
     for width in (2, 4, 8):
         swapped = b"".join(MAGIC[i : i + width][::-1] for i in range(0, 8, width))
         if swapped in data:
@@ -125,7 +125,7 @@ class _EndError(Exception):
 
 
 class _Bytes:
-    """Reads little-endian numbers from a place on."""
+    """Reader of little-endian numbers from a position on."""
 
     def __init__(self, data: bytes, offset: int, real: str = "double") -> None:
         self._data = data
@@ -146,18 +146,18 @@ class _Bytes:
         return np.frombuffer(self.take(count * self.dtype.itemsize), dtype=self.dtype)
 
     def checked(self) -> bool:
-        """Is the check that follows that of the record so far?"""
+        """Whether the next bytes are the check of the record so far."""
         computed = fnv1a(self._data[self._begin : self.at])
         return self.number("I") == computed
 
 
 def records(data: bytes) -> Iterator[Start | Step | Damage]:
-    """Starts and steps in order, and where something is missing or damaged."""
+    """Starts and steps in order, and places where something is missing or damaged."""
     reader = _Reader(data)
     first = data.find(MAGIC)
     if first > 0:
         yield Damage(
-            f"{first} bytes before the first start record cannot be replayed: they have no state to begin with"
+            f"{first} bytes before the first start record cannot be replayed: there is no initial state for them"
         )
     at: int | None = first if first >= 0 else None
     while at is not None and at < len(data):
@@ -167,7 +167,7 @@ def records(data: bytes) -> Iterator[Start | Step | Damage]:
 
 
 class _Reader:
-    """Knows what the records so far have set: identities, time step, the count of the next step."""
+    """Keeps what the records so far have set: identities, time step, the count of the next step."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -181,7 +181,7 @@ class _Reader:
         return found if found >= 0 else None
 
     def record(self, at: int) -> tuple[Start | Step | Damage, int]:
-        """The record at a place, and where the next one begins."""
+        """The record at a position, and where the next one begins."""
         try:
             if self._data.startswith(MAGIC, at):
                 return self._read_start(at)
@@ -192,7 +192,7 @@ class _Reader:
             return self._damaged(at), at
 
     def _is_cut(self, at: int) -> bool:
-        """Does the log just end inside a record? Not where a whole one comes after it: then its length lies."""
+        """Whether the log just ends inside a record; not if a whole one comes after it: then its length is wrong."""
         if self._data[at] not in (STEP, MAGIC[0]) or self.next_start(at + 1) is not None:
             return False
         place = self._data.find(bytes([STEP]), at + 1)
@@ -214,7 +214,7 @@ class _Reader:
         return Damage(f"{self._where(at)} is damaged: its check does not fit; {self._rest(at)}")
 
     def _rest(self, at: int) -> str:
-        """From where the log can be replayed again."""
+        """Where the log can be replayed again."""
         after = self.next_start(at + 1)
         return "the log ends without another start" if after is None else f"the next start is at byte {after}"
 
@@ -255,7 +255,7 @@ class _Reader:
         return step, after
 
     def _gap(self, step: Step) -> str:
-        """What is missing before a step that is not the next one."""
+        """Message about what is missing before a step that is not the next one."""
         last = step.count - 1
         if step.count > self._next:
             lost = f"step {last}" if last == self._next else f"steps {self._next} to {last}"
@@ -266,7 +266,7 @@ class _Reader:
         return f"{what}; {self._rest(step.offset)}"
 
     def _parse_step(self, at: int) -> tuple[Step, int] | None:
-        """The record of a step and where the next one begins; None where its check does not fit. Raises _EndError."""
+        """The record of a step and where the next one begins; None if its check does not fit. Raises _EndError."""
         start = self._start
         assert start is not None
         read = _Bytes(self._data, at, start.real)

@@ -1,4 +1,4 @@
-"""How flywheels take up a torque: d phi_ddot / d tau at the present state, by the generated C."""
+"""Response of flywheels to torque: d phi_ddot / d tau at the present state, by the generated C."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.use.simulate.case import Array
 
 
 class Mobility:
-    """d phi_ddot / d tau (N x N, 1/(kg m2)) at the state `x`, which its owner moves. Locked flywheels: zero."""
+    """d phi_ddot / d tau (N x N, 1/(kg m2)) at the state `x`, which its owner updates. Locked flywheels: zero."""
 
     def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
         ffi = c.library.ffi
@@ -32,6 +32,6 @@ class Mobility:
         self._arguments = [known[a.name] for a in function.arguments]
 
     def matrix(self) -> Array:
-        """It; a state out of its ranges leaves it as it was: the step that follows refuses it as well."""
+        """Mobility matrix; unchanged if the state is out of range (the step that follows refuses it as well)."""
         self._call(*self._arguments)
         return np.abs(self._view)

@@ -1,4 +1,4 @@
-"""What is known at one time of output, and what a backend must offer."""
+"""Values at one time of output, and the interface of a backend."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Moment:
-    """A time, the state there (with V_dot, phi_ddot) and phases counted through.
+    """A time, the state there (with V_dot, phi_ddot), and phases that are not wrapped.
 
-    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None where not asked for.
+    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None if not requested.
     """
 
     t: float
@@ -33,4 +33,4 @@ class Motion(Protocol):
     """A backend: yields the moments of its case in order."""
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
-        """One for every time of output. Raises StateError where the motion leaves what can be computed."""
+        """One moment for every time of output. Raises StateError if the motion leaves the computable range."""

@@ -1,4 +1,4 @@
-"""A run as a file: CSV, or Parquet where pyarrow is installed. Written whole or not at all."""
+"""Write a run to a file: CSV, or Parquet if pyarrow is installed. It is written whole or not at all."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from mahovik.use.simulate.run import Run
 SUFFIXES = (".csv", ".parquet")
 
 IDENTITY = "mahovik"
-"""Key of a Parquet file's metadata: an object with the stand's name, structure and physics. CSV has no such place."""
+"""Metadata key in a Parquet file: an object with the stand's name, structure and physics. CSV has no metadata."""
 
 
 def check(path: Path) -> None:
-    """Can the file be written at all? Raises UsageError before anything is computed."""
+    """Check, before anything is computed, that the file can be written. Raises UsageError."""
     if path.suffix not in SUFFIXES:
         raise UsageError(f"-o {path}: expected a name that ends in .csv or .parquet")
     if path.suffix == ".parquet":
@@ -36,13 +36,13 @@ def save(run: Run, path: Path) -> None:
 
 
 def csv_text(run: Run) -> str:
-    """A header of names, then a line a moment; numbers read back to the same bits."""
+    """A header of names, then a line per moment; the numbers read back to the same bits."""
     lines = [",".join(run.names), *(",".join(map(repr, row)) for row in run.data.tolist())]
     return "\n".join(lines) + "\n"
 
 
 def parquet_bytes(run: Run) -> bytes:
-    """A table of doubles; in its metadata, under IDENTITY, whose run it is."""
+    """A table of doubles, with the stand's identity as metadata under IDENTITY."""
     arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     table = arrow.table({name: run.data[:, i].copy() for i, name in enumerate(run.names)})
     if run.identity:

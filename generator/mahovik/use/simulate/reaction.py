@@ -1,4 +1,4 @@
-"""What a flywheel of given acceleration asks of the carrier, as a wrench on a carrier that has it locked."""
+"""Reaction of a flywheel with given acceleration, as a wrench on a carrier that has it locked."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from mahovik.use.simulate.case import Array
 
 
 class Reaction:
-    """-sum I_s phi_s'' of (8) at the state `x`, which its owner moves; `place`: of the carrier's among the wrenches.
+    """-sum I_s phi_s'' of (8) at the state `x`, which its owner updates; `place`: index of the carrier's wrench.
 
-    `coupled` and `step` lock a flywheel at constant speed only. Its acceleration, where it is known, is in (8) a term
-    without unknowns, and can stand on the side of F; the rows of other flywheels do not have it.
+    `coupled` and `step` lock a flywheel at constant speed only. A known acceleration is a term
+    without unknowns in (8) and can be added to F; it does not appear in the rows of other flywheels.
     """
 
     def __init__(self, c: CBackend, x: Any) -> None:
@@ -30,7 +30,7 @@ class Reaction:
         self.place = slice(first, first + 6)
 
     def wrench(self, accelerations: Array) -> Array:
-        """For these phi'' (N, rad/s2; zero where not given): force and moment about O1 in E1."""
+        """Force and moment about O1 in E1 for these phi'' (N, rad/s2; zero if not given)."""
         if self._call(*self._arguments) < 0:
-            return np.zeros(6)  # a state out of its ranges: the step that follows refuses it as well
+            return np.zeros(6)  # if the state is out of range, the next step refuses it as well
         return -(self._I @ accelerations)

@@ -27,7 +27,7 @@ Members = dict[str, Reals]
 
 @dataclass(frozen=True)
 class Outcome:
-    """One step on this machine. `before` is the state with all that was written to it; `table` None: the default."""
+    """One step on this machine. `before` is the state with everything written to it; `table` None: the default."""
 
     step: Step
     before: Members
@@ -38,7 +38,7 @@ class Outcome:
 
     @property
     def difference(self) -> str:
-        """In what the step differs from the log."""
+        """How the step differs from the log."""
         if self.status != self.step.status:
             return f"status {status_words(self.step.status)} in the log, {status_words(self.status)} here"
         here = state_hash([m.tobytes() for m in self.after.values()])
@@ -46,32 +46,32 @@ class Outcome:
 
 
 class Machine(Protocol):
-    """Runs the steps of one stand in one precision. `source` is the hash of the text of its C."""
+    """Runs the steps of one stand in one precision. `source` is the hash of its C source."""
 
     generated: Generated
     source: int
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
-        """Takes a state and a table; None: the default."""
+        """Set a state and a table; None: the default."""
 
     def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """Writes members of the state, and the table's stream."""
+        """Write members of the state, and the table's stream."""
 
     def state(self) -> Members:
-        """A copy of the state."""
+        """Copy of the state."""
 
     def step(self, step: Step) -> int:
-        """One step; its status."""
+        """Run one step; return its status."""
 
     def default_table(self) -> Mapping[str, Any]:
         """The default table as plain data."""
 
 
 class CMachine:
-    """The C of the stand, freshly generated, or with `folder` what lies there. Raises as CBackend."""
+    """The C of the stand, freshly generated, or the C in `folder`. Raises as CBackend."""
 
     def __init__(self, stand: Stand, real: str, folder: Path | None = None, lanes: int = 1) -> None:
-        self._c = _compiled(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
+        self._c = _compiled_backend(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
         self.generated = self._c.generated
         self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
         self._ffi = self._c.library.ffi
@@ -104,7 +104,7 @@ class CMachine:
 
     def step(self, step: Step) -> int:
         """See Machine."""
-        name, inputs = inputs_of(self.generated, step)
+        name, inputs = step_inputs(self.generated, step)
         known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         for key, value in inputs.items():
             if isinstance(value, np.ndarray):
@@ -122,8 +122,8 @@ class CMachine:
 
 
 @lru_cache(maxsize=4)
-def _compiled(stand: Stand, real: str, lanes: int) -> CBackend:
-    """The compiled C of a stand; of the last few it is kept, so that many logs of one stand compile once."""
+def _compiled_backend(stand: Stand, real: str, lanes: int) -> CBackend:
+    """The compiled C of a stand; the last few are cached, so that many logs of one stand compile once."""
     return CBackend(stand, real, lanes=lanes)
 
 
@@ -158,7 +158,7 @@ class InterpreterMachine:
 
     def step(self, step: Step) -> int:
         """See Machine."""
-        name, inputs = inputs_of(self.generated, step)
+        name, inputs = step_inputs(self.generated, step)
         known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
         known["dt"] = self.generated.program.precision.scalar(step.dt)
@@ -170,8 +170,8 @@ class InterpreterMachine:
         return self.generated.values.table
 
 
-def inputs_of(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
-    """Which function made the step, and its inputs by the names of its arguments."""
+def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
+    """The function that made the step, and its inputs by argument name."""
     name = "step_driven" if step.driven else "step"
     drive = "phi_ddot" if step.driven else "tau"
     locked = np.array(step.locked, dtype=np.intc)
@@ -181,7 +181,7 @@ def inputs_of(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
 
 
 def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterator[Outcome | Damage]:
-    """Every step that can be replayed, up to the first that differs, and the damage between them."""
+    """Every step that can be replayed, up to the first that differs, and the damage between steps."""
     table: Mapping[str, Any] | None = None
     for record in records:
         if isinstance(record, Damage):
@@ -204,7 +204,7 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
 
 
 def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
-    """The table that the log was made with; None for the default. Raises CheckError."""
+    """The table of the log; None for the default. Raises CheckError."""
     layout, default = machine.generated.layout, machine.default_table()
     packed = table_bytes(layout, default)
     if start.table:
@@ -215,13 +215,13 @@ def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
     if start.table_hash != here:
         raise CheckError(
             f"the log's default table has hash {start.table_hash:08x}, that of the C here {here:08x}: "
-            "another mahovik made that C; give the folder it flew from with --against DIR"
+            "that C comes from another version of mahovik; give its folder with --against DIR"
         )
     return None
 
 
 def check_stand(stand: Stand, start: Start, source: str) -> None:
-    """Is it the log of this stand? `source` is the stand file. Raises CheckError."""
+    """Check that the log is of this stand. `source` is the stand file. Raises CheckError."""
     found = identities(stand)
     if start.stand != stand.name:
         raise CheckError(f'{source}: stand "{stand.name}", but the log is of "{start.stand}"')
@@ -234,13 +234,13 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
 
 
 def explain(machine: Machine, start: Start) -> str:
-    """What a difference may come from."""
+    """A possible reason for a difference."""
     if machine.source != start.source:
         return (
-            f"the C that flew is another text (source {start.source:08x}, here {machine.source:08x}): "
-            "give the folder it flew from with --against DIR"
+            f"the C that flew has another source text (source {start.source:08x}, here {machine.source:08x}): "
+            "give its folder with --against DIR"
         )
-    return "the C is the same text: was it compiled with -ffp-contract=off and without -ffast-math?"
+    return "the source text is the same: was it compiled with -ffp-contract=off and without -ffast-math?"
 
 
 def _texts(folder: Path, name: str) -> dict[str, str]:
@@ -248,8 +248,8 @@ def _texts(folder: Path, name: str) -> dict[str, str]:
     return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
 
 
-def lanes_that_flew(stand: Stand, start: Start) -> int:
-    """The number of lanes whose C has the source hash of a log; 1 where another text flew."""
+def logged_lanes(stand: Stand, start: Start) -> int:
+    """Number of lanes of the C with the source hash of a log; 1 if another text flew."""
     for lanes in LANES if stand.flywheels else ():
         if source_hash(generate_all(stand, start.real, lanes).files, stand.name) == start.source:
             return lanes
@@ -257,7 +257,7 @@ def lanes_that_flew(stand: Stand, start: Start) -> int:
 
 
 def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: int = 1) -> Machine:
-    """What replays: "c" or "interpreter"; `lanes` of fresh C. Raises UsageError, ToolchainError, CheckError."""
+    """The machine that replays: "c" or "interpreter"; `lanes`: of fresh C. UsageError, ToolchainError, CheckError."""
     if backend == "c":
         there = None if folder is None else read_header(folder, stand.name)
         if there is not None and there.real is not None and there.real != real:

@@ -1,4 +1,4 @@
-"""What `mahovik replay` writes: states as lines of `eval` or as columns, one step in full."""
+"""Output of `mahovik replay`: states as lines of `eval` or as columns, one step in full."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ FORMATS = (".csv", ".jsonl")
 
 
 def check(path: Path) -> None:
-    """Is it a name that can be written? Raises UsageError."""
+    """Check the name of the output file. Raises UsageError."""
     if path.suffix not in FORMATS:
         raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(FORMATS)}")
 
 
-def heading(flywheels: int) -> str:
-    """Titles of the columns of a CSV file."""
+def csv_heading(flywheels: int) -> str:
+    """Column titles of a CSV file."""
     return ",".join(["step", "status", *(f"{m}[{i}]" for m, n in members(flywheels).items() for i in range(n))]) + "\n"
 
 
-def row(outcome: Outcome) -> str:
+def csv_row(outcome: Outcome) -> str:
     """One row of a CSV file: the state after a step, in digits that read back to the same bits."""
     numbers = [repr(number) for values in outcome.after.values() for number in _plain(values)]
     return ",".join([str(outcome.step.count), status_words(outcome.status), *numbers]) + "\n"
 
 
-def line(outcome: Outcome, wrenches: Sequence[str]) -> str:
-    """The line of `mahovik eval` that has the state before a step and its inputs. Raises StateError: not finite."""
+def eval_line(outcome: Outcome, wrenches: Sequence[str]) -> str:
+    """The line of `mahovik eval` with the state before a step and its inputs. Raises StateError: not finite."""
     return encode(state_object(outcome, wrenches))
 
 
 def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
-    """The keys of that line. What is zero is left out."""
+    """The keys of that line; zeros are left out."""
     step, before = outcome.step, outcome.before
     found: dict[str, Any] = {"id": f"step {step.count}", "quaternion": _plain(before["attitude"])}
     drive = "phi_ddot" if step.driven else "tau"
@@ -53,11 +53,11 @@ def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
     return found | {"want": ["forward" if step.driven or not len(step.drive) else "coupled"]}
 
 
-def in_full(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
+def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
     """Lines that show one step: its line of `eval`, then all of it in hexadecimal."""
     step = outcome.step
     try:
-        yield line(outcome, wrenches)
+        yield eval_line(outcome, wrenches)
     except StateError as error:
         yield json.dumps({"id": f"step {step.count}", "error": str(error)})
     yield f"step {step.count}, {'step_driven' if step.driven else 'step'}: {status_words(outcome.status)}"

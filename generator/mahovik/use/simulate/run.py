@@ -1,4 +1,4 @@
-"""A run: moments of a backend gathered in columns; what was computed is kept when it is stopped."""
+"""A run: moments of a backend collected in columns; an interrupted run keeps what was computed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BACKENDS = ("c", "scipy")
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Columns by name. `stopped`: why it ended early, or None; `interrupted`: by the user.
+    """Columns by name. `stopped`: why it ended early, or None; `interrupted`: whether the user stopped it.
 
     `identity`: name and identities of the stand, as `identity_of` gives them; a file of columns may carry them.
     """
@@ -31,12 +31,12 @@ class Run:
     identity: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Array:
-        """A column by its whole name, unit and all."""
+        """A column by its full name, including the unit."""
         return np.asarray(self.data[:, self.names.index(name)])
 
     @property
-    def short(self) -> dict[str, tuple[float, float]]:
-        """Flywheels whose motor falls short: time of the worst moment (s), torque missing there (N m)."""
+    def weak_motors(self) -> dict[str, tuple[float, float]]:
+        """Flywheels with too weak a motor: time of the worst moment (s), missing torque (N m)."""
         found = {}
         for name in self.names:
             if name.startswith("margin ") and len(self.data):
@@ -50,18 +50,18 @@ class Run:
 def simulate(
     case: Case, backend: str = "c", mounts: bool = False, progress: Callable[[float], None] | None = None
 ) -> Run:
-    """Runs a case. `progress` is told each time of output. Raises UsageError, ToolchainError, StateError.
+    """Run a case. `progress` receives each time of output. Raises UsageError, ToolchainError, StateError.
 
-    A motion that leaves its ranges, and Ctrl-C, end the run early: `stopped` says why. Where there is nothing to
-    keep, StateError and KeyboardInterrupt go on.
+    A motion that leaves its ranges and Ctrl-C end the run early: `stopped` says why. If there is nothing to keep,
+    StateError and KeyboardInterrupt are raised.
     """
     motion = _motion(case, backend)
-    names = tuple(columns.names(case.stand, mounts))
+    names = tuple(columns.column_names(case.stand, mounts))
     rows: list[list[float]] = []
     stopped, interrupted = None, False
     try:
         for moment in motion.moments(mounts):
-            rows.append(columns.numbers(case.stand, moment))
+            rows.append(columns.column_values(case.stand, moment))
             if progress is not None:
                 progress(moment.t)
     except StateError as error:
@@ -77,7 +77,7 @@ def simulate(
 
 
 def identity_of(stand: Stand) -> dict[str, str]:
-    """Whose run it is: `stand`, its name; `structure`, `physics`."""
+    """Stand name and hashes of the run: `stand`, `structure`, `physics`."""
     found = identities(stand)
     return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
 

@@ -1,4 +1,4 @@
-"""The start of a run from a file: a state as `eval` reads it, or what `mahovik rest --json` prints."""
+"""The start of a run from a file: a state as read by `eval`, or the output of `mahovik rest --json`."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from mahovik.proof.verify.states import KEYS as ALL
 from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
 
 KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot")
-"""Of a state, what a motion begins with."""
+"""Keys of a state that a start may have."""
 
 REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
-"""What `mahovik rest --json` prints."""
+"""Keys printed by `mahovik rest --json`."""
 
 
 HINT = "; the regime gives torques and wrenches"
 
 
 def load(path: Path, stand: Stand, keys: tuple[str, ...] = KEYS, hint: str = HINT) -> State:
-    """The state in a JSON file, of which `keys` may be given. Raises UsageError; `hint`: says why no others."""
+    """The state in a JSON file; `keys` are allowed. Raises UsageError; `hint`: why no others."""
     try:
         text = content(path).decode("utf-8-sig")
     except OSError as error:

@@ -1,4 +1,4 @@
-"""How short a step a law of torque asks for: one that falls steeply with speed acts like a stiff damper."""
+"""Length of steps that a torque law needs: a torque that falls steeply with speed acts like a stiff damper."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from mahovik.use.simulate.case import Array, Case
 BOUND = 0.1
 """Largest (fall of torque by speed) (turning acceleration by torque) dt of a step.
 
-The torque of a step is that at a speed extrapolated from the step before. Such a scheme is stable below 1, and at 0.1
-follows the approach to a speed to a thousandth of what is left of it.
+The torque of a step is taken at a speed extrapolated from the previous step. Such a scheme is stable below 1; at 0.1
+its error in approaching a speed is a thousandth of the remaining difference.
 """
 
 MOST = 1000
-"""Parts into which a step is cut at most; a law that asks for more is refused before the run."""
+"""Most parts of a step; a law that needs more is refused before the run."""
 
 
 class Steepness:
@@ -34,14 +34,14 @@ class Steepness:
         self.matters = bool(np.any(self._most > 0.0))
 
     def parts(self, h: float, mobility: Array, speeds: Array, rate: Array) -> int:
-        """Parts of a step of `h` s that begins at these speeds (rad/s), which change at `rate` (rad/s2)."""
+        """Number of parts of a step of `h` s that begins at these speeds (rad/s), changing at `rate` (rad/s2)."""
         if _parts(h, mobility, self._most) == 1:
             return 1
-        reach = 2.0 * h * np.abs(rate)  # a torque is taken as steep as anywhere that the step may come to
+        reach = 2.0 * h * np.abs(rate)  # steepest slope in the range that the step may reach
         return min(MOST, _parts(h, mobility, self._regime.steepness(speeds - reach, speeds + reach, self._motors)))
 
     def check(self, h: float, mobility: Array) -> None:
-        """Raises UsageError where steps of `h` s would have to be cut into too many parts."""
+        """Raise UsageError if steps of `h` s need too many parts."""
         parts = _parts(h, mobility, self._most)
         if parts > MOST:
             worst = int(np.argmax(self._most * np.diag(mobility)))
@@ -53,5 +53,5 @@ class Steepness:
 
 
 def _parts(h: float, mobility: Array, falls: Array) -> int:
-    fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; no eigenvalue is larger
+    fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
     return max(1, math.ceil(h * fastest / BOUND))

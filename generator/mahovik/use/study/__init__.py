@@ -1,1 +1,1 @@
-"""Questions about a stand: rest, linear model, response to unbalance, cost; which fault a program of it has."""
+"""Studies of a stand: rest, linear model, response to unbalance, reach, quiet speeds, resolution of float."""

@@ -1,4 +1,4 @@
-"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and what meets them."""
+"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and crossings."""
 
 from __future__ import annotations
 
@@ -13,16 +13,18 @@ from mahovik.use.study.response.scene import Scene
 Array = NDArray[np.float64]
 
 NODES = 16
-"""Of a turn: the linear equations are averaged over it; harmonics of their inverse fall off fast."""
+"""Nodes per turn: the linear equations are averaged over it, and the harmonics of their inverse fall off fast."""
 
 GROWING = 1e-6
-"""Part of the largest eigenvalue above which a real part grows."""
+"""Part of the largest eigenvalue above which a real part counts as growth."""
 
 SECANTS = 4
-"""Steps from the grid to a crossing."""
+"""Secant steps from the grid to a crossing."""
 
 MET = 1e-6
-"""Part of a natural frequency that an order may miss it by: more is a frequency that comes or goes there."""
+"""Relative distance of an order from a natural frequency up to which they meet; otherwise that frequency appears or
+ends there.
+"""
 
 ASYMMETRIC = 1e-9
 """Part of the mean of K above which its second harmonic counts."""
@@ -30,7 +32,7 @@ ASYMMETRIC = 1e-9
 
 @dataclass(frozen=True)
 class Crossing:
-    """Where a flywheel's order meets a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
+    """Crossing of a flywheel's order with a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
 
     mode      column of the natural frequency, from 1; the highest is 6
     damping   ratio of that mode
@@ -45,12 +47,12 @@ class Crossing:
 
 @dataclass(frozen=True, eq=False)
 class Campbell:
-    """Natural frequencies about rest, flywheels at one common speed that they keep; means over a turn.
+    """Natural frequencies about rest, with all flywheels at one constant speed; means over a turn.
 
     speed      (S, rad/s), rising from 0
-    natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first where there are fewer
+    natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first if there are fewer
     damping    (S, 6): their ratios
-    growth     (S, 1/s): largest real part of an eigenvalue; 0 where none grows
+    growth     (S, 1/s): largest real part of an eigenvalue; 0 if none grows
     orders     1; and 2 where asymmetric flywheels vary K twice a turn
     crossings  by speed
     """
@@ -64,7 +66,7 @@ class Campbell:
 
 
 def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
-    """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to be linear about."""
+    """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to linearise about."""
     scene = stand if isinstance(stand, Scene) else Scene.of(stand)
     natural, damping, growth = natural_at(scene, speed)
     tables = scene.chart.mechanics.tables
@@ -79,7 +81,7 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     values = np.linalg.eigvals(mean_equations(scene, speed))
     size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
     swinging = values.imag > np.maximum(1e-6 * size, 1e-6)
-    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[:, -6:]  # slow ones come and go: at the front
+    order = np.argsort(np.where(swinging, np.abs(values), -1.0), axis=1)[:, -6:]  # slow ones vary: pad at the front
     kept = np.take_along_axis(swinging, order, axis=1)
     chosen = np.where(kept, np.take_along_axis(values, order, axis=1), np.nan)
     natural = np.abs(chosen)
@@ -91,7 +93,7 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
 def mean_equations(scene: Scene, speed: Array) -> Array:
     """A (S, 12, 12) of y' = A y about rest, y of `Scene`: mean over a turn, at speeds (S, rad/s).
 
-    Where no flywheel has damping of the second degree A is linear in the speed, and two speeds tell all.
+    If no flywheel has quadratic damping, A is linear in the speed, and two speeds suffice.
     """
     laws = [s.damping for s in scene.stand.flywheels if s.damping is not None]
     fastest = float(np.abs(speed).max(initial=0.0))
@@ -110,7 +112,7 @@ def _averaged(scene: Scene, speed: Array) -> Array:
 
 
 def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[Crossing]:
-    """Of one order with all natural frequencies: signs between neighbours of the grid, then secants."""
+    """Crossings of one order with all natural frequencies: sign changes on the grid, then secants."""
     above = natural - order * speed[:, None] / (2.0 * np.pi)
     with np.errstate(invalid="ignore"):
         i, k = np.nonzero((above[:-1] > 0.0) & (above[1:] <= 0.0) | (above[:-1] < 0.0) & (above[1:] >= 0.0))

@@ -1,4 +1,4 @@
-"""Reach: the largest force and moment that flywheels at constant speeds, and their drives, give on the carrier."""
+"""Reach: the largest force and moment on the carrier from flywheels at constant speeds, and from their drives."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Reach:
-    """What N flywheels can do on a carrier that is held still; along the axes of E1, moments about O1.
+    """Reach of N flywheels on a carrier that is held still; along the axes of E1, moments about O1.
 
-    rows       unbalance of each flywheel, and its limit of speed: the motor's own, else 3000 rpm
+    rows       unbalance of each flywheel, and its speed limit: the motor's, else 3000 rpm
     unbalance  (6, N; kg m, kg m2): largest wrench over a turn, by the square of the speed: I_s,phi of (9)
     axes       (3, N): spin axes in E1
     """
@@ -31,18 +31,18 @@ class Reach:
 
     @property
     def limits(self) -> Array:
-        """Of speed (N, rad/s)."""
+        """Speed limits (N, rad/s)."""
         return np.array([row.speed for row in self.rows])
 
     @property
     def driven(self) -> bool:
-        """Has some motor a limit of torque?"""
+        """Whether some motor has a torque limit."""
         return any(s.motor is not None and s.motor.torque is not None for s in self.stand.flywheels)
 
     def wrench(self, speed: Array) -> Array:
-        """Largest wrench by unbalance along each axis (M, 6; N, N m), all phases at their best, at speeds (M, rad/s).
+        """Largest wrench by unbalance along each axis (M, 6; N, N m) over all phases, at speeds (M, rad/s).
 
-        A flywheel at its own limit goes no faster.
+        A flywheel does not exceed its own limit.
         """
         square = np.minimum(speed[:, None], self.limits) ** 2
         return np.asarray(square @ self.unbalance.T)
@@ -71,5 +71,5 @@ class Reach:
 def reach(stand: Stand) -> Reach:
     """The reach of a stand."""
     own = Mechanics.of(stand)
-    unbalance = np.hypot(own.spun[1, :6, 0], own.spun[2, :6, 0])  # of a first harmonic; there is no other
+    unbalance = np.hypot(own.spun[1, :6, 0], own.spun[2, :6, 0])  # of the first harmonic, the only one
     return Reach(stand, summarize(stand).unbalance, unbalance, own.tables.axis.T)

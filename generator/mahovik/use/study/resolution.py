@@ -1,10 +1,10 @@
-"""Whether float resolves what a stand is built for: the effect of each flywheel's unbalance, beside all other terms.
+"""Whether float resolves the effect of unbalance: the effect of each flywheel's unbalance beside the rounding of float.
 
-The effect of a flywheel's unbalance on a result is the difference that it makes to have this flywheel balanced and
-symmetric, by the reference in double. The rounding of float in the result is FACTOR units (2^-24) of the magnitudes of
-the terms that meet in it at this very state: weight, springs, gyroscopic terms, the accelerations that balance them.
-Where the rounding is more than half of the effect in every component, float cannot be relied on to show the
-unbalance, however right the C is.
+The effect of a flywheel's unbalance on a result is the difference from a balanced and symmetric flywheel, by the
+reference in double. The rounding of float in the result is FACTOR units (2^-24) of the magnitudes of its terms at the
+same state: weight, springs, gyroscopic terms, the accelerations that balance them.
+If the rounding is more than half of the effect in every component, float cannot show the unbalance reliably, even with
+correct C.
 
 Evaluated with the flywheels at given speeds, at some phases: with the carrier at rest, where the unbalance stands
 beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, where gyroscopic terms stand beside it.
@@ -34,20 +34,20 @@ UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
 
 FACTOR = 32.0
-"""Units of rounding in a result, at most: what tools/float_bounds.py measures (docs/results/verification.md), rounded
-up. Most are below 8; the largest are of flywheels whose mounting axes, nearly along one another, lose digits."""
+"""Most units of rounding in a result, as measured by tools/float_bounds.py (docs/results/verification.md), rounded
+up. Most are below 8; the largest are of flywheels whose mounting axes are nearly parallel, which loses digits."""
 
 PART = 0.5
-"""Of an effect: what rounding at its worst may be, so that the effect is still to be seen."""
+"""Largest part of an effect that rounding may reach while the effect still shows."""
 
 DOUBLE_NOISE = 1e-13
-"""Of the terms' magnitudes: an effect below it is rounding of the reference, of a flywheel without unbalance."""
+"""Part of the terms' magnitudes: a smaller effect is rounding of the reference, from a flywheel without unbalance."""
 
 PHASES = 4
-"""A quarter turn apart, so that no component of a vector that turns is missed."""
+"""Phases a quarter turn apart, so that no component of a turning vector is missed."""
 
 MOTIONS: Mapping[str, Vec6] = {"at rest": (0.0,) * 6, "moving by 1 m/s and 1 rad/s": (1.0,) * 6}
-"""Of the carrier, by their words."""
+"""Motions of the carrier, by their words in messages."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Shortfall:
     """A quantity in which float does not show the unbalance of a flywheel.
 
     flywheel, speed  its name, rad/s
-    want, words      name in `eval`, and what it is
+    want, words      name in `eval`, and description
     motion           of the carrier, in words
     effect, rounding of the component that shows most; SI
     """
@@ -78,7 +78,7 @@ class Shortfall:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A result, and the magnitudes of the terms that meet in it; for results of each flywheel a row each."""
+    """A result, and the magnitudes of its terms; one row per flywheel for results of each flywheel."""
 
     words: str
     key: str
@@ -87,24 +87,24 @@ class Quantity:
 
 
 def acceleration_terms(at: reference.Pieces, state: State) -> Array:
-    """Of V_dot (6): |K^-1| times every term of (8)."""
+    """Terms of V_dot (6): |K^-1| times every term of (8)."""
     V = np.abs(at.V_r)
     V_dot = forward(at, np.zeros(len(at.phi_dot)))
     K = _mass_terms(at)
-    momentum = K @ V + _spun(at.I, at)
-    turning = _spun(at.J - Phi(at.V_r) @ at.I, at)
+    momentum = K @ V + _coupling_terms(at.I, at)
+    turning = _coupling_terms(at.J - Phi(at.V_r) @ at.I, at)
     right = _wrench_terms(at) + np.abs(Phi(at.V_r)) @ momentum + np.abs(at.K_dot) @ V + turning
     stream = np.abs(at.stream_rate())
     return np.asarray(inverse_magnitude(at.K) @ (right + K @ np.abs(at.V_r_dot(V_dot))) + stream)
 
 
 def momentum_terms(at: reference.Pieces, state: State) -> Array:
-    """Of Z (6)."""
-    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + _spun(at.I, at))
+    """Terms of Z (6)."""
+    return np.asarray(_mass_terms(at) @ (np.abs(at.V) + np.abs(at.V - at.V_r)) + _coupling_terms(at.I, at))
 
 
 def mount_terms(at: reference.Pieces, state: State) -> Array:
-    """Of mount_wrench (Nx6): force and moment by their lengths, for their axes do not turn with the flywheel."""
+    """Terms of mount_wrench (Nx6): lengths of force and moment, since their axes do not turn with the flywheel."""
     found = np.zeros((len(at.flywheels), 6))
     for row, s in enumerate(at.flywheels):
         carried = s.L.T @ at.V
@@ -117,13 +117,13 @@ def mount_terms(at: reference.Pieces, state: State) -> Array:
     return found
 
 
-def _spun(columns: Array, at: reference.Pieces) -> Array:
-    """Of columns (6xN) times phi': what a flywheel adds is turned into E1, so it counts by its lengths."""
+def _coupling_terms(columns: Array, at: reference.Pieces) -> Array:
+    """Columns (6xN) times phi', by their lengths, since a flywheel's terms are turned into E1."""
     return np.asarray(sum((_lengths(c * speed) for c, speed in zip(columns.T, at.phi_dot, strict=True)), np.zeros(6)))
 
 
 def _lengths(screw: Array) -> Array:
-    """The lengths of the two halves, each in all its components."""
+    """Lengths of the two halves, repeated in all their components."""
     return np.repeat([np.linalg.norm(screw[:3]), np.linalg.norm(screw[3:])], 3)
 
 
@@ -132,14 +132,14 @@ def _bodies(at: reference.Pieces) -> tuple[Placed, ...]:
 
 
 def _mass_terms(at: reference.Pieces) -> Array:
-    """Of K (6x6), body by body."""
+    """Terms of K (6x6), body by body."""
 
     total = sum((np.abs(k.L @ k.Theta @ k.L.T) for k in _bodies(at)), np.zeros((6, 6)))
     return np.asarray(total + sum(np.abs(p.Lambda) for p in at.fixed))
 
 
 def _wrench_terms(at: reference.Pieces) -> Array:
-    """Of F (6), body by body and kind by kind."""
+    """Terms of F (6), body by body and kind by kind."""
     total = np.zeros(6)
     for k in _bodies(at):
         for P in at.terms[k.body.name].values():
@@ -152,10 +152,10 @@ QUANTITIES: Mapping[str, Quantity] = {
     "momentum": Quantity("the momentum Z", "Z", momentum_terms),
     "mounts": Quantity("the wrench of its mount", "mount_wrench", mount_terms, by_flywheel=True),
 }
-"""By want. Drive torques are not among them: no torque is asked to show an unbalance."""
+"""Quantities by want. Drive torques are left out: they need not show an unbalance."""
 
 
-def balanced(flywheel: Flywheel) -> Flywheel:
+def balanced_flywheel(flywheel: Flywheel) -> Flywheel:
     """The same flywheel without unbalance or asymmetry: mass centre on its axis, inertia of revolution."""
     J = flywheel.inertia
     across = 0.5 * (J[1][1] + J[2][2])
@@ -167,7 +167,7 @@ def balanced(flywheel: Flywheel) -> Flywheel:
 
 
 def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
-    """What float does not resolve of a stand whose flywheels turn at these speeds (rad/s); one a flywheel and want."""
+    """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want."""
     found: dict[tuple[int, str], Shortfall] = {}
     for motion in MOTIONS:
         best: dict[tuple[int, str], tuple[float, float]] = {}
@@ -187,11 +187,11 @@ def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, floa
     try:
         at = reference.pieces(stand, state)
     except StateError:
-        return  # a leg without length: no state of the stand
+        return  # a leg without length: not a state of the stand
     values = {want: _value(stand, state, want, at) for want in QUANTITIES}
     terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
     for number in range(len(stand.flywheels)):
-        alone, own = _balanced_alone(stand, state, number)
+        alone, own = _with_one_balanced(stand, state, number)
         whole = _without_unbalance(stand, state, at, number, own)
         for want, quantity in QUANTITIES.items():
             if quantity.by_flywheel:
@@ -210,23 +210,23 @@ def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array
     return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
 
 
-def _alone(stand: Stand, state: State, number: int, flywheel: Flywheel) -> tuple[State, reference.Pieces]:
+def _with_one_flywheel(stand: Stand, state: State, number: int, flywheel: Flywheel) -> tuple[State, reference.Pieces]:
     """State and pieces of the carrier with one flywheel in place of `number`, and no other."""
     own = slice(number, number + 1)
     alone = replace(state, phi=state.phi[own], phi_dot=state.phi_dot[own], phi_ddot=state.phi_ddot[own])
     return alone, reference.pieces(replace(stand, flywheels=(flywheel,)), alone)
 
 
-def _balanced_alone(stand: Stand, state: State, number: int) -> tuple[State, reference.Pieces]:
-    return _alone(stand, state, number, balanced(stand.flywheels[number]))
+def _with_one_balanced(stand: Stand, state: State, number: int) -> tuple[State, reference.Pieces]:
+    return _with_one_flywheel(stand, state, number, balanced_flywheel(stand.flywheels[number]))
 
 
 def _without_unbalance(
     stand: Stand, state: State, at: reference.Pieces, number: int, now: reference.Pieces
 ) -> reference.Pieces:
-    """The pieces with one flywheel balanced (`now`: it alone), for all pieces are sums over bodies."""
+    """Pieces with one flywheel balanced (`now`: that one alone), since all pieces are sums over bodies."""
     flywheel = stand.flywheels[number]
-    _, was = _alone(stand, state, number, flywheel)
+    _, was = _with_one_flywheel(stand, state, number, flywheel)
     own = slice(number, number + 1)
     I, J, Theta_ff = at.I.copy(), at.J.copy(), at.Theta_ff.copy()
     I[:, own], J[:, own], Theta_ff[own, own] = now.I, now.J, now.Theta_ff
@@ -245,7 +245,7 @@ def _without_unbalance(
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
-    """At some phases; neighbours are a tenth of a radian apart, so that they do not cancel."""
+    """States at some phases; neighbouring flywheels differ by a tenth of a radian, so that they do not cancel."""
     count = len(stand.flywheels)
     for k in range(PHASES):
         phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))

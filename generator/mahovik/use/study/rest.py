@@ -21,24 +21,24 @@ from mahovik.proof.reference.forward import bias
 Array = NDArray[np.float64]
 
 AT_REST = 1e-12
-"""m/s2, rad/s2: largest component of V_dot in equilibrium; where rounding alone is larger, that."""
+"""m/s2, rad/s2: largest component of V_dot in equilibrium, or rounding if that is larger."""
 
 FREE = 1e-8
 """Part of the largest stiffness (both per unit of mass) below which a direction counts as free."""
 
-MOST = 200  # iterations; some tens are usual
+MOST = 200  # most iterations; some tens are usual
 _PUSHES = (0.05, -0.05, 0.5)  # m or rad
-_TURN, _SHIFT = 0.3, 0.1  # rad, m: longest step
-_DIFFERENCE = 1e-5  # m, rad: of the differences that give the stiffness
+_TURN, _SHIFT = 0.3, 0.1  # rad, m: limit of a step
+_DIFFERENCE = 1e-5  # m, rad: step of the differences for the stiffness
 
 
 @dataclass(frozen=True)
 class Rest:
-    """The equilibrium: its state, what acceleration is left there, free directions, stability.
+    """The equilibrium: its state, remaining acceleration, free directions, stability.
 
     `free`: twists in E1, m and rad; about an axis of length 1, with the shift per rad, or a shift of length 1.
 
-    `unstable`: the stiffness has a negative direction, the stand would leave this pose.
+    `unstable`: the stiffness has a negative direction, so the stand would leave this pose.
     """
 
     state: State
@@ -50,7 +50,7 @@ class Rest:
 def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     """Equilibrium of `stand` with flywheels held at the phases `phi` (N, rad; default 0), nearest to q = 0.
 
-    No run-time wrench acts. Free directions stay at zero. Raises CheckError where there is none.
+    No run-time wrench acts. Free directions stay at zero. Raises CheckError: there is none.
     """
     state = rest_state(stand)
     if phi is not None:
@@ -59,32 +59,32 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     try:
         return search.run()
     except (StateError, np.linalg.LinAlgError) as error:
-        raise CheckError(f"{stand.name}: no equilibrium can be looked for: {error}") from None
+        raise CheckError(f"{stand.name}: the search for an equilibrium failed: {error}") from None
 
 
 class _Search:
     """Pseudo-transient continuation in coordinates in which the mass matrix is the unit matrix.
 
     Steps of the implicit Euler method on dx/dT = wrench, (1/h + S) dx = wrench, with S the stiffness; h grows as the
-    wrench falls, until they are steps of Newton's method. So it follows the stand to a pose that is stable.
+    wrench falls, until they are steps of Newton's method. So it follows the stand to a stable pose.
     """
 
     def __init__(self, stand: Stand, state: State) -> None:
         self.stand = stand
         self.bodies = bodies_of(stand)
         self.state = state
-        self.scale = np.linalg.inv(np.linalg.cholesky(pieces(stand, state).K))  # G^-1; K depends on phases alone
+        self.scale = np.linalg.inv(np.linalg.cholesky(pieces(stand, state).K))  # G^-1; K depends only on the phases
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]
 
     def run(self) -> Rest:
-        """The equilibrium; an unstable one only where pushes lead to no other. Raises CheckError."""
+        """The equilibrium; an unstable one only if pushes lead to no other. Raises CheckError."""
         if not any(law.short(self.stand) for law in laws.parts("text") if law.CARRIES_WEIGHT):
-            at = self.at(self.state)  # no wrench here depends on the place: the force in E0 is the same everywhere
-            if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.balanced(at):
+            at = self.at(self.state)  # no wrench here depends on the position: the force in E0 is constant
+            if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.is_balanced(at):
                 raise CheckError(self.reason(at))
         found = self.first()
         for size in _PUSHES if found.unstable else ():
-            self.state = self.pushed(size)
+            self.state = self.push(size)
             try:
                 other = self.settle(leave=True)
             except CheckError:
@@ -95,7 +95,7 @@ class _Search:
         return found
 
     def first(self) -> Rest:
-        """The equilibrium that is reached from the start: a stable one, else any. Raises CheckError."""
+        """The equilibrium reached from the start: a stable one, else any. Raises CheckError."""
         start = self.state
         try:
             return self.settle(leave=True)
@@ -104,7 +104,7 @@ class _Search:
             return self.settle(leave=False)
 
     def settle(self, leave: bool) -> Rest:
-        """The equilibrium reached from the present state; `leave`: not one it would leave. Raises CheckError."""
+        """The equilibrium reached from the present state; `leave`: not one that it would leave. Raises CheckError."""
         h, last, stuck, loose_before, carried = 0.0, math.inf, 0, math.inf, True
         for _ in range(MOST):
             at = self.at(self.state)
@@ -112,9 +112,9 @@ class _Search:
             _, sizes, rows = np.linalg.svd(S)
             soft = sizes <= FREE * sizes[0]
             if np.all(np.abs(V_dot) <= self.tolerance(at)):
-                return self.found(V_dot, S, rows[soft])
+                return self.result(V_dot, S, rows[soft])
             norm = float(np.linalg.norm(pull))
-            loose = float(np.abs(np.linalg.svd(S)[0][:, soft].T @ pull).max(initial=0.0))  # what no stiffness takes up
+            loose = float(np.abs(np.linalg.svd(S)[0][:, soft].T @ pull).max(initial=0.0))  # not balanced by stiffness
             carried = loose <= 1e-9 * (1.0 + norm)
             stuck = stuck + 1 if not carried and math.isclose(loose, loose_before, rel_tol=1e-3) else 0
             loose_before = loose
@@ -124,13 +124,13 @@ class _Search:
             last = norm
             least = float(np.linalg.eigvals(S).real.min())
             if leave and least < -FREE * sizes[0]:
-                h = 0.5 / -least  # doubles the distance; more would lead back to what it must leave
+                h = 0.5 / -least  # doubles the distance; more would lead back to the pose it must leave
             step = self.scale.T @ np.linalg.solve(np.eye(6) / h + S, pull)
             if carried and np.abs(step).max() < 1e-3:
                 step = self.scale.T @ np.linalg.lstsq(S, pull, rcond=FREE)[0]
             if carried:
                 step = self.at_home(step, self.scale.T @ rows[soft].T)
-            self.state = moved(self.state, at.C, limited(step))
+            self.state = displaced_state(self.state, at.C, limit_step(step))
         at = self.at(self.state)
         if carried:
             most = np.abs(self.acceleration(at)).max()
@@ -139,21 +139,21 @@ class _Search:
             )
         raise CheckError(self.reason(at))
 
-    def pushed(self, size: float) -> State:
+    def push(self, size: float) -> State:
         """The state pushed along its most negative stiffness, by `size` (m or rad)."""
         values, vectors = np.linalg.eig(self.stiffness())
         direction = self.scale.T @ np.real(vectors[:, int(np.argmin(values.real))])
-        return moved(self.state, self.at(self.state).C, size / np.abs(direction).max() * direction)
+        return displaced_state(self.state, self.at(self.state).C, size / np.abs(direction).max() * direction)
 
     @staticmethod
     def at_home(step: Array, free: Array) -> Array:
-        """The step without what free directions (columns) can spare: first of shifts, then of turns."""
+        """The step without its part along free directions (columns): shifts first, then rotations."""
         weight = np.array([1e3] * 3 + [1.0] * 3)
         spared = np.linalg.lstsq(weight[:, None] * free, weight * step, rcond=None)[0]
         return np.asarray(step - free @ spared)
 
-    def balanced(self, at: Pieces) -> bool:
-        """Is the force on the whole stand zero, to rounding?"""
+    def is_balanced(self, at: Pieces) -> bool:
+        """Whether the force on the whole stand is zero, to rounding."""
         bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
         sizes = sum(np.linalg.norm(w[:3]) for k in bodies for w in at.terms[k.body.name].values())
         return bool(np.linalg.norm((at.F - bias(at))[:3]) <= 1e-14 * sizes)
@@ -167,7 +167,7 @@ class _Search:
         return at.V_dot(self.scale.T @ (self.scale @ (at.F - bias(at))))
 
     def tolerance(self, at: Pieces) -> Array:
-        """What V_dot may be (6): AT_REST, or rounding of the wrenches that balance."""
+        """Largest V_dot in equilibrium (6): AT_REST, or rounding of the balancing wrenches."""
         bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
         sizes = np.zeros(6)
         for k in bodies:
@@ -181,7 +181,7 @@ class _Search:
         C = self.at(self.state).C
         columns: list[Array] = []
         for step, whole in zip(self.steps, self.scale, strict=True):
-            forward, backward = (self.wrench(moved(self.state, C, sign * step), C) for sign in (1.0, -1.0))
+            forward, backward = (self.wrench(displaced_state(self.state, C, sign * step), C) for sign in (1.0, -1.0))
             scaled = self.scale @ (backward - forward) / 2
             columns.append(scaled * float(np.abs(whole).max() / _DIFFERENCE))
         return np.column_stack(columns)
@@ -192,28 +192,28 @@ class _Search:
         total = at.F - bias(at)
         return np.concatenate([C.T @ at.C @ total[:3], total[3:]])
 
-    def found(self, V_dot: Array, S: Array, soft: Array) -> Rest:
+    def result(self, V_dot: Array, S: Array, soft: Array) -> Rest:
         """The result at the present state; `soft`: its free directions (rows), scaled."""
-        free = tuple(cast(Vec6, _tuple(unit(row))) for row in reduced(soft @ self.scale))
+        free = tuple(cast(Vec6, _tuple(unit_twist(row))) for row in reduced_basis(soft @ self.scale))
         values = np.linalg.eigvals(S)
         least = -max(FREE * float(np.abs(values).max()), 1e-9)
         return Rest(self.state, cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
 
     def reason(self, at: Pieces) -> str:
-        """Why there is no equilibrium, in words."""
+        """Message: why there is no equilibrium."""
         V_dot = self.acceleration(at)
         total = at.F - bias(at)
         force, moment = at.C @ total[:3], total[3:]
         size, turning = float(np.linalg.norm(force)), float(np.linalg.norm(moment))
         acceleration = ", ".join(f"{x:.4g}" for x in V_dot)
         if size > 0.0 and np.abs(V_dot[:3]).max() > AT_REST:
-            what = f"nothing carries a force of {size:.6g} N along ({_direction(force)}) of E0"
+            what = f"nothing carries a force of {size:.6g} N along ({_direction(force)}) in E0"
         else:
-            what = f"nothing carries a moment of {turning:.6g} N m about ({_direction(moment)}) of E1"
+            what = f"nothing carries a moment of {turning:.6g} N m about ({_direction(moment)}) in E1"
         return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
 
 
-def moved(state: State, C: Array, step: Array) -> State:
+def displaced_state(state: State, C: Array, step: Array) -> State:
     """The state displaced by `step` (6; m, rad), a small twist in E1."""
     position = np.array(state.position) + C @ step[:3]
     angle = float(np.linalg.norm(step[3:]))
@@ -232,8 +232,8 @@ def moved(state: State, C: Array, step: Array) -> State:
     return replace(state, position=cast(Vec3, _tuple(position)), quaternion=cast(Quaternion, _tuple(unit)))
 
 
-def reduced(rows: Array, digits: int = 6) -> Array:
-    """Another basis of the same space: each vector has a component 1 where the others have 0, the first ones first."""
+def reduced_basis(rows: Array, digits: int = 6) -> Array:
+    """Another basis of the same space: each vector has a component 1 where the others have 0, in order."""
     rows = rows.copy()
     done = 0
     for column in range(rows.shape[1]):
@@ -250,14 +250,14 @@ def reduced(rows: Array, digits: int = 6) -> Array:
     return np.asarray(np.round(rows, digits) + 0.0)
 
 
-def unit(twist: Array) -> Array:
+def unit_twist(twist: Array) -> Array:
     """The twist with a rotation of length 1, its shift per rad; without rotation, a shift of length 1."""
     turning = float(np.linalg.norm(twist[3:]))
     return np.asarray(twist / (turning or float(np.linalg.norm(twist))))
 
 
-def limited(step: Array) -> Array:
-    """The step, shortened where it turns or shifts too far."""
+def limit_step(step: Array) -> Array:
+    """The step, shortened if its rotation or shift is too large."""
     longest = max(float(np.abs(step[:3]).max()) / _SHIFT, float(np.abs(step[3:]).max()) / _TURN, 1.0)
     return step / longest
 

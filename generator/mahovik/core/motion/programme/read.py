@@ -8,12 +8,12 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
-from mahovik.core.motion.document import checked, document_of, text_of
-from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, quantity, rows
+from mahovik.core.motion.document import document_of, text_of, validate_table
+from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.fields import Table, Text, validator
+from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
@@ -53,7 +53,7 @@ def _report(raw: Any) -> dict[str, Any]:
 
 Row = Annotated[tuple[float, ...], context_validator(_one_each)]
 Rows = Annotated[tuple[tuple[float, ...], ...], context_validator(_rows)]
-Span = Annotated[float | None, quantity(TIME, above=0.0)]
+Span = Annotated[float | None, scalar(TIME, above=0.0)]
 
 
 class IdentityTable(Table):
@@ -84,7 +84,7 @@ class SamplesTable(Table):
 class RunUpFields(Table):
     """`runup` or `rundown`."""
 
-    duration: Annotated[float, quantity(TIME, above=0.0)]
+    duration: Annotated[float, scalar(TIME, above=0.0)]
     samples: SamplesTable
 
 
@@ -118,7 +118,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         raise ProgrammeError([f"{source}: is a motion file; expected a programme file here: were the two swapped?"])
     problems, names = Problems(source), document.get("flywheels")
     N = len(names) if isinstance(names, list) else 0
-    table = checked(ProgrammeTable, document, problems, flywheels=N)
+    table = validate_table(ProgrammeTable, document, problems, flywheels=N)
     for pair in (("period", "duration"), ("fourier", "samples")):
         given = [key for key in pair if key in document]
         if len(given) != 1:

@@ -8,15 +8,13 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from mahovik.core.motion.document import checked, document_of, text_of
+from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import (
     NOT_NULL,
     Times,
-    bounded,
     context_validator,
-    each,
     integers,
-    quantity,
+    per_flywheel,
     rows,
     short_integer,
 )
@@ -24,7 +22,7 @@ from mahovik.core.motion.required import limits, reach, samples
 from mahovik.core.motion.required.course import Harmonics, Sampled
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.fields import Table, Text, validator
+from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import (
@@ -81,7 +79,7 @@ def _unit(dimension: Dimension, example: str) -> Any:
 
 
 def _span(raw: Any) -> float:
-    found = bounded(number(raw, TIME), "s", above=0.0)
+    found = require_bounds(number(raw, TIME), "s", above=0.0)
     if not 1e-6 <= found <= 1e6:
         raise QuantityError(f"{found:g} s is out of range, expected 1e-06 to 1e+06 s")
     return found
@@ -123,7 +121,7 @@ def _magnitude(dimension: Dimension, zero: bool = False) -> Any:
         if value < 0.0 or (value == 0.0 and not zero):
             raise QuantityError(f"{value:g} is not above 0: a bound is a magnitude")
 
-    return each(dimension, check)
+    return per_flywheel(dimension, check)
 
 
 def _weight(value: float) -> None:
@@ -133,7 +131,7 @@ def _weight(value: float) -> None:
 
 Each = tuple[float, ...] | None
 Six = Annotated[tuple[float, ...], context_validator(lambda raw, context: _six(raw, context["units"]))]
-Weights = Annotated[Each, each(PLAIN, _weight)]
+Weights = Annotated[Each, per_flywheel(PLAIN, _weight)]
 ZERO6 = (0.0,) * 6
 
 
@@ -165,15 +163,15 @@ class SamplesTable(Table):
 class StartTable(Table):
     """`bounds.start` of a finite motion."""
 
-    phi: Annotated[Each, each(ANGLE)] = None
-    phi_dot: Annotated[Each, each(SPEED)] = None
+    phi: Annotated[Each, per_flywheel(ANGLE)] = None
+    phi_dot: Annotated[Each, per_flywheel(SPEED)] = None
 
 
 class DeviationTable(Table):
     """`bounds.deviation` of the carrier during run-up and run-down."""
 
-    linear: Annotated[float, quantity(LENGTH, above=0.0)] = math.inf
-    angular: Annotated[float, quantity(ANGLE, above=0.0)] = math.inf
+    linear: Annotated[float, scalar(LENGTH, above=0.0)] = math.inf
+    angular: Annotated[float, scalar(ANGLE, above=0.0)] = math.inf
 
 
 class BoundsTable(Table):
@@ -224,7 +222,7 @@ class MotionTable(Table):
     harmonics: Annotated[list[HarmonicTable] | None, NOT_NULL] = None
     samples: Annotated[SamplesTable | None, NOT_NULL] = None
     winding: Annotated[Winding, context_validator(_winding)] = "any"
-    runup: Annotated[float | None, quantity(TIME, above=0.0)] = None
+    runup: Annotated[float | None, scalar(TIME, above=0.0)] = None
     bounds: BoundsTable = BoundsTable()
     objective: ObjectiveTable = ObjectiveTable()
 
@@ -251,8 +249,8 @@ def read_motion(text: str, stand: Stand, source: str = "motion") -> RequiredMoti
     if "stand" in document and "flywheels" in document:
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
     problems, N = Problems(source), len(stand.flywheels)
-    units = checked(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
-    table = checked(MotionTable, document, problems, flywheels=N, units=(units.linear, units.angular))
+    units = validate_table(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
+    table = validate_table(MotionTable, document, problems, flywheels=N, units=(units.linear, units.angular))
     kind = document.get("type", "periodic")
     for key, (own, other) in _ONLY.items():
         if key in document and kind in ("periodic", "finite") and kind != own:

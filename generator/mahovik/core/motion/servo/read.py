@@ -6,12 +6,12 @@ import math
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from mahovik.core.motion.document import checked, document_of, text_of
-from mahovik.core.motion.fields import bounded, choice, chosen, each, or_false, quantity, turning, whole
+from mahovik.core.motion.document import document_of, text_of, validate_table
+from mahovik.core.motion.fields import angular_speed, choice, per_flywheel, positions, table_or_false, whole
 from mahovik.core.motion.ranges import MAX_WRENCH
 from mahovik.core.motion.servo.model import COORDINATES, Servo, Trim
 from mahovik.core.stand.content import TEXT
-from mahovik.core.stand.fields import Flag, Table, Text, validator
+from mahovik.core.stand.fields import Flag, Table, Text, require_bounds, scalar, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, QuantityError, show
@@ -27,45 +27,45 @@ MOST_HARMONICS = 16
 def _coordinates(raw: Any) -> tuple[int, ...]:
     if not isinstance(raw, list) or not raw:
         raise QuantityError(f"expected names among {', '.join(COORDINATES)}, found {show(raw)}")
-    return tuple(sorted(chosen(raw, COORDINATES)))
+    return tuple(sorted(positions(raw, COORDINATES)))
 
 
-def _turning_or_false(raw: Any) -> float | None:
-    return None if raw is False else turning(raw)
+def _speed_or_false(raw: Any) -> float | None:
+    return None if raw is False else angular_speed(raw)
 
 
 def _limits(dimension: Dimension) -> Any:
     """A validator of limits above 0, one for all flywheels or one for each."""
-    return each(dimension, lambda value: bounded(value, dimension.si, above=0.0, most=MAX_WRENCH))
+    return per_flywheel(dimension, lambda value: require_bounds(value, dimension.si, above=0.0, most=MAX_WRENCH))
 
 
 class TrimTable(Table):
     """`[trim]`."""
 
     harmonics: Annotated[int, whole(1, MOST_HARMONICS)] = 1
-    gain: Annotated[float, quantity(PLAIN, above=0.0, most=1.0)] = 0.5
+    gain: Annotated[float, scalar(PLAIN, above=0.0, most=1.0)] = 0.5
     coordinates: Annotated[tuple[int, ...], validator(_coordinates)] = tuple(range(len(COORDINATES)))
     settling: Annotated[int, whole(0, 10**6)] = 20
     averaging: Annotated[int, whole(1, 10**6)] = 1
-    limit: Annotated[float, quantity(ANGLE, above=0.0)] = 0.5
+    limit: Annotated[float, scalar(ANGLE, above=0.0)] = 0.5
 
 
 class ServoTable(Table):
     """A servo file."""
 
     name: Text = ""
-    sample_period: Annotated[float, quantity(TIME, above=0.0, most=MOST_PERIOD)]
-    latency: Annotated[float, quantity(TIME, least=0.0)] = 0.0
-    bandwidth: Annotated[float, validator(turning)]
-    damping_ratio: Annotated[float, quantity(PLAIN, above=0.0, most=5.0)] = 0.8
-    integral: Annotated[float | None, validator(_turning_or_false)] = None
-    speed_filter: Annotated[float | None, validator(_turning_or_false)] = None
+    sample_period: Annotated[float, scalar(TIME, above=0.0, most=MOST_PERIOD)]
+    latency: Annotated[float, scalar(TIME, least=0.0)] = 0.0
+    bandwidth: Annotated[float, validator(angular_speed)]
+    damping_ratio: Annotated[float, scalar(PLAIN, above=0.0, most=5.0)] = 0.8
+    integral: Annotated[float | None, validator(_speed_or_false)] = None
+    speed_filter: Annotated[float | None, validator(_speed_or_false)] = None
     feedforward: Flag = True
     friction: Flag = True
     torque_limit: Annotated[tuple[float, ...] | None, _limits(TORQUE)] = None
     torque_rate: Annotated[tuple[float, ...] | None, _limits(TORQUE_RATE)] = None
     encoder: Annotated[Literal["ideal", "stand"], choice("ideal", "stand")] = "ideal"
-    trim: Annotated[TrimTable | None, or_false(TrimTable.model_fields)] = None
+    trim: Annotated[TrimTable | None, table_or_false(TrimTable.model_fields)] = None
 
 
 def load_servo(path: str | Path, stand: Stand) -> Servo:
@@ -77,7 +77,7 @@ def load_servo(path: str | Path, stand: Stand) -> Servo:
 def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
     """Read and check a servo given as text; `source` names it in messages. Raises ServoError with every problem."""
     problems, N = Problems(source), len(stand.flywheels)
-    table = checked(ServoTable, document_of(text, source, ServoError, is_json=False), problems, flywheels=N)
+    table = validate_table(ServoTable, document_of(text, source, ServoError, is_json=False), problems, flywheels=N)
     if not N:
         problems.add(f'the stand "{stand.name}" has no flywheels: there is nothing to drive')
     if table is not None:

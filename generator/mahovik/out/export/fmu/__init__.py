@@ -17,12 +17,12 @@ from mahovik.out.export.fmu.start import start_of
 
 VERSIONS = ("2.0", "3.0")
 STEP = 1e-3
-"""Of communication, s: what the description proposes."""
+"""Proposed communication step in the description, s."""
 
 
 @dataclass(frozen=True)
 class Fmu:
-    """An FMU: bytes of the file, what is in it by name, and what is to be said, a line each."""
+    """An FMU: bytes of the file, its contents by name, and messages, one line each."""
 
     content: bytes
     files: dict[str, str | bytes]
@@ -43,8 +43,8 @@ def export_fmu(
 
     `generated`: the C of the stand in double, for a caller that has it already.
 
-    Raises UsageError; CheckError where there is no equilibrium to begin in; ToolchainError where the compiler refuses.
-    Where there is no compiler the FMU has sources alone, and a line says so.
+    Raises UsageError; CheckError: no equilibrium to begin in; ToolchainError: the compiler failed. Without a compiler
+    the FMU has only sources, and a message says so.
     """
     if not 1e-9 <= dt <= 10.0:
         raise UsageError(f"--dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
@@ -63,7 +63,7 @@ def export_fmu(
             files[place] = build_module(sources.files, sources.compiled)
             lines.append(f"binary: {place}")
         except NoCompilerError as error:
-            lines.append(f"no binary, sources alone: {error}")
+            lines.append(f"no binary, only sources: {error}")
     else:
-        lines.append("no binary, sources alone")
+        lines.append("no binary, only sources")
     return Fmu(archive(files), files, tuple(lines))

@@ -1,4 +1,4 @@
-"""A ZIP file whose bytes depend on its content alone."""
+"""A ZIP file whose bytes depend only on its content."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Mapping
 
 _BEGINNING = (1980, 1, 1, 0, 0, 0)
-"""The first time that the format knows: files have no other."""
+"""The earliest time of the format, used for all files."""
 
 
 def archive(files: Mapping[str, str | bytes]) -> bytes:

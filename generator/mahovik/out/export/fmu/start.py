@@ -1,4 +1,4 @@
-"""The state that an FMU begins in unless it is told another."""
+"""Default initial state of an FMU."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from mahovik.errors import CheckError
 from mahovik.use.study.rest import rest
 
 _DECIMALS = 12
-"""Of an equilibrium: it is sought by linear algebra, whose last bits are those of a machine."""
+"""Decimals kept of an equilibrium: its last bits depend on the machine's linear algebra."""
 
 
 def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
-    """That of a state; without one the static equilibrium, flywheels at rest. Raises CheckError where there is none."""
+    """Start of a state; without one, the static equilibrium with flywheels at rest. CheckError: there is none."""
     if state is not None:
         return Start(state.position, _unit(state, generated), state.V, state.phi, state.phi_dot)
     try:
         found = rest(stand).state
     except CheckError as error:
-        raise CheckError(f"{error}; give a state to begin with by --start") from None
+        raise CheckError(f"{error}; give an initial state by --start") from None
     position, attitude = _rounded(found.position), _rounded(_unit(found, generated))
     return Start(position, attitude, found.V, found.phi, found.phi_dot)
 

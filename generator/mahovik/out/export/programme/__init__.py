@@ -1,4 +1,4 @@
-"""Flywheel programmes as C: tables, drive torques, how far the tables are from the programme, the files."""
+"""Flywheel programmes as C: tables, drive torques, errors of the tables, the files."""
 
 from mahovik.out.export.programme.files import LIMITS, NODES, Exported, check_belongs, export_programme
 

@@ -1,4 +1,4 @@
-"""How far tables are from the programme that they were made of, as the emitted C evaluates them."""
+"""Differences of tables, as the emitted C evaluates them, from their programme."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from mahovik.out.export.programme.carrier import Array, Prescribed
 from mahovik.out.export.programme.tables import Table
 
 POINTS = 1024
-"""Times at which a table is compared, spread by the golden ratio: they lie everywhere between the nodes."""
+"""Times at which a table is compared, spread by the golden ratio, so that they fall everywhere between nodes."""
 
 WRENCHES = 100
-"""Times among them at which the reference is asked."""
+"""Times among them at which the reference is evaluated."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +25,10 @@ class Errors:
     """Largest differences between a table and its programme.
 
     phi, phi_dot, phi_ddot   rad, s
-    relative   of phi'' + phi'^2, what an unbalance feels, with the angle's error as it turns this force; relative to
-               the largest of it
-    tau, tau_peak   of the drive torques and the largest of them, N m; None without torques
-    given, added    relative residual of the programme, and what the table adds to it; None of a run-up, or without a
+    relative   of phi'' + phi'^2, the force of an unbalance, with the angle's error turning this force; relative to its
+               largest value
+    tau, tau_peak   of the drive torques, and the largest torque, N m; None without torques
+    given, added    relative residual of the programme, and the part added by the table; None for a run-up, or without a
                     motion
     """
 
@@ -43,12 +43,12 @@ class Errors:
 
     @property
     def judged(self) -> float:
-        """What is compared with the limit."""
+        """The error that is compared with the limit."""
         return self.relative if self.added is None else self.added
 
 
 def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
-    """Errors of one table; the wrench is asked of the programme itself only, whose carrier moves as prescribed."""
+    """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
     spread = np.sort((np.arange(1.0, POINTS + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
     phases = np.array([float(precision.scalar(x)) for x in spread])
     t = phases * table.span

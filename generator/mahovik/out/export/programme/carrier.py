@@ -1,4 +1,4 @@
-"""What the motion of the carrier asks of the flywheels, by the reference: drive torques, and what (12) leaves over."""
+"""Drive torques of a programme and the residual of (12), by the reference."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from mahovik.proof.verify.programme.simulation import simulate
 Array = NDArray[np.float64]
 
 STEP_ERROR = 1e-7
-"""Of a step of the simulated run-up, a share of the amplitude: torques for a feedforward."""
+"""Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
 
 
 @dataclass(frozen=True, eq=False)
 class Prescribed:
-    """A stand whose carrier does the required motion of a programme, its mean shifted by the programme's bias."""
+    """A stand whose carrier makes the required motion of a programme, with the mean shifted by the programme's bias."""
 
     stand: Stand
     motion: RequiredMotion
@@ -40,8 +40,8 @@ class Prescribed:
     def free_torques(self, table: RunUpTable, up: bool, t: Array) -> Array:
         """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
 
-        The carrier is free: by (8) from rest at its equilibrium, or from the required state at t = 0. StateError where
-        there is no equilibrium, or the simulation stops.
+        The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
+        no equilibrium, or the simulation stops.
         """
         stand, bias = self.stand, self.programme.bias
         if up:

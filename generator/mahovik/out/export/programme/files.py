@@ -1,4 +1,4 @@
-"""A programme's C files beside those of its stand; refused where tables are not good enough, or of another stand."""
+"""C files of a programme, beside those of its stand; refused if inaccurate or made for another stand."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ LIMITS = {"double": 1e-6, "float": 1e-3}
 """Largest relative residual that a table may add."""
 
 NODES = {"double": 256, "float": 64}
-"""Nodes of a period that a quintic table has unless told otherwise."""
+"""Default number of nodes per period of a quintic table."""
 
 WRONG = 10.0
-"""Times what `verify-programme` accepts of the residual, or the limit if that is more: above, it is no programme."""
+"""Factor on the residual accepted by `verify-programme`, or on the limit if larger, above which a file is refused."""
 
 LEAST, MOST_NODES = 32, 1 << 14
-"""Nodes a period, and in all, that a run-up has at least and at most."""
+"""Least nodes per period, and most nodes in all, of a run-up."""
 
 
 @dataclass(frozen=True)
 class Exported:
-    """Files by name; what is to be said of them, a line each; the tables and their program, for who wants to run it."""
+    """Files by name; messages, one line each; the tables and their program, to run it."""
 
     files: dict[str, str]
     lines: tuple[str, ...]
@@ -57,16 +57,16 @@ def export_programme(
     limit: float | None = None,
     source: str = "programme",
 ) -> Exported:
-    """C of a programme. With the motion that it was planned for, drive torques are in the tables, and the residual that
-    these add is measured; without it the error of the accelerations is. `source` names the programme in messages.
+    """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
+    measured; without it, the error of the accelerations. `source` names the programme in messages.
 
-    CheckError where programme, stand and motion do not belong together, or the error is above the limit; UsageError.
+    CheckError: programme, stand and motion do not belong together, or the error is above the limit. UsageError.
     """
     check_belongs(stand, programme, motion, source)
     if kind == "fourier" and not programme.periodic:
-        raise UsageError(f"{source}: is finite: a Fourier table is for periodic ones; give --table quintic")
+        raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; use --table quintic")
     if kind == "fourier" and nodes is not None:
-        raise UsageError("--nodes: a Fourier table has none: leave it out")
+        raise UsageError("--nodes: a Fourier table has none: remove it")
     count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
     if not 0 < most < inf:
         raise UsageError(f"--limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
@@ -98,7 +98,7 @@ def export_programme(
 
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
-    """Raises CheckError where a programme is of another stand, or a motion not the one that it was planned for."""
+    """Raise CheckError if a programme is for another stand, or was planned for another motion."""
     whose = stand_finding(stand, programme)
     if not whose.passed:
         raise CheckError(
@@ -128,7 +128,7 @@ def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tu
 
 
 def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str) -> Table:
-    """A run-up or run-down without torques, with as many nodes as the limit asks for, a power of two."""
+    """A run-up or run-down without torques; the number of nodes is a power of two large enough for the limit."""
     rows = 8
     while rows < least:
         rows *= 2
@@ -147,7 +147,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
 
 
 def _with_torques(table: Table, finite: RunUpTable, prescribed: Prescribed | None, source: str) -> Table:
-    """A run-up or run-down with the drive torques of a carrier that is free on the way."""
+    """A run-up or run-down with drive torques, for a carrier that moves freely meanwhile."""
     if prescribed is None:
         return table
     carrier, up = prescribed, table.form.part == "runup"
@@ -173,14 +173,14 @@ def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str
 
 
 def _measured(table: Table, found: Errors) -> dict[str, Any]:
-    """Size and errors of a table as data; what was not measured is left out."""
+    """Size and errors of a table as data, without those not measured."""
     known = {name: value for name, value in asdict(found).items() if value is not None}
     form = table.form
     return {"part": form.part or "programme", "kind": form.kind, "rows": form.rows, "span": table.span, "errors": known}
 
 
 def said(table: Table, found: Errors, layout: Layout) -> list[str]:
-    """What is said of a table, a line each: its size, then its errors."""
+    """Messages about a table, one line each: its size, then its errors."""
     form = table.form
     name = {"": "programme", "runup": "run-up", "rundown": "run-down"}[form.part]
     parts = f"{form.rows} {'intervals' if form.kind == 'quintic' else 'harmonics'}"

@@ -1,4 +1,4 @@
-"""Where a programme's files go: a folder of `mahovik generate`, or any other; never over what is somebody else's."""
+"""Folder for a programme's files: a folder of `mahovik generate`, or any other; never over files of others."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from mahovik.proof.verify.files import write_all
 
 
 def element_type(folder: Path, stand: Stand, real: str | None) -> str:
-    """Element type for the C in a folder: what is asked for, else that of the stand's header there, else double.
+    """Element type for the C in a folder: the given one, else that of the stand's header there, else double.
 
-    Raises UsageError where the two differ, CheckError where the header is of another stand.
+    Raises UsageError if the two differ, CheckError if the header is of another stand.
     """
     header = read_header(folder, stand.name)
     if header is None or header.real is None:
@@ -34,22 +34,22 @@ def element_type(folder: Path, stand: Stand, real: str | None) -> str:
 
 
 def write_programme(folder: Path, stand: Stand, files: Mapping[str, str]) -> tuple[Path, ...]:
-    """Writes the files of a programme, all or none. Raises UsageError where one would be lost that is not ours."""
+    """Write the files of a programme, all or none. Raises UsageError rather than overwrite files of others."""
     refuse_foreign(folder, stand, "programme", files)
     return write_all(folder, files)
 
 
 def write_servo(folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str]) -> tuple[Path, ...]:
-    """Likewise the files of a programme and of its servo, all of both or none. Raises UsageError."""
+    """Write the files of a programme and of its servo, all or none. Raises UsageError."""
     refuse_foreign(folder, stand, "programme", programme)
     refuse_foreign(folder, stand, "servo", servo)
     return write_all(folder, {**programme, **servo})
 
 
 def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, str]) -> None:
-    """Raises UsageError where one of the files would take the place of one that we have not written.
+    """Raise UsageError if one of the files would overwrite a file that mahovik has not written.
 
-    Ours is what the own manifest of the programme or servo, `what`, lists with the hash that it still has.
+    Files that mahovik has written are listed in the manifest of the programme or servo, `what`, with their hash.
     """
     manifest = f"{stand.name}_{what}.json"
     listed = _listed(folder / manifest, what)
@@ -65,7 +65,7 @@ def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, st
 
 
 def _listed(path: Path, what: str) -> dict[str, str] | None:
-    """Hashes by name of the manifest of an older programme or servo; None where there is none of ours."""
+    """Hashes by name from the manifest of an older programme or servo; None: there is none."""
     if not path.is_file():
         return None
     try:

@@ -14,16 +14,16 @@ from mahovik.core.program.types import NamedCount
 from mahovik.out.export.programme.carrier import Array
 
 MOST_HARMONICS = 120
-"""Of a Fourier table."""
+"""Most harmonics of a Fourier table."""
 
 TAIL = {"double": 1e-10, "float": 1e-6}
-"""Harmonics are left out where what is left out is below this part of the largest acceleration, or torque."""
+"""Harmonics are left out as long as their sum is below this part of the largest acceleration, or torque."""
 
 FINE_MEAN = 2.0**20
-"""Of the mean angles of a quintic table: multiples of 1/FINE_MEAN have no rounding in a float."""
+"""Mean angles of a quintic table are multiples of 1/FINE_MEAN, which a float holds exactly."""
 
 _FINE, _TORQUES = 1024, 256
-"""Samples of a period that Fourier coefficients of angles and torques come from."""
+"""Samples per period for the Fourier coefficients of angles and of torques."""
 
 At = Callable[[Array], Angles]
 Torques = Callable[[Array], Array]
@@ -31,7 +31,7 @@ Torques = Callable[[Array], Array]
 
 @dataclass(frozen=True)
 class Table:
-    """A table's form and numbers, and what it stands for: angles (and torques) at times 0..span (M, s)."""
+    """A table's form and numbers, and its exact source: angles (and torques) at times 0..span (M, s)."""
 
     form: Form
     value: dict[str, Any]
@@ -63,7 +63,7 @@ def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], tor
 
 
 def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
-    """Fourier coefficients of a periodic programme of `count` flywheels, no more harmonics than matter."""
+    """Fourier coefficients of a periodic programme of `count` flywheels, without negligible harmonics."""
     span = programme.span
     mean, cos, sin = _angles(programme)
     order = np.arange(1.0, len(cos) + 1.0)[:, None]
@@ -86,9 +86,9 @@ def fourier_table(programme: Programme, count: NamedCount, torques: Torques | No
 
 
 def _angles(programme: Programme) -> tuple[Array, Array, Array]:
-    """mean, cos, sin of the periodic part of the angles: those of the file, with zeros after them, or of samples.
+    """mean, cos, sin of the periodic part of the angles: from the file, padded with zeros, or from samples.
 
-    What is only rounding among the latter, which the squares of high orders make large, is zero.
+    Coefficients of samples at the level of rounding become zero, since squares of high orders would amplify them.
     """
     if isinstance(programme.course, Fourier):
         parts = (programme.course.cos[:MOST_HARMONICS], programme.course.sin[:MOST_HARMONICS])
@@ -110,7 +110,7 @@ def coefficients(samples: Array) -> tuple[Array, Array, Array]:
 
 
 def _enough(sizes: Array, least: float) -> int:
-    """How many harmonics there must be, so that those after them add up to less than `least`."""
+    """Number of harmonics after which the rest sum to less than `least`."""
     tails = np.cumsum(np.max(sizes, axis=1)[::-1])[::-1]
     above = np.flatnonzero(tails > least)
     return int(above[-1]) + 1 if len(above) else 0
@@ -121,7 +121,7 @@ def _winding(winding: tuple[int, ...], span: float) -> dict[str, Any]:
 
 
 def _near_zero(phi: Array) -> Array:
-    """Whole turns taken off the means, so that a float has digits for what varies."""
+    """Angles without whole turns in the means, so that a float keeps digits for the variation."""
     turns: Array = np.round(np.mean(phi, axis=0) / (2 * np.pi))
     return phi - 2 * np.pi * turns
 

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
+import numpy as np
+
 from mahovik.errors import UsageError
+from mahovik.out.report.plot.extent import extent
 from mahovik.out.report.plot.panel import Dots, Line, Panel
 
 SUFFIXES = (".svg", ".png")
@@ -15,12 +19,15 @@ SUFFIXES = (".svg", ".png")
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d31")
 """Eight that people with any colour vision tell apart (Okabe and Ito), brown in place of yellow."""
 
-GREY = "#777777"
+GREY, GRID, INK, SHADE = "#777777", "#e4e4e4", "#1b1f24", "#9a9a9a"
+"""Levels and words, the grid, marks, shaded stretches."""
 
 WIDTH, HEIGHT = 8.6, 2.0
-"""Of the picture, and of a panel, inches."""
+"""Inches: width of a picture, height of a panel."""
 
 TIME = "t, s"
+
+SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 LEGEND = 8
 """Names in a column beside a panel."""
@@ -32,30 +39,33 @@ STYLE = {
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
-    "grid.color": "#e4e4e4",
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-3, 5),
+    "grid.color": GRID,
     "grid.linewidth": 0.6,
     "axes.axisbelow": True,
 }
 
 
-def require() -> tuple[Any, Any]:
-    """matplotlib and its figures. Raises UsageError where they are not installed."""
+def require(command: str) -> tuple[Any, Any]:
+    """matplotlib and its figures. Raises UsageError, with the command that needs them, where they are missing."""
     try:
         return import_module("matplotlib"), import_module("matplotlib.figure")
     except ImportError:
-        raise UsageError('plot needs matplotlib: pip install "mahovik[report]"') from None
+        raise UsageError(f'{command} needs matplotlib: pip install "mahovik[report]"') from None
 
 
 def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
-    matplotlib, figures = require()
+    matplotlib, figures = require("plot")
     with matplotlib.rc_context(STYLE):
         heights = [panel.height for panel in panels]
         figure = figures.Figure(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
         rows = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]
         for axes, panel in zip(rows, panels, strict=True):
-            _panel(axes, panel)
+            draw_panel(axes, panel)
+            _words(axes, panel)
             if panel.dots is not None:
                 _dots(figure, axes, panel.dots)
             if panel.abscissa or panel is panels[-1]:
@@ -66,30 +76,60 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     return buffer.getvalue()
 
 
-def _panel(axes: Any, panel: Panel) -> None:
-    for line in panel.lines:
-        _line(axes, line)
+def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[list[Any], list[Any]]:
+    """Draw lines, marks and shaded stretches, and set the ranges; return what was drawn of lines and of marks.
+
+    `others` are ordinates that the axis holds as well.
+    """
+    dots = panel.dots
+    xs, ys = ([getattr(line, name) for line in panel.lines] for name in "xy")
+    if dots is not None:
+        xs, ys = [*xs, dots.x], [*ys, dots.y]
+    across = panel.span or extent(xs, panel.log_abscissa, margin=0.0)
+    down = extent([*ys, *others], panel.log, panel.least) if panel.top is None else (0.0, panel.top)
+    axes.autoscale(False)
+    axes.set(xlim=across, ylim=down)
+    axes.set(xscale=_scale(panel.log_abscissa), yscale=_scale(panel.log))
+    for axis, log, (low, high) in ((axes.xaxis, panel.log_abscissa, across), (axes.yaxis, panel.log, down)):
+        if log:
+            _powers_of_ten(axis, high / low)
+    lines = [_line(axes, line) for line in panel.lines]
     for start, end in panel.shaded:
-        axes.axvspan(start, end, color=GREY, alpha=0.2, linewidth=0)
-    for mark in panel.marks:
-        axes.plot(mark.x, mark.y, "o", color="black", markersize=3.5)
-    axes.set_title(panel.quantity, loc="left", fontsize="medium")
-    axes.margins(x=0)
-    if panel.least and max(abs(y) for y in axes.get_ylim()) < panel.least:
-        axes.set_ylim(-panel.least, panel.least)
-    if panel.log:
-        axes.set_yscale("log")
-    if panel.log_abscissa:
-        axes.set_xscale("log")
-    if panel.span is not None:
-        axes.set_xlim(*panel.span)
-    if panel.top is not None:
-        axes.set_ylim(0.0, panel.top)
-    if panel.note:
-        axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
+        axes.axvspan(start, end, color=SHADE, alpha=0.25, linewidth=0)
+    marks = [axes.plot(mark.x, mark.y, "o", color=INK, markersize=3.5)[0] for mark in panel.marks]
     for line in panel.lines:
         if line.tag:
             _tag(axes, line)
+    return lines, marks
+
+
+def _scale(log: bool) -> str:
+    return "log" if log else "linear"
+
+
+def _powers_of_ten(axis: Any, ratio: float) -> None:
+    """Label an axis by powers of ten; one of few decades by parts of them as well."""
+    ticker = import_module("matplotlib.ticker")
+    parts = (1.0, 2.0, 3.0, 5.0) if ratio < 10.0 else (1.0, 2.0, 5.0) if ratio < 100.0 else (1.0,)
+    axis.set_major_locator(ticker.LogLocator(subs=parts, numticks=6))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda x, _: decimal(x)))
+    axis.set_minor_formatter(ticker.NullFormatter())
+
+
+def decimal(x: float) -> str:
+    """A number with one digit, by a power of ten where it is long: 0.02, 5·10⁻⁷."""
+    power = math.floor(math.log10(x) + 1e-9)
+    if -2 <= power <= 4:
+        return f"{x:g}"
+    lead = round(x / 10.0**power)
+    return ("" if lead == 1 else f"{lead}·") + "10" + str(power).translate(SUPERSCRIPT)
+
+
+def _words(axes: Any, panel: Panel) -> None:
+    """Quantity and note above a panel, names of its lines beside it."""
+    axes.set_title(panel.quantity, loc="left", fontsize="medium")
+    if panel.note:
+        axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
     named = sum(bool(line.name) for line in panel.lines)
     if named:
         columns = -(-named // LEGEND)
@@ -120,17 +160,23 @@ def _tag(axes: Any, line: Line) -> None:
     end = inside[-1]
     ha, va, shift = ("right", "bottom", (-8, 2)) if end == len(line.x) - 1 else ("left", "top", (7, -1))
     axes.annotate(
-        line.tag, (line.x[end], line.y[end]), xytext=shift, textcoords="offset points", ha=ha, va=va, color=GREY,
-        fontsize="small",
-    )  # fmt: skip
+        line.tag, (line.x[end], line.y[end]), xytext=shift, textcoords="offset points", ha=ha, va=va, color=GREY
+    )
 
 
-def _line(axes: Any, line: Line) -> None:
-    colour = GREY if line.colour is None else COLOURS[line.colour % len(COLOURS)]
-    turn = 0 if line.colour is None else line.colour // len(COLOURS)
-    style: Any = (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
+def colour_and_dashes(line: Line) -> tuple[str, Any]:
+    """Colour of a line, and its dashes as matplotlib names them."""
+    if line.colour is None:
+        return GREY, (0, (4, 3)) if line.dashed else "-"
+    turn = line.colour // len(COLOURS)
+    return COLOURS[line.colour % len(COLOURS)], (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
+
+
+def _line(axes: Any, line: Line) -> Any:
+    colour, dashes = colour_and_dashes(line)
     level = line.dashed and line.colour is None
-    axes.plot(
-        line.x, line.y, color=colour, linestyle=style, linewidth=0.9 if level else 1.6 if line.dashed else 1.2,
+    x, y = (np.where(np.isfinite(each), each, np.nan) for each in (line.x, line.y))
+    return axes.plot(
+        x, y, color=colour, linestyle=dashes, linewidth=0.9 if level else 1.6 if line.dashed else 1.2,
         alpha=0.55 if line.dashed and not level else 1.0, label=line.name or None,
-    )  # fmt: skip
+    )[0]  # fmt: skip

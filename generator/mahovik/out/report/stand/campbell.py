@@ -8,8 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import CheckError
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
-from mahovik.out.report.stand.chart import charts
 from mahovik.out.report.stand.markup import figure, paragraph, table
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.section import Section

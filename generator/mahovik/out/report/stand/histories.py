@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Panel
 from mahovik.out.report.plot.run import panels as run_panels
-from mahovik.out.report.stand.chart import charts
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.rows import some_rows

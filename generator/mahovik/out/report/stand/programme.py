@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from mahovik.errors import StateError
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.programme import panels
-from mahovik.out.report.stand.chart import charts
 from mahovik.out.report.stand.markup import figure, paragraph
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.section import Section

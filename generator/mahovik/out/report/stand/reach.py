@@ -8,9 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 from markupsafe import Markup
 
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Panel, border, family
 from mahovik.out.report.plot.prefix import prefixed
-from mahovik.out.report.stand.chart import charts
 from mahovik.out.report.stand.markup import figure, paragraph, table
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.section import Section

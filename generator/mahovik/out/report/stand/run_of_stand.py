@@ -15,7 +15,7 @@ from mahovik.out.report.stand.run import Run
 from mahovik.proof import reference
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
-from mahovik.use.simulate.columns import names
+from mahovik.use.simulate.columns import column_names
 
 AGREES = 1e-6
 """Of the natural scale; numbers of a run are good to more digits, those of another stand are not as near."""
@@ -63,7 +63,7 @@ def _refuse_names(stand: Stand, run: Run, where: str) -> None:
 
 
 def _refuse_missing(stand: Stand, run: Run, where: str) -> None:
-    needed = names(stand, mounts=False)[:_POSE_AND_TWIST]
+    needed = column_names(stand, mounts=False)[:_POSE_AND_TWIST]
     kinds = (("phi", "rad"), ("phi_dot", "rad/s"), ("tau", "N m"))
     needed += [f"{kind} {s.name} [{unit}]" for s in stand.flywheels for kind, unit in kinds]
     for name in needed:

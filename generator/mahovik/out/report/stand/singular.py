@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Panel, family
-from mahovik.out.report.stand.chart import charts
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material
 from mahovik.out.report.stand.rows import some_rows

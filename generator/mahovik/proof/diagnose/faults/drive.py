@@ -1,157 +1,108 @@
-"""Faults in the drive torque and in the coupled form."""
+"""Faults in the drive torque, in mount wrenches and in the coupled form."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 
-from mahovik.proof.diagnose.equations import Values
-from mahovik.proof.diagnose.fault import Fault
-from mahovik.proof.reference.array import Array
+from mahovik.proof.diagnose.edits.answers import mount_wrench, value, values
+from mahovik.proof.diagnose.edits.matrices import each_wheel, minus
+from mahovik.proof.diagnose.edits.reading import state
+from mahovik.proof.diagnose.edits.wrenches import Motion, drive
+from mahovik.proof.diagnose.fault import Case, Fault
+from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Spinning
+from mahovik.proof.reference.coupled import spin_up_torque
+from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.rotation import C1
+from mahovik.proof.reference.screw import Phi, block_diagonal, f, spin
 
 
-class TorqueWithoutSpinUp(Fault):
-    """The drive torque lacks phi'' Theta: what accelerates the flywheel itself."""
-
-    name = "torque without phi''"
-    equation = "tau"
-    look = "f phi'' in V_s*"
-
-    def own_acceleration(self, k: Spinning, phi_ddot: float) -> Array:
-        return np.zeros(6)
+def base(P_s: Array, s: Spinning, at: Motion) -> Array:
+    """Theta_s Ls^T V* (6)."""
+    return np.asarray(s.Theta @ s.L.T @ at.V_dot)
 
 
-class TorqueWithoutBase(Fault):
-    """The drive torque lacks the acceleration of the base."""
-
-    name = "torque without base acceleration"
-    equation = "tau"
-    look = "Ls^T V* in V_s*"
-
-    def base_acceleration(self, k: Spinning, V_dot: Array) -> Array:
-        return np.zeros(6)
+def spin_up(P_s: Array, s: Spinning, at: Motion) -> Array:
+    """Theta_s f phi_s'' (6)."""
+    return np.asarray(s.Theta @ f * at.phi_ddot)
 
 
-class TorqueWithoutTransport(Fault):
-    """The drive torque lacks the turning of the flywheel's axes in V_s*: - phi' [<e>] Ls^T V."""
-
-    name = "transport term of V_s* missing"
-    equation = "tau"
-    look = "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"
-
-    def transport(self, k: Spinning, V: Array) -> Array:
-        return np.zeros(6)
+def transport(P_s: Array, s: Spinning, at: Motion) -> Array:
+    """-phi_s' Theta_s [<e>] Ls^T V (6)."""
+    return np.asarray(-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V)
 
 
-class TransportReversed(Fault):
-    """The transport term of V_s*, phi' [<e>] Ls^T V, has the wrong sign."""
-
-    name = "transport term of V_s*, sign"
-    equation = "tau"
-    look = "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"
-
-    def transport(self, k: Spinning, V: Array) -> Array:
-        return -super().transport(k, V)
+def gyroscopic(P_s: Array, s: Spinning, at: Motion) -> Array:
+    """Phi(V_s) Z_s (6)."""
+    V_s = s.twist(at.V)
+    return np.asarray(Phi(V_s) @ s.Theta @ V_s)
 
 
-class TorqueWithoutGyroscopic(Fault):
-    """The drive torque lacks the gyroscopic terms Phi(V_s) Z_s."""
-
-    name = "torque without Phi(V_s) Z_s"
-    equation = "tau"
-    look = "omega_s x h_s + v_s x p_s about the spin axis: zero only for a symmetric, balanced flywheel"
-
-    def gyroscopic(self, k: Spinning, V_s: Array) -> Array:
-        return np.zeros(6)
+def twice(part: Callable[[Array, Spinning, Motion], Array]) -> Callable[[Array, Spinning, Motion], Array]:
+    """A part of the equation two times: without it, its sign is wrong."""
+    return lambda P_s, s, at: 2 * part(P_s, s, at)
 
 
-class TorqueGyroscopicReversed(Fault):
-    """The gyroscopic terms Phi(V_s) Z_s of the drive torque have the wrong sign."""
-
-    name = "Phi(V_s) Z_s of torque, sign"
-    equation = "tau"
-    look = "tau = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s"
-
-    def gyroscopic(self, k: Spinning, V_s: Array) -> Array:
-        return -super().gyroscopic(k, V_s)
+def about_mass_center(at: Pieces, number: int, s: Spinning) -> Pieces:
+    """The pieces with the spin inertia about an axis through the centre of mass."""
+    _, y, z = s.body.center_of_mass
+    Theta_ff = at.Theta_ff.copy()
+    Theta_ff[number, number] -= s.body.mass * (y * y + z * z)
+    return replace(at, Theta_ff=Theta_ff)
 
 
-class TorqueWithoutWrench(Fault):
-    """The drive torque lacks the wrenches on the flywheel: the moment of its weight about the axis, damping, given."""
-
-    name = "torque without P_s"
-    equation = "tau"
-    look = "- f^T P_s"
-
-    def own_wrench(self, k: Spinning) -> Array:
-        return np.zeros(6)
+def without_carrier(right: Values, at: Pieces, case: Case) -> Values:
+    """The coupled form without I^T: the flywheels first, then the carrier."""
+    phi_ddot = spin_up_torque(at, np.array(case.state.tau)) / np.diag(at.Theta_ff)
+    return {"V_dot": forward(at, phi_ddot), "phi_ddot": phi_ddot}
 
 
-class TorqueWrenchReversed(Fault):
-    """The wrenches on the flywheel enter its drive torque with the wrong sign."""
-
-    name = "P_s of torque, sign"
-    equation = "tau"
-    look = "- f^T P_s: the drive holds against them"
-
-    def own_wrench(self, k: Spinning) -> Array:
-        return -super().own_wrench(k)
-
-
-class TorqueReversed(Fault):
-    """The drive torque has the wrong sign: that of the flywheel on its mount."""
-
-    name = "torque, sign"
-    equation = "tau"
-    look = "tau is of the mount on the flywheel, about its axis"
-
-    def torque(self) -> Values:
-        return {"tau": -super().torque()["tau"]}
-
-    def given_tau(self) -> Array:
-        return -super().given_tau()
-
-
-class MountsNotTurned(Fault):
-    """The mount wrench is written in axes that turn with the flywheel."""
-
-    name = "mount wrench in turning axes"
-    equation = "mount wrench"
-    look = "diag(C1, C1)(phi) before Theta_s V_s* + ..."
-
-    def in_mount(self, k: Spinning, load: Array) -> Array:
-        return load
-
-
-class MountsReversed(Fault):
-    """The mount wrench has the wrong sign: of the flywheel on the mount."""
-
-    name = "mount wrench, sign"
-    equation = "mount wrench"
-    look = "it is of the mount on the flywheel"
-
-    def in_mount(self, k: Spinning, load: Array) -> Array:
-        return -super().in_mount(k, load)
-
-
-class NoCarrierInDrives(Fault):
-    """In the coupled form the flywheels do not feel the carrier's acceleration: I^T is missing."""
-
-    name = "I^T missing in the coupled form"
-    equation = "coupled"
-    look = "[[K, I], [I^T, Theta_ff]] is symmetric"
-
-    def of_carrier(self) -> Array:
-        return np.zeros_like(super().of_carrier())
-
-
-class SpinInertiaAtFixedCarrier(Fault):
-    """The spin inertia of the coupled form is that about an axis through the centre of mass, not through Os."""
-
-    name = "Theta_ff about the centre of mass"
-    equation = "coupled"
-    look = "f^T Theta_s f is about Os: it has m rc^2 of the unbalance"
-
-    def spin_inertia(self, k: Spinning) -> float:
-        _, y, z = k.body.center_of_mass
-        return super().spin_inertia(k) - k.body.mass * (y * y + z * z)
+# fmt: off
+FAULTS = (
+    Fault("torque without phi''", "tau", "flywheels", [drive(spin_up)],
+          "The drive torque lacks phi'' Theta: what accelerates the flywheel itself",
+          "f phi'' in V_s*"),
+    Fault("torque without base acceleration", "tau", "flywheels", [drive(base)],
+          "The drive torque lacks the acceleration of the base",
+          "Ls^T V* in V_s*"),
+    Fault("transport term of V_s* missing", "tau", "flywheels", [drive(transport)],
+          "The drive torque lacks the turning of the flywheel's axes in V_s*: - phi' [<e>] Ls^T V",
+          "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
+    Fault("transport term of V_s*, sign", "tau", "flywheels", [drive(twice(transport))],
+          "The transport term of V_s*, phi' [<e>] Ls^T V, has the wrong sign",
+          "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
+    Fault("torque without Phi(V_s) Z_s", "tau", "flywheels", [drive(gyroscopic)],
+          "The drive torque lacks the gyroscopic terms Phi(V_s) Z_s",
+          "omega_s x h_s + v_s x p_s about the spin axis: zero only for a symmetric, balanced flywheel"),
+    Fault("Phi(V_s) Z_s of torque, sign", "tau", "flywheels", [drive(twice(gyroscopic))],
+          "The gyroscopic terms Phi(V_s) Z_s of the drive torque have the wrong sign",
+          "tau = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s"),
+    Fault("torque without P_s", "tau", "flywheels", [drive(lambda P_s, s, at: -P_s)],
+          "The drive torque lacks the wrenches on the flywheel: "
+          "the moment of its weight about the axis, damping, given",
+          "- f^T P_s"),
+    Fault("P_s of torque, sign", "tau", "flywheels", [drive(lambda P_s, s, at: -2 * P_s)],
+          "The wrenches on the flywheel enter its drive torque with the wrong sign",
+          "- f^T P_s: the drive holds against them"),
+    Fault("torque, sign", "tau", "all",
+          [state(lambda x: replace(x, tau=tuple(-each for each in x.tau))), value("tau", minus)],
+          "The drive torque has the wrong sign: that of the flywheel on its mount",
+          "tau is of the mount on the flywheel, about its axis"),
+    Fault("mount wrench in turning axes", "mount wrench", "flywheels",
+          [mount_wrench(lambda P, s: block_diagonal(C1(s.phi)).T @ P)],
+          "The mount wrench is written in axes that turn with the flywheel",
+          "diag(C1, C1)(phi) before Theta_s V_s* + ..."),
+    Fault("mount wrench, sign", "mount wrench", "flywheels", [mount_wrench(minus)],
+          "The mount wrench has the wrong sign: of the flywheel on the mount",
+          "it is of the mount on the flywheel"),
+    Fault("I^T missing in the coupled form", "coupled", "all", [values("coupled", without_carrier)],
+          "In the coupled form the flywheels do not feel the carrier's acceleration: I^T is missing",
+          "[[K, I], [I^T, Theta_ff]] is symmetric"),
+    Fault("Theta_ff about the centre of mass", "coupled", "flywheels", [each_wheel(about_mass_center)],
+          "The spin inertia of the coupled form is that about an axis through the centre of mass, not through Os",
+          "f^T Theta_s f is about Os: it has m rc^2 of the unbalance"),
+)

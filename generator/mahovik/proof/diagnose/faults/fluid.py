@@ -3,317 +3,132 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Carrier, Instrument
-from mahovik.proof.diagnose.fault import Fault
+from mahovik.core.stand.model import Instrument
+from mahovik.proof.diagnose.edits.answers import value
+from mahovik.proof.diagnose.edits.matrices import added_mass, convection, minus, pieces, zero
+from mahovik.proof.diagnose.edits.reading import stand, vector
+from mahovik.proof.diagnose.edits.wrenches import damping, damping_at, wrench
+from mahovik.proof.diagnose.fault import Case, Edit, Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed, Spinning
+from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import Phi, force_at
-from mahovik.proof.reference.wrenches import linear_damping, quadratic_damping
 
-AnyBody = TypeVar("AnyBody", bound=Body)
-
-
-class NoAddedMass(Fault):
-    """Added mass is missing altogether."""
-
-    name = "added mass missing"
-    equation = "(2)"
-    look = "Lambda_1 + sum of Lambda_p in K"
-
-    def fluid(self, body: Carrier | Instrument) -> Array:
-        return np.zeros((6, 6))
-
-
-class NoAddedMassOfInstruments(Fault):
-    """The added mass of the instruments is missing; that of the carrier is there."""
-
-    name = "added mass of instruments missing"
-    equation = "(2)"
-    look = "sum of Lambda_p in K"
-
-    def fluid(self, body: Carrier | Instrument) -> Array:
-        return np.zeros((6, 6)) if isinstance(body, Instrument) else super().fluid(body)
-
-
-class AddedMassInOwnAxes(Fault):
-    """The added mass of the instruments is taken in their own frame, and carried to O1 once too often."""
-
-    name = "added mass of instruments in their axes"
-    equation = "(2)"
-    look = "Lambda_p is about O1 in E1, for an instrument as well"
-
-    def fluid(self, body: Carrier | Instrument) -> Array:
-        L = self.fixed_transfer(body)
-        return L @ super().fluid(body) @ L.T
-
-
-class NoAddedMassInPhiK(Fault):
-    """Added mass is missing in Phi K: its Coriolis and Munk terms are not there; K has it."""
-
-    name = "added mass missing in Phi K"
-    equation = "(9)"
-    look = "M = Phi K + K* with the whole K"
-
-    def convected(self, V: Array) -> Array:
-        return super().convected(V) - self.Phi(V) @ self.Lambda
-
-
-class AddedMassReversedInPhiK(Fault):
-    """The Coriolis terms of added mass have the wrong sign."""
-
-    name = "Coriolis terms of added mass, sign"
-    equation = "(9)"
-    look = "Phi Lambda V_r on the left of (8)"
-
-    def convected(self, V: Array) -> Array:
-        return super().convected(V) - 2 * self.Phi(V) @ self.Lambda
-
-
-class AddedMassOnlyInPhiK(Fault):
-    """Added mass is missing in K V*: its Coriolis terms are there, its inertia is not."""
-
-    name = "added mass missing before V*"
-    equation = "(8)"
-    look = "K before V* with Lambda"
-
-    def mass_matrix(self) -> Array:
-        return self.K_bodies
-
-    def convected(self, V: Array) -> Array:
-        return self.Phi(V) @ (self.K_bodies + self.Lambda)
-
-
-class NoMunkMoment(Fault):
-    """The Munk moment is missing: v x p of the added mass."""
-
-    name = "Munk moment missing"
-    equation = "(4), (9)"
-    look = "the block <v> of Phi, times Lambda"
-
-    def convected(self, V: Array) -> Array:
-        lower = Phi(V)
-        lower[:3] = 0.0
-        lower[3:, 3:] = 0.0
-        return super().convected(V) - lower @ self.Lambda
-
-
-class DiagonalAddedMass(Fault):
-    """Of the added mass only the diagonal is used."""
-
-    name = "added mass only diagonal"
-    equation = "(2)"
-    look = "the off-diagonal elements of Lambda"
-
-    def fluid(self, body: Carrier | Instrument) -> Array:
-        return np.diag(np.diag(super().fluid(body)))
-
-
-class AddedMassUncoupled(Fault):
-    """The blocks of added mass that couple translation and rotation have the wrong sign."""
-
-    name = "coupling of added mass, sign"
-    equation = "(2)"
-    look = "the off-diagonal blocks of Lambda: linear part first, about O1"
-
-    def fluid(self, body: Carrier | Instrument) -> Array:
-        found = super().fluid(body).copy()
-        found[:3, 3:] *= -1.0
-        found[3:, :3] *= -1.0
-        return found
-
-
-class AddedMassHasWeight(Fault):
-    """Added mass is given weight."""
-
-    name = "added mass with weight"
-    equation = "(7)"
-    look = "added mass is in K and Phi K only, never in the weight"
-    bodies = "fixed"
-
-    def weight(self, body: Body, gravity: Array) -> Array:
-        P = super().weight(body, gravity)
-        if not isinstance(body, Carrier | Instrument) or body.added_mass is None:
-            return P
-        return P + force_at(np.trace(np.array(body.added_mass)[:3, :3]) / 3 * gravity, np.zeros(3))
-
-
-class DampingReversed(Fault):
-    """Damping has the wrong sign: it drives."""
-
-    name = "damping, sign"
-    equation = "(7)"
-    look = "wrench -(linear V_r), -(quadratic (V_r |V_r|)), + terms"
-    bodies = "all"
-
-    def damping(self, k: Placed, V_r: Array) -> Array:
-        return -super().damping(k, V_r)
-
-
-class NoLinearDamping(Fault):
-    """Linear damping is missing."""
-
-    name = "linear damping missing"
-    equation = "(7)"
-    look = "`linear` of `damping`"
-    bodies = "all"
-
-    def damping(self, k: Placed, V_r: Array) -> Array:
-        P = super().damping(k, V_r)
-        return P if k.body.damping is None else P - linear_damping(k.body.damping, V_r)
-
-
-class NoQuadraticDamping(Fault):
-    """Quadratic damping is missing."""
-
-    name = "quadratic damping missing"
-    equation = "(7)"
-    look = "`quadratic` of `damping`"
-    bodies = "all"
-
-    def damping(self, k: Placed, V_r: Array) -> Array:
-        P = super().damping(k, V_r)
-        return P if k.body.damping is None else P - quadratic_damping(k.body.damping, V_r)
-
-
-class QuadraticWithoutSign(Fault):
-    """Quadratic damping takes V^2 instead of V |V|: it does not follow the direction of motion."""
-
-    name = "quadratic damping without |V|"
-    equation = "(7)"
-    look = "V_r |V_r|, element by element"
-    bodies = "all"
-
-    def damping(self, k: Placed, V_r: Array) -> Array:
-        P = super().damping(k, V_r)
-        if k.body.damping is None or k.body.damping.quadratic is None:
-            return P
-        wrong = -np.array(k.body.damping.quadratic) @ (V_r * V_r)
-        return P - quadratic_damping(k.body.damping, V_r) + wrong
-
-
-class NoDampingTerms(Fault):
-    """The hydrodynamic derivatives (`terms` of `damping`) are missing."""
-
-    name = "damping terms missing"
-    equation = "(7)"
-    look = "`terms` of `damping`"
-    bodies = "all"
-
-    def read_body(self, body: AnyBody) -> AnyBody:
-        read = super().read_body(body)
-        return read if read.damping is None else replace(read, damping=replace(read.damping, terms=()))
-
-
-class DampingTermsReversed(Fault):
-    """The hydrodynamic derivatives (`terms` of `damping`) have the wrong sign."""
-
-    name = "damping terms, sign"
-    equation = "(7)"
-    look = "`terms` are added as published: wrench += value * product"
-    bodies = "all"
-
-    def read_body(self, body: AnyBody) -> AnyBody:
-        read = super().read_body(body)
-        if read.damping is None:
-            return read
-        terms = tuple(replace(term, value=-term.value) for term in read.damping.terms)
-        return replace(read, damping=replace(read.damping, terms=terms))
-
-
-class WheelDampingWithoutSpin(Fault):
-    """The damping of the flywheels takes the twist of their mount: without f phi'."""
-
-    name = "flywheel damping without phi'"
-    equation = "(7)"
-    look = "V_s = Ls^T V + f phi'"
-
-    def twist_in_fluid(self, k: Placed) -> Array:
-        return np.asarray(k.L.T @ self.V_r)
-
-
-class DampingAboutO1(Fault):
-    """Damping of instruments and flywheels takes the twist of O1, not of their own origin."""
-
-    name = "damping with the velocity of O1"
-    equation = "(7)"
-    look = "V_k = L^T V with <O> in L"
-    bodies = "all"
-
-    def twist_in_fluid(self, k: Placed) -> Array:
-        V = super().twist_in_fluid(k)
-        C = k.L[:3, :3]
-        return np.concatenate([C.T @ self.V_r[:3], V[3:]])
-
-
-class DampingIgnoresStream(Fault):
-    """Damping ignores the stream: it takes the twist relative to E0."""
-
-    name = "stream ignored in damping"
-    equation = "(7)"
-    look = "damping takes V_r = V - (C^T u, 0)"
-    bodies = "all"
-
-    def twist_in_fluid(self, k: Placed) -> Array:
-        return k.twist(self.V)
-
-
-class NoStream(Fault):
-    """The stream is ignored."""
-
-    name = "stream ignored"
-    equation = "V_r"
-    look = "V_r = V - (C^T u, 0) in M, J and damping"
-
-    def stream(self) -> Array:
-        return np.zeros(3)
-
-
-class StreamReversed(Fault):
-    """The stream flows the other way."""
-
-    name = "stream, sign"
-    equation = "V_r"
-    look = "V_r = V - (C^T u, 0); u is where the fluid goes to"
-
-    def stream(self) -> Array:
-        return -super().stream()
-
-
-class StreamNotTurned(Fault):
-    """The stream is not turned into the carrier's axes."""
-
-    name = "stream not turned into E1"
-    equation = "V_r"
-    look = "C^T u"
-
-    def stream(self) -> Array:
-        return np.array(self.stand.stream or (0.0, 0.0, 0.0))
-
-
-class StreamRateIgnoredEverywhere(Fault):
-    """The turning of the stream in E1 is ignored in the flywheels' equations too: V* is taken for V_r*."""
-
-    name = "omega x u missing, drives too"
-    equation = "V_r*"
-    look = "V* = V_r* - (omega x C^T u, 0), wherever V_r stands for V"
-
-    def stream_rate(self) -> Array:
-        return np.zeros(6)
-
-    def load(self, k: Spinning, phi_ddot: float) -> Array:
-        return self.on_flywheel(k, self.V_r, self.given_V_dot(), phi_ddot)
-
-
-class StreamRateIgnored(Fault):
-    """The turning of the stream in E1 is ignored in the carrier's equation: V* is taken for V_r*."""
-
-    name = "omega x u missing"
-    equation = "V_r*"
-    look = "V* = V_r* - (omega x C^T u, 0)"
-
-    def stream_rate(self) -> Array:
-        return np.zeros(6)
+COUPLING = np.kron(1.0 - np.eye(2), np.ones((3, 3)))
+"""Factor that keeps the blocks of a 6x6 matrix that couple translation and rotation."""
+
+MUNK = np.kron(np.array([[0.0, 0.0], [1.0, 0.0]]), np.ones((3, 3)))
+"""Factor that keeps the block <v> of Phi."""
+
+
+def with_added_weight(P: Array, k: Placed, at: Pieces) -> Array:
+    """Weight (6) with that of the mean translational added mass."""
+    given = getattr(k.body, "added_mass", None)
+    if given is None:
+        return P
+    mass = np.trace(np.array(given)[:3, :3]) / 3
+    return P + force_at(mass * k.L[:3, :3].T @ at.gravity, np.zeros(3))
+
+
+def without_sign(P: Array, k: Placed, at: Pieces) -> Array:
+    """Quadratic damping (6) with V_r^2 for V_r |V_r|."""
+    damping = k.body.damping
+    V_r = k.twist(at.V_r)
+    return P if damping is None or damping.quadratic is None else -np.array(damping.quadratic) @ (V_r * V_r)
+
+
+def relative_to_O1(k: Placed, at: Pieces) -> Array:
+    """The twist (6) relative to the fluid, with v of O1."""
+    return np.concatenate([k.L[:3, :3].T @ at.V_r[:3], k.twist(at.V_r)[3:]])
+
+
+def drives_at_V_r(at: Pieces, case: Case) -> Pieces:
+    """The pieces with V_r for V where flywheels are concerned."""
+    return replace(at, V=at.V_r) if case.want in ("torque", "mounts") else at
+
+
+STEADY_IN_E1 = pieces(lambda at: replace(at, u=np.zeros(3)))
+"""No turning of the stream in E1: V* for V_r*."""
+# fmt: off
+FAULTS = (
+    Fault("added mass missing", "(2)", "fixed", [added_mass(zero)],
+          "Added mass is missing altogether",
+          "Lambda_1 + sum of Lambda_p in K"),
+    Fault("added mass of instruments missing", "(2)", "fixed",
+          [added_mass(lambda Lambda, k: Lambda * (not isinstance(k.body, Instrument)))],
+          "The added mass of the instruments is missing; that of the carrier is there",
+          "sum of Lambda_p in K"),
+    Fault("added mass of instruments in their axes", "(2)", "fixed",
+          [added_mass(lambda Lambda, k: k.L @ Lambda @ k.L.T)],
+          "The added mass of the instruments is taken in their own frame, and carried to O1 once too often",
+          "Lambda_p is about O1 in E1, for an instrument as well"),
+    Fault("added mass missing in Phi K", "(9)", "all", convection(lambda right, V, at: right - Phi(V) @ at.Lambda),
+          "Added mass is missing in Phi K: its Coriolis and Munk terms are not there; K has it",
+          "M = Phi K + K* with the whole K"),
+    Fault("Coriolis terms of added mass, sign", "(9)", "all",
+          convection(lambda right, V, at: right - 2 * Phi(V) @ at.Lambda),
+          "The Coriolis terms of added mass have the wrong sign",
+          "Phi Lambda V_r on the left of (8)"),
+    Fault("added mass missing before V*", "(8)", "all",
+          [pieces(lambda at: replace(at, K=at.K_bodies)),
+           value("J0", lambda J0, values, at, case: J0 + Phi(at.V) @ at.Lambda @ values["A"])],
+          "Added mass is missing in K V*: its Coriolis terms are there, its inertia is not",
+          "K before V* with Lambda"),
+    Fault("Munk moment missing", "(4), (9)", "all", convection(lambda right, V, at: right - MUNK * Phi(V) @ at.Lambda),
+          "The Munk moment is missing: v x p of the added mass",
+          "the block <v> of Phi, times Lambda"),
+    Fault("added mass only diagonal", "(2)", "fixed", [added_mass(lambda Lambda, k: np.eye(6) * Lambda)],
+          "Of the added mass only the diagonal is used",
+          "the off-diagonal elements of Lambda"),
+    Fault("coupling of added mass, sign", "(2)", "fixed", [added_mass(lambda Lambda, k: Lambda * (1 - 2 * COUPLING))],
+          "The blocks of added mass that couple translation and rotation have the wrong sign",
+          "the off-diagonal blocks of Lambda: linear part first, about O1"),
+    Fault("added mass with weight", "(7)", "fixed", [wrench(with_added_weight, "weight")],
+          "Added mass is given weight",
+          "added mass is in K and Phi K only, never in the weight"),
+    Fault("damping, sign", "(7)", "all", [damping(minus)],
+          "Damping has the wrong sign: it drives",
+          "wrench -(linear V_r), -(quadratic (V_r |V_r|)), + terms"),
+    Fault("linear damping missing", "(7)", "all", [wrench(zero, "linear damping")],
+          "Linear damping is missing",
+          "`linear` of `damping`"),
+    Fault("quadratic damping missing", "(7)", "all", [wrench(zero, "quadratic damping")],
+          "Quadratic damping is missing",
+          "`quadratic` of `damping`"),
+    Fault("quadratic damping without |V|", "(7)", "all", [wrench(without_sign, "quadratic damping")],
+          "Quadratic damping takes V^2 instead of V |V|: it does not follow the direction of motion",
+          "V_r |V_r|, element by element"),
+    Fault("damping terms missing", "(7)", "all", [wrench(zero, "damping terms")],
+          "The hydrodynamic derivatives (`terms` of `damping`) are missing",
+          "`terms` of `damping`"),
+    Fault("damping terms, sign", "(7)", "all", [wrench(minus, "damping terms")],
+          "The hydrodynamic derivatives (`terms` of `damping`) have the wrong sign",
+          "`terms` are added as published: wrench += value * product"),
+    Fault("flywheel damping without phi'", "(7)", "flywheels", [damping_at(lambda k, at: k.L.T @ at.V_r)],
+          "The damping of the flywheels takes the twist of their mount: without f phi'",
+          "V_s = Ls^T V + f phi'"),
+    Fault("damping with the velocity of O1", "(7)", "all", [damping_at(relative_to_O1)],
+          "Damping of instruments and flywheels takes the twist of O1, not of their own origin",
+          "V_k = L^T V with <O> in L"),
+    Fault("stream ignored in damping", "(7)", "all", [damping_at(lambda k, at: k.twist(at.V))],
+          "Damping ignores the stream: it takes the twist relative to E0",
+          "damping takes V_r = V - (C^T u, 0)"),
+    Fault("stream ignored", "V_r", "all", [stand(stream=None)],
+          "The stream is ignored",
+          "V_r = V - (C^T u, 0) in M, J and damping"),
+    Fault("stream, sign", "V_r", "all", [vector("stream", lambda u, C: -u)],
+          "The stream flows the other way",
+          "V_r = V - (C^T u, 0); u is where the fluid goes to"),
+    Fault("stream not turned into E1", "V_r", "all", [vector("stream", lambda u, C: C @ u)],
+          "The stream is not turned into the carrier's axes",
+          "C^T u"),
+    Fault("omega x u missing, drives too", "V_r*", "all", [STEADY_IN_E1, Edit("pieces", drives_at_V_r)],
+          "The turning of the stream in E1 is ignored in the flywheels' equations too: V* is taken for V_r*",
+          "V* = V_r* - (omega x C^T u, 0), wherever V_r stands for V"),
+    Fault("omega x u missing", "V_r*", "all", [STEADY_IN_E1],
+          "The turning of the stream in E1 is ignored in the carrier's equation: V* is taken for V_r*",
+          "V* = V_r* - (omega x C^T u, 0)"),
+)

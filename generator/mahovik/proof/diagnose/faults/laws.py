@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
 from mahovik.laws import LAWS, part
-from mahovik.proof.diagnose.fault import Fault
+from mahovik.proof.diagnose.fault import Case, Edit, Fault
 from mahovik.proof.diagnose.law_fault import LawFault
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pose import Pose
 
 
-def _fault(law: str, row: LawFault) -> type[Fault]:
-    """The equations with one law replaced."""
+def law_fault(law: str, row: LawFault) -> Fault:
+    """The fault that has the wrench of the row instead of that of the law."""
 
-    def law_wrench(self: Fault, name: str) -> Array:
-        return row.wrench(self.stand, self.state, self.pose) if name == law else Fault.law_wrench(self, name)
+    def edit(at: Pieces, case: Case) -> Pieces:
+        pose = Pose(np.array(case.state.position), at.C, at.V)
+        right = part(law, "reference").wrenches(case.stand, case.state, pose)
+        wrong = row.wrench(case.stand, case.state, pose)
+        return replace(at, F=at.F + wrong - sum(right.values(), np.zeros(6)))
 
-    words = {"name": row.name, "equation": "(7)", "look": row.look, "__doc__": row.words, "__module__": __name__}
-    return type(f"{law}_{row.name}", (Fault,), {**words, "law_wrench": law_wrench})
+    return Fault(row.name, "(7)", "all", [Edit("pieces", edit)], row.words.removesuffix("."), row.look)
 
 
-FAULTS = tuple(_fault(law, row) for law in LAWS if (faults := part(law, "faults")) is not None for row in faults.FAULTS)
+FAULTS = tuple(
+    law_fault(law, row) for law in LAWS if (faults := part(law, "faults")) is not None for row in faults.FAULTS
+)

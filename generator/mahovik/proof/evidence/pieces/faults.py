@@ -39,7 +39,7 @@ def _run(subject: Subject, tell: Tell) -> Outcome:
     rows, largest = [], {}
     for number, suspect in enumerate(singles(DICTIONARY)):
         tell(f"fault {number + 1} of {len(DICTIONARY)}")
-        error = np.abs(np.nan_to_num(clinic.predictions.of(suspect, True), nan=0.0))
+        error = np.abs(np.nan_to_num(clinic.predictions.error(suspect, True), nan=0.0))
         fault, worst = suspect[0].fault, float(error.max(initial=0.0))
         word = "seen" if (error > noise[: error.size]).any() else "within rounding" if worst else "no effect here"
         largest[fault.name] = {"equation": fault.equation, "error": worst, "outcome": word}

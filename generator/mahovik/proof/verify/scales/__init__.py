@@ -9,6 +9,7 @@ and what a linear system is solved for goes through the magnitudes of the invers
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from importlib import import_module
 from typing import Any
 
 from mahovik.core.stand.model import Stand
@@ -37,4 +38,7 @@ WANT_SCALES: Mapping[str, Callable[[Magnitudes], Scales]] = {
 
 def scales(stand: Stand, state: State, at: Pieces, want: str, cuts: Cuts = CUTS) -> Scales:
     """Scales of what `want` gives, in the same shapes; None for what must be equal (a status, a rank)."""
+    if want not in WANT_SCALES:  # the reference of a want has its scale beside its answer
+        found: Scales = import_module(f"mahovik.proof.reference.{want}").scale(at, stand, state)
+        return found
     return WANT_SCALES[want](Magnitudes(stand, state, at, cuts))

@@ -1,6 +1,6 @@
-"""The stand itself in the closed loop: carrier and flywheels under the torques of motors, (8) with the drive equations.
+"""The stand in the closed loop: carrier and flywheels under motor torques, (8) with the drive equations.
 
-By the emitted C, function `step`, in fixed steps; or by SciPy on the literal reference, adaptive and slow, to judge it.
+Computed by the emitted C (function `step`, fixed steps), or by SciPy on the literal reference, slowly, to judge the C.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ __all__ = ["BACKENDS", "Plant", "plant"]
 
 
 def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Plant:
-    """A plant in a state with a quaternion; `finer`: so many steps of the C in place of one.
+    """A plant in a state with a quaternion; `finer`: number of steps of the C in place of one.
 
     Raises UsageError, ToolchainError.
     """

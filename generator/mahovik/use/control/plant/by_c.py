@@ -14,21 +14,21 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.flywheels import tables_of
-from mahovik.use.simulate.by_c import compiled
+from mahovik.use.simulate.by_c import compiled_backend
 
 STIFFNESS = 0.2
-"""Of a step: step times the fastest decay of a flywheel's speed by its motor."""
+"""Largest product of step and fastest decay rate of a flywheel's speed by its motor."""
 
 TURN = 0.05
-"""rad: a flywheel turns no more in a step; the error of the carrier is then far below a millionth of its motion."""
+"""rad: largest turn of a flywheel in a step; the carrier's error is then far below a millionth of its motion."""
 
 
 class PlantByC:
-    """Steps of fourth order. Torques are those of the motors at the speeds in the middle of each step."""
+    """Plant in steps of fourth order. Torques are those of the motors at the speeds in the middle of each step."""
 
     def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
         self.stand, self._finer = stand, finer
-        own = compiled(stand)
+        own = compiled_backend(stand)
         ffi, N = own.library.ffi, len(stand.flywheels)
         self._x = ffi.new(f"{stand.name}_state *")
         self._view = np.frombuffer(ffi.buffer(self._x), dtype=np.float64)
@@ -40,7 +40,7 @@ class PlantByC:
         self._drive, self._wrench = np.zeros(N), np.zeros(max(6 * len(own.inputs), 1))
         self._step = own.library.function("step")
         self._motors = [(s, each.motor) for s, each in enumerate(stand.flywheels) if each.motor is not None]
-        self._fastest = _fastest(stand)
+        self._fastest = _steepest_rate(stand)
         known: dict[str, Any] = {
             "table": own.library.default("default"),
             "x": self._x,
@@ -57,7 +57,7 @@ class PlantByC:
         """See Plant."""
         span = end - begin
         if not np.all(np.isfinite(command)):
-            raise StateError(f"at t = {begin:.6g} s a commanded torque is no number")
+            raise StateError(f"at t = {begin:.6g} s a commanded torque is not a number")
         count = self._finer * max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
         h = span / count
         arguments = [h if name == "dt" else value for name, value in self._arguments]
@@ -69,7 +69,7 @@ class PlantByC:
             status = self._step(*arguments)
             if status < 0:
                 raise StateError(
-                    f"at t = {begin:.6g} s a step ends with {status_words(status)}: the motion leaves its ranges"
+                    f"at t = {begin:.6g} s a step returned {status_words(status)}: the motion leaves its ranges"
                 )
             self._rate = (self.phi_dot - before) / h
             turned, expected = self._wrapped - phase, 0.5 * h * (before + self.phi_dot)
@@ -77,8 +77,8 @@ class PlantByC:
         self.tau = self._drive.copy()
 
 
-def _fastest(stand: Stand) -> float:
-    """Steps a second that the steepest motor asks for."""
+def _steepest_rate(stand: Stand) -> float:
+    """Steps per second that the steepest motor needs."""
     J = tables_of(stand).Theta_ff
     anywhere = math.inf
     falls = [steepness(s.motor, 0.0, -anywhere, anywhere) for s in stand.flywheels]

@@ -1,4 +1,4 @@
-"""The plant by SciPy's DOP853 on the literal reference: it judges the C."""
+"""The plant by SciPy's DOP853 on the literal reference, a judge of the C."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from mahovik.use.plan.array import Array
 
 
 class PlantByReference:
-    """DOP853 on the literal reference, with kinematics of its own."""
+    """DOP853 on the literal reference, with independent kinematics."""
 
     def __init__(self, stand: Stand, state: State) -> None:
         assert state.quaternion is not None

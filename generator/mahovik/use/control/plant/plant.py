@@ -1,4 +1,4 @@
-"""What a plant offers, whoever computes it."""
+"""Interface of a plant."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Plant(Protocol):
     tau: Array
 
     def advance(self, command: Array, begin: float, end: float) -> None:
-        """From `begin` to `end` (s) under commanded torques (N, N m), constant; `tau`: what motors gave at the end.
+        """Advance from `begin` to `end` (s) under constant commanded torques (N, N m); `tau`: motor torques at the end.
 
-        Raises StateError where the motion leaves what can be computed.
+        Raises StateError if the motion leaves the computable range.
         """

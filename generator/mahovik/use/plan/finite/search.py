@@ -1,4 +1,4 @@
-"""The search of a finite motion: starts at rest from drawn angles, collocation over splines of rising degree."""
+"""The search of a finite motion: starts at rest from random angles, then collocation over splines of rising degree."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite.space import Space
 from mahovik.use.plan.fourier import Angles, Periodic
 from mahovik.use.plan.levenberg import Rules, refine
-from mahovik.use.plan.outcome import Tell
+from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Grid, Problem
-from mahovik.use.plan.starts import Crowd
+from mahovik.use.plan.starts import StartBatch
 
 DEGREES = (5, 7, 9, 11, 13)
-"""Of the splines, in turn."""
+"""Spline degrees tried, in order."""
 DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
 _SCORED, _CROWD, _STEPS = 8, 12, 15
-"""Modes for the score and for the crowd, and its steps."""
+"""Modes for the score; modes of the batch; its steps."""
 _VARIED = 0.1
-"""rad: how starts from given angles differ, a mode."""
+"""rad: variation of each mode for starts from given angles."""
 _MOST_UNKNOWNS = 2500
 _TABLE = 8192
 """Most rows of a table."""
 
 
 @dataclass(frozen=True, eq=False)
-class Finite(Periodic):
+class SplineMotion(Periodic):
     """A finite flywheel motion: `waves` (N, n) are coefficients of the modes; `winding` is the start speed T/2 pi."""
 
     @property
     def H(self) -> int:
-        """Modes but the first."""
+        """Number of modes, not counting the first."""
         return int(self.waves.shape[1]) - 1
 
-    def with_harmonics(self, H: int) -> Finite:
+    def with_harmonics(self, H: int) -> SplineMotion:
         """The same motion with H + 1 modes: new coefficients are zero."""
         wide = np.zeros((self.N, H + 1))
         kept = min(H, self.H) + 1
@@ -53,8 +53,8 @@ class FiniteProblem(Problem):
     _spaces: dict[int, Space] = field(default_factory=dict)
 
     @staticmethod
-    def from_rest(own: Problem) -> FiniteProblem:
-        """Of a problem whose motion is finite."""
+    def from_problem(own: Problem) -> FiniteProblem:
+        """The finite problem with the data of `own`."""
         return FiniteProblem(own.stand, own.motion, own.mechanics, own.norm, own.free, own.tolerance)
 
     def space(self, degree: int) -> Space:
@@ -67,7 +67,7 @@ class FiniteProblem(Problem):
         return self._spaces[degree]
 
     def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
-        """M uniform times with the first H + 1 modes of the lowest degree, for crowds of starts."""
+        """M uniform times with the first H + 1 modes of the lowest degree, for batches of starts."""
         key = (M, H, shift)
         if key not in self._grids:
             t = self.motion.span * (np.arange(M) + (shift or 0.5)) / M
@@ -79,23 +79,23 @@ class FiniteProblem(Problem):
         return Grid(t, self.motion.at(t), self.space(degree).modes(t))
 
     def between(self, degree: int, each: int) -> Grid:
-        """`each` times in every interval of the samples, none of which is a node of the collocation."""
+        """Grid with `each` times in every interval of the samples, none of them a node of the collocation."""
         breaks = self.space(degree).breaks
         inside = (np.arange(each) + 0.381966) / each
         return self.grid_of(degree, (breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
 
 
-class FiniteCrowd(Crowd):
+class SplineBatch(StartBatch):
     """Many finite motions at once."""
 
     @staticmethod
     def degree(n: int) -> int:
-        """Highest mode of n."""
+        """Highest mode of n modes."""
         return n - 1
 
-    def motion(self, k: int) -> Finite:
+    def motion(self, k: int) -> SplineMotion:
         """Motion k."""
-        return Finite(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
+        return SplineMotion(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +109,7 @@ class Solved:
 
 @dataclass
 class FiniteSearch:
-    """What is found and tried so far; see `Search`."""
+    """State of the search: what was found and tried so far; see `Search`."""
 
     found: list[Solved] = field(default_factory=list)
     starts: int = 0
@@ -125,7 +125,12 @@ class FiniteSearch:
 
 
 def search_finite(
-    problem: FiniteProblem, bias: Array, seed: int, budget: Budget, enough: int = 1, tell: Tell | None = None
+    problem: FiniteProblem,
+    bias: Array,
+    seed: int,
+    budget: Budget,
+    enough: int = 1,
+    on_progress: OnProgress | None = None,
 ) -> FiniteSearch:
     """Programmes of a finite motion, in the order found; `bias` (6): where starts begin. Ctrl-C ends the search."""
     rng, state, N = np.random.default_rng(seed), FiniteSearch(), problem.N
@@ -136,26 +141,26 @@ def search_finite(
             if state.found or budget.exhausted:
                 break
             state.doing = "searching"
-            if tell is not None:
-                tell(state)
+            if on_progress is not None:
+                on_progress(state)
             waves = np.zeros((DRAWN, N, _SCORED + 1))
             waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
             if bounds.start_phi is not None:
                 waves[:, :, 0] = bounds.start_phi
                 waves[1:, :, 1:] = _VARIED * rng.normal(size=waves[1:, :, 1:].shape)
-            crowd: Crowd = FiniteCrowd(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
-            crowd = crowd.with_harmonics(np.argsort(crowd.scores(), kind="stable")[:CHOSEN], _CROWD)
-            crowd.improve(_STEPS, budget)
-            residuals = crowd.residuals()
+            batch: StartBatch = SplineBatch(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
+            batch = batch.with_harmonics(np.argsort(batch.scores(), kind="stable")[:CHOSEN], _CROWD)
+            batch.improve(_STEPS, budget)
+            residuals = batch.residuals()
             state.starts += DRAWN
             state.best = min(state.best, float(residuals.min()))
             state.doing = "improving"
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
-                if tell is not None:
-                    tell(state)
+                if on_progress is not None:
+                    on_progress(state)
                 if budget.exhausted or len(state.found) >= enough:
                     break
-                solved = collocate(problem, crowd.motion(int(k)), budget)
+                solved = collocate(problem, batch.motion(int(k)), budget)
                 state.best = min(state.best, solved.residual)
                 if solved.residual < problem.tolerance:
                     state.found.append(solved)
@@ -166,15 +171,15 @@ def search_finite(
 
 
 def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved:
-    """From modes of the lowest degree: collocation at points of Gauss in every interval, degree by degree."""
+    """Collocation at Gauss points in every interval, degree by degree, from modes of the lowest degree."""
     motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
     found = Solved(start, DEGREES[0], np.inf)
     for degree in DEGREES:
         space = problem.space(degree)
         if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
             break
-        motion = replace(motion, waves=space.taken_over(motion.waves, below))
-        grid = problem.grid_of(degree, space.nodes(max(3, degree - 2), 4)[0])  # an end has four functions more
+        motion = replace(motion, waves=space.convert(motion.waves, below))
+        grid = problem.grid_of(degree, space.nodes(max(3, degree - 2), 4)[0])  # each end adds four functions
         first = degree == DEGREES[0]
         reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
         motion, damping, below = reached.motion, reached.damping, space

@@ -1,8 +1,8 @@
 """Splines for the angles of a finite motion: as smooth as the samples' own spline needs, and sorted by frequency.
 
-The motion's q'' has kinks of its third derivative at the samples; phi'' must have the same, so phi is four times
+The motion's q'' has kinks of its third derivative at the samples; phi'' needs the same kinks, so phi is four times
 differentiable there and a polynomial between. Modes are those of a free beam in that space: the first is constant,
-and each has a frequency, by which the search damps it.
+and each has a frequency; the search damps by it.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ class Modes(Basis):
 
     @property
     def orders(self) -> Array:
-        """Frequencies, in waves a span."""
+        """Frequencies, in waves per span."""
         return self.order
 
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Splines of a degree on [0, span] with breaks (m + 1, s), whose slope at 0 is 0, and value as well if `pinned`.
+    """Splines of a degree on [0, span] with breaks (m + 1, s). Slope 0 at time 0; with `pinned` also value 0.
 
-    The first mode is 1 (pinned: it does not move), so that its coefficient is the mean angle of a motion.
+    The first mode is the constant 1 (if pinned, it is fixed); its coefficient is the mean angle of a motion.
     """
 
     span: float
@@ -49,7 +49,7 @@ class Space:
 
     @property
     def multiplicity(self) -> int:
-        """Of a knot at each inner break: new functions for each interval."""
+        """Multiplicity of the knots at inner breaks: new functions in each interval."""
         return self.degree - _SMOOTH
 
     @cached_property
@@ -59,7 +59,7 @@ class Space:
         return BSpline(knots, np.eye(len(knots) - p - 1), p)
 
     def nodes(self, each: int, at_ends: int = 0) -> tuple[Array, Array]:
-        """`each` points of Gauss in every interval, `at_ends` more in the first and the last; and their weights (s)."""
+        """`each` Gauss points in every interval, `at_ends` more in the first and the last; and their weights (s)."""
         t, weights = [], []
         for k, (a, b) in enumerate(zip(self.breaks[:-1], self.breaks[1:], strict=True)):
             x, w = np.polynomial.legendre.leggauss(each + (at_ends if k in (0, len(self.breaks) - 2) else 0))
@@ -95,8 +95,8 @@ class Space:
         B = [np.asarray(self._spline(t, m) @ coefficients[:, :n]) for m in range(3)]
         return Modes(self.span, t, B[0], B[1], B[2], order[:n])
 
-    def taken_over(self, waves: Array, other: Space) -> Array:
-        """Coefficients (N, size) here of what has `waves` (N, n) in another space, of a lower degree or fewer modes."""
+    def convert(self, waves: Array, other: Space) -> Array:
+        """Coefficients (N, size) here of the function with `waves` (N, n) in a space of lower degree or fewer modes."""
         t, weight = self.nodes(self.degree + 1)
         root = np.sqrt(weight)[:, None]
         theirs = other.modes(t, waves.shape[1]).value @ waves[:, :].T

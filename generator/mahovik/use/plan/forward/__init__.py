@@ -1,7 +1,7 @@
-"""(8) forward in time for given flywheel motions: rest, the carrier's course, how both change with those motions."""
+"""(8) integrated in time for given flywheel motions: rest, the carrier's course, and their derivatives."""
 
 from mahovik.use.plan.forward.chart import Chart
-from mahovik.use.plan.forward.course import Course, along, course, linearise, pushes
+from mahovik.use.plan.forward.course import Course, acceleration_rates, course, linearise, linearise_along
 from mahovik.use.plan.forward.drive import Drive, drive
 from mahovik.use.plan.forward.equilibrium import Equilibrium, equilibrium
 
@@ -10,10 +10,10 @@ __all__ = [
     "Course",
     "Drive",
     "Equilibrium",
-    "along",
+    "acceleration_rates",
     "course",
     "drive",
     "equilibrium",
     "linearise",
-    "pushes",
+    "linearise_along",
 ]

@@ -19,7 +19,7 @@ from mahovik.use.plan.residual.kinematics import Coordinates, Twists, in_E1, twi
 from mahovik.use.plan.residual.spatial import motor_cross
 
 _SMALL = 1e-2
-"""rad: below it a series is more exact."""
+"""rad: below it the series is more accurate."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Chart:
 
     @staticmethod
     def about(mechanics: Mechanics, course: Coordinates) -> Chart:
-        """About the one pose of `course` (M = 1)."""
+        """Chart about the single pose of `course` (M = 1)."""
         at = twists(mechanics.stand, course)
         return Chart(mechanics, at.O1[0], at.C[0])
 
@@ -43,7 +43,7 @@ class Chart:
         return np.hstack([(at.O1 - self.O1) @ self.C, r, at.V])
 
     def twists(self, y: Array) -> Twists:
-        """Attitude, place and twists (M) of states y (M, 12); V_r* is that of V* = 0."""
+        """Attitude, position and twists (M) of states y (M, 12); V_r* is for V* = 0."""
         stand = self.mechanics.stand
         C = self.C @ Rotation.from_rotvec(y[:, 3:6]).as_matrix()
         V = y[:, 6:]
@@ -55,7 +55,7 @@ class Chart:
         return Twists(C, self.O1 + y[:, :3] @ self.C.T, V, V_r, rate)
 
     def acceleration(self, given: Drive, y: Array) -> Array:
-        """V* (M, 6; m/s2, rad/s2) by (8) of states y (M, 12) under the flywheels' motion at as many moments."""
+        """V* (M, 6; m/s2, rad/s2) by (8) at states y (M, 12), with the flywheels' motion at the same M times."""
         own, at = self.mechanics, self.twists(y)
         column = at.V_r[:, :, None]
         wrench = own.housing.balance(at._replace(V_r_dot=np.zeros_like(at.V)))[:, :, None]

@@ -13,11 +13,11 @@ import numpy as np
 from mahovik.use.plan.array import Array
 
 INTERVALS = 4
-"""Of a block."""
+"""Intervals per block."""
 
 
 def _integrals() -> Array:
-    """a (4, 5): from 0 to j of the Lagrange polynomial of node k, spacing 1."""
+    """a (4, 5): integral from 0 to j of the Lagrange polynomial of node k, spacing 1."""
     nodes = np.arange(INTERVALS + 1.0)
     powers = np.vander(nodes, increasing=True)  # rows: node; columns: power
     integrals = powers[1:] * nodes[1:, None] / (nodes + 1.0)
@@ -27,24 +27,24 @@ def _integrals() -> Array:
 WEIGHTS = _integrals()
 
 
-def blocks(values: Array) -> Array:
-    """(B, 5, ...) of values at 4 B + 1 nodes: those of each block, its first node included."""
+def split_blocks(values: Array) -> Array:
+    """Values (B, 5, ...) of each block, first node included, from values at 4 B + 1 nodes."""
     B = (len(values) - 1) // INTERVALS
     first = values[:-1].reshape(B, INTERVALS, *values.shape[1:])
     return np.concatenate([first, values[INTERVALS::INTERVALS][:, None]], axis=1)
 
 
-def integrated(rates: Array, spacing: float) -> Array:
+def integrate(rates: Array, spacing: float) -> Array:
     """Integrals (B, 4, ...) of rates at 4 B + 1 nodes (M, ...), from the first node of each block to the others."""
-    return np.asarray(spacing * np.einsum("jk,bk...->bj...", WEIGHTS, blocks(rates)))
+    return np.asarray(spacing * np.einsum("jk,bk...->bj...", WEIGHTS, split_blocks(rates)))
 
 
 @dataclass(frozen=True, eq=False)
 class Eliminated:
     """x' = A x + g at 4 B + 1 nodes, eliminated block by block, for any g and start.
 
-    inverse    (B, 4 n, 4 n): of the equations of a block
-    carried    (B, 4 n, n): nodes of a block by its first
+    inverse    (B, 4 n, 4 n): inverse of each block's equations
+    carried    (B, 4 n, n): nodes of a block as functions of its first node
     """
 
     spacing: float
@@ -53,8 +53,8 @@ class Eliminated:
 
     @staticmethod
     def of(A: Array, spacing: float) -> Eliminated:
-        """Of A (4 B + 1, n, n; 1/s) at nodes `spacing` (s) apart."""
-        at = blocks(A)
+        """Eliminate A (4 B + 1, n, n; 1/s) at nodes `spacing` (s) apart."""
+        at = split_blocks(A)
         B, n = len(at), A.shape[1]
         own = -spacing * np.einsum("jk,bkmn->bjmkn", WEIGHTS[:, 1:], at[:, 1:]).reshape(B, INTERVALS * n, INTERVALS * n)
         own[:, range(INTERVALS * n), range(INTERVALS * n)] += 1.0
@@ -63,7 +63,7 @@ class Eliminated:
         return Eliminated(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
 
     def solve(self, defects: Array, start: Array) -> Array:
-        """x (4 B + 1, n, P) from `start` (n, P), where block equations have `defects` (B, 4, n, P) on their right."""
+        """x (4 B + 1, n, P) from `start` (n, P); `defects` (B, 4, n, P) are the right sides of the block equations."""
         B, n, P = len(self.inverse), *start.shape
         particular = self.inverse @ defects.reshape(B, INTERVALS * n, P)
         found = [start[None]]

@@ -1,6 +1,6 @@
-"""What given flywheel motions do to the carrier in (8), sums over the flywheels: at all times at once, beforehand.
+"""Effect of given flywheel motions on the carrier in (8): sums over the flywheels, computed for all times first.
 
-With them the carrier's acceleration is a matter of 6-vectors, however many flywheels there are:
+With these sums the carrier's acceleration needs 6-vectors only, for any number of flywheels:
 
     K V* = F - Theta' V - push - Phi(V) (Theta V + h) + weight,    K = Theta + K of carrier and instruments.
 """
@@ -18,7 +18,7 @@ from mahovik.use.plan.residual.flywheels import waves
 
 @dataclass(frozen=True, eq=False)
 class Drive:
-    """Sums over the flywheels at moments of any shape (...), in E1 about O1.
+    """Sums over the flywheels at times of any shape (...), in E1 about O1.
 
     inverse     (..., 6, 6): K^-1 of (2)
     Theta, Theta_dot   (..., 6, 6): sum Ls Theta_s Ls^T and its derivative
@@ -42,7 +42,7 @@ class Drive:
 
 
 def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> Drive:
-    """Of motions phi, phi', phi'' (..., N each; rad, s)."""
+    """Sums of the motions phi, phi', phi'' (..., N each; rad, s)."""
     tables, shape = mechanics.tables, phi.shape[:-1]
     N = mechanics.N
     h, slopes = (np.moveaxis(x, 0, -2).reshape(-1, 5 * N) for x in waves(phi))  # (moments, 5 N)

@@ -1,4 +1,4 @@
-"""Where the carrier rests while flywheels stand still, near a given pose, and how that moves with their angles."""
+"""Rest of the carrier near a given pose while the flywheels stand still, and its derivatives by their angles."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward.chart import Chart
-from mahovik.use.plan.forward.course import along
+from mahovik.use.plan.forward.course import linearise_along
 from mahovik.use.plan.forward.drive import Drive, drive
 
 FREE = 1e-6
-"""Part of the largest stiffness (both by the inertia) below which a direction is free: there the pose stays."""
+"""A direction with less than this part of the largest stiffness (relative to inertia) is free: the pose stays there."""
 
 _STEP = 1e-6
-"""m, rad: of central differences."""
+"""Step of central differences: m, rad."""
 _MOST, _LONGEST, _LAST = 50, 0.3, 1e-11
 _LEFT = 1e-6
-"""m/s2: an acceleration that no stiffness takes up, and that is still rest."""
+"""m/s2: an acceleration without stiffness to balance it that still counts as rest."""
 
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
     """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N).
 
-    held   (12, 12): takes out of differences of states the displacements in directions that are free at rest
+    held   (12, 12): projection that removes displacements in directions free at rest from state differences
     """
 
     y: Array
@@ -35,9 +35,9 @@ class Equilibrium:
 
 
 def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibrium:
-    """The equilibrium for angles phi (N) that Newton's steps find from the pose of `near` (12), or the chart's own.
+    """Equilibrium at angles phi (N), by Newton's method from the pose of `near` (12), or from the chart's own.
 
-    Steps are the least in the inertia's norm, and none in free directions. Raises CheckError: there is none.
+    Steps are smallest in the inertia's norm, zero in free directions. Raises CheckError: there is no equilibrium.
     """
     still = np.zeros((1, len(phi)))
     given = drive(chart.mechanics, phi[None], still, still)
@@ -55,19 +55,19 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     left = root @ chart.acceleration(given, y)[0]
     size = float(np.linalg.norm(left)) / float(root[0, 0])
     if not size <= _LEFT * max(1.0, float(np.linalg.norm(stand.gravity))):
-        why = "nothing holds it" if free.size else "no equilibrium is near the mean pose"
+        why = "nothing holds it there" if free.size else "there is no equilibrium near the mean pose"
         raise CheckError(
-            f"{stand.name}: no rest to run up from: with the flywheels still the carrier accelerates by {size:.3g} "
+            f"{stand.name}: no rest to run up from: with the flywheels stopped the carrier accelerates by {size:.3g} "
             f"m/s2; {why}"
         )
-    by_phi = back @ given.inverse[0] @ along(chart, given, y, still).by_phi[0]
+    by_phi = back @ given.inverse[0] @ linearise_along(chart, given, y, still).by_phi[0]
     held = np.eye(12)
     held[:6, :6] -= free @ free.T @ root.T @ root
     return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]), held)
 
 
 def _compliance(chart: Chart, given: Drive, y: Array, root: Array) -> tuple[Array, Array]:
-    """Displacement (6, 6) that balances an acceleration, none in free directions; these (6, n), orthonormal in K."""
+    """Displacement (6, 6) that balances an acceleration, zero in free directions; these (6, n), orthonormal in K."""
     aside = np.zeros((12, 12))
     aside[range(12), [*range(6), *range(6)]] = [_STEP] * 6 + [-_STEP] * 6
     moved = chart.acceleration(given[np.zeros(12, dtype=int)], y + aside)

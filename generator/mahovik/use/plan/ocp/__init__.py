@@ -1,8 +1,8 @@
-"""(13) as printed: optimal control with six flywheels that follow from the others, or with (12) as constraints.
+"""(13) as printed: optimal control with six dependent flywheels, or with (12) as constraints.
 
-CasADi is imported by `plan` alone, when a method asks for it.
+Only `plan` imports CasADi, and only for the methods that need it.
 """
 
-from mahovik.use.plan.ocp.asked import plus_asked
+from mahovik.use.plan.ocp.partition import requested_partition
 
-__all__ = ["plus_asked"]
+__all__ = ["requested_partition"]

@@ -1,4 +1,4 @@
-"""Numbers that the optimal control problem gets of a planning problem: coefficients, scales, limits. No CasADi here."""
+"""Numbers of a planning problem for the optimal control problem: coefficients, scales, limits. Does not need CasADi."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from mahovik.use.plan.residual import prescribe
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 
 _STEP = 1e-6
-"""m, rad: of the differences by the bias."""
+"""m, rad: step of the differences by the bias."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +24,7 @@ class Scaled:
     """A planning problem in the scales of `node`: flywheels in the order `order`, time in 1/Omega.
 
     order   (N) numbers of the flywheels, (-, +) of (13)
-    torque  (N, as in the stand) J_s Omega^2, N m: what a torque of 1 is
+    torque  (N, in the stand's order) J_s Omega^2, N m: unit of torque
     """
 
     problem: Problem
@@ -33,24 +33,24 @@ class Scaled:
 
     @property
     def Omega(self) -> float:
-        """rad/s."""
+        """Frequency of the motion, rad/s."""
         return self.cost.Omega
 
     @property
     def span(self) -> float:
-        """The span of the motion in 1/Omega."""
+        """Span of the motion in 1/Omega."""
         return self.problem.motion.span * self.Omega
 
     @property
     def torque(self) -> Array:
-        """(N)."""
+        """Unit of torque (N), N m."""
         return np.asarray(self.cost.spin_inertia * self.Omega**2)
 
-    def of_nodes(self, t: Array, angles: Angles, bias: Array) -> Array:
+    def node_parameters(self, t: Array, angles: Angles, bias: Array) -> Array:
         """Parameters (P, M) of the nodes at times t (M, s), around a bias.
 
-        The change by the bias is linear, with the flywheels at the given angles (M, N): of the second order is the
-        error, and what is found is solved exactly afterwards.
+        The change by the bias is linear, with the flywheels at the given angles (M, N). The error is of second order,
+        and the result is solved exactly afterwards.
         """
         problem, M, N = self.problem, len(t), self.problem.N
         course = problem.motion.at(t)
@@ -70,12 +70,12 @@ class Scaled:
         return np.hstack([x.reshape(M, -1) for x in parts]).T
 
     def _rows(self, table: Array) -> Array:
-        """A table (5, 7, M, N) with relative rows, and flywheels in order."""
+        """A table (5, 7, M, N) with relative rows, flywheels reordered."""
         root = self.problem.norm.root / self.problem.norm.demand
         wrench = np.einsum("ij,hjmn->himn", root, table[:, :6])
         return np.concatenate([wrench, (table[:, 6] / self.torque)[:, None]], axis=1)[..., self.order]
 
-    def of_stand(self, mean_speed: Array) -> Array:
+    def stand_parameters(self, mean_speed: Array) -> Array:
         """Parameters of all nodes (P): tables, objective, motors; mean speeds (N, rad/s)."""
         own, cost, drives, Omega = self.problem.mechanics, self.cost, self.cost.drives, self.Omega
         still, spun = (self._rows(x * Omega**2)[:, :, 0] for x in (own.still, own.spun))
@@ -92,7 +92,7 @@ class Scaled:
         return np.concatenate([still.ravel(), spun.ravel(), *ordered])
 
     def limits(self, bounds: Bounds, kind: str, part: float) -> Array:
-        """(N, in order) magnitudes of a bound in these scales, `part` of what is allowed; infinite where none is."""
+        """Magnitudes (N, reordered) of a bound in these scales, times `part`; infinite without a bound."""
         given = getattr(bounds, kind)
         if given is None:
             return np.full(self.problem.N, np.inf)

@@ -9,14 +9,14 @@ from mahovik.use.plan.ocp.coefficients import Scaled
 from mahovik.use.plan.ocp.structure import Structure
 
 VOLUME = 0.1
-"""Of the least |det I+| along the start: what the nodes keep to."""
+"""Limit of |det I+| at the nodes, as a part of its smallest value along the start."""
 
 
-def of_unknowns(scaled: Scaled, own: Structure, winding: Array, bias: Array, part: float) -> tuple[Array, Array]:
+def unknown_bounds(scaled: Scaled, own: Structure, winding: Array, bias: Array, part: float) -> tuple[Array, Array]:
     """Bounds of speeds, accelerations that are controls, bias (around `bias`, 6), and x(t0) of a finite motion."""
     problem, order, N = scaled.problem, scaled.order, own.N
     bounds = problem.motion.bounds
-    x_low, x_high = _states(scaled, own, winding, part)
+    x_low, x_high = _state_bounds(scaled, own, winding, part)
     u = np.tile(scaled.limits(bounds, "acceleration", part)[: own.controls], own.M)
     widest = np.full(6, np.inf) if bounds.bias is None else np.array(bounds.bias, dtype=np.float64)
     shift_low, shift_high = (np.where(problem.free, sign * widest - bias, 0.0) for sign in (-1.0, 1.0))
@@ -31,8 +31,8 @@ def of_unknowns(scaled: Scaled, own: Structure, winding: Array, bias: Array, par
     return low, high
 
 
-def _states(scaled: Scaled, own: Structure, winding: Array, part: float) -> tuple[Array, Array]:
-    """Bounds of x (2N, columns): greatest speeds, and least ones towards the side of the winding."""
+def _state_bounds(scaled: Scaled, own: Structure, winding: Array, part: float) -> tuple[Array, Array]:
+    """Bounds of x (2N, columns): greatest speeds, and least speeds on the side of the winding."""
     N, columns, bounds = own.N, own.mesh.columns, scaled.problem.motion.bounds
     fastest = scaled.limits(bounds, "speed", part)
     slow, fast = -fastest, fastest.copy()
@@ -46,8 +46,8 @@ def _states(scaled: Scaled, own: Structure, winding: Array, part: float) -> tupl
     return low, high
 
 
-def of_rows(scaled: Scaled, own: Structure, winding: Array, part: float, first: Array) -> tuple[Array, Array]:
-    """Bounds of g: zero of (12) and of the collocation, limits else; `first`: g at the start."""
+def row_bounds(scaled: Scaled, own: Structure, winding: Array, part: float, first: Array) -> tuple[Array, Array]:
+    """Bounds of g: zero for (12) and for the collocation, limits for other rows; `first`: g at the start."""
     bounds, turn = scaled.problem.motion.bounds, 2.0 * np.pi * winding[scaled.order]
     low, high = np.zeros(len(first)), np.zeros(len(first))
     for name, kind in (("dependent", "acceleration"), ("torque", "torque"), ("angle", "angle")):
@@ -55,7 +55,7 @@ def of_rows(scaled: Scaled, own: Structure, winding: Array, part: float, first: 
             limit = scaled.limits(bounds, kind, part)[-6:] if name == "dependent" else scaled.limits(bounds, kind, part)
             high[own.rows[name]] = np.tile(limit, own.M)
             low[own.rows[name]] = -high[own.rows[name]]
-    shifted = {"closing": np.concatenate([turn, 0.0 * turn])}  # phi there is with its winding, swing is without
+    shifted = {"closing": np.concatenate([turn, 0.0 * turn])}  # phi includes its winding, swing does not
     shifted["angle"] = (own.mesh.nodes[:, None] * turn).ravel()
     shifted["mean"] = own.mesh.weights @ own.mesh.nodes * turn
     for name in shifted.keys() & own.rows.keys() if own.periodic else ():

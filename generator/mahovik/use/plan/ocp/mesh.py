@@ -1,7 +1,7 @@
-"""Direct collocation on [0, span]: intervals, nodes of Gauss, and the matrices that derive and continue polynomials.
+"""Direct collocation on [0, span]: intervals, Gauss nodes, and the matrices for derivatives and continuity.
 
-On every interval the states are polynomials of degree d through its start and d nodes. A state is kept as a row of
-columns: for each interval its start, then its nodes; last the end of the last interval.
+On every interval the states are polynomials of degree d through its start and d nodes. A state is a row with a
+column for the start and for each node of every interval, and a last one for the end of the span.
 """
 
 from __future__ import annotations
@@ -25,49 +25,49 @@ class Mesh:
 
     @staticmethod
     def uniform(K: int, degree: int) -> Mesh:
-        """K intervals of one length."""
+        """K intervals of equal length."""
         return Mesh(np.linspace(0.0, 1.0, K + 1), degree)
 
     @property
     def K(self) -> int:
-        """Intervals."""
+        """Number of intervals."""
         return len(self.breaks) - 1
 
     @property
     def columns(self) -> int:
-        """Columns of a state."""
+        """Number of columns of a state."""
         return self.K * (self.degree + 1) + 1
 
     @cached_property
     def _local(self) -> tuple[Array, Array]:
-        """Points of Gauss in (0, 1) (d), and their weights, of which the sum is 1."""
+        """Gauss points in (0, 1) (d), and their weights, whose sum is 1."""
         x, w = np.polynomial.legendre.leggauss(self.degree)
         return (1.0 + x) / 2.0, w / 2.0
 
     @property
     def widths(self) -> Array:
-        """(K,) of the intervals."""
+        """Widths (K,) of the intervals."""
         return np.diff(self.breaks)
 
     @property
     def nodes(self) -> Array:
-        """(M,) times of the nodes."""
+        """Times (M,) of the nodes."""
         return np.asarray((self.breaks[:-1, None] + self.widths[:, None] * self._local[0]).ravel())
 
     @property
     def weights(self) -> Array:
-        """(M,) of the nodes in a mean over the span; their sum is 1."""
+        """Weights (M,) of the nodes in a mean over the span; their sum is 1."""
         return np.asarray((self.widths[:, None] * self._local[1]).ravel())
 
     @property
     def times(self) -> Array:
-        """(columns,) times of all columns."""
+        """Times (columns,) of all columns."""
         local = np.concatenate([[0.0], self._local[0]])
         return np.append((self.breaks[:-1, None] + self.widths[:, None] * local).ravel(), 1.0)
 
     @property
     def at_nodes(self) -> NDArray[np.intp]:
-        """(M,) columns of the nodes."""
+        """Columns (M,) of the nodes."""
         return np.asarray([k * (self.degree + 1) + j for k in range(self.K) for j in range(1, self.degree + 1)])
 
     def _basis(self, x: Array, order: int = 0) -> Array:
@@ -82,17 +82,17 @@ class Mesh:
 
     @cached_property
     def derive(self) -> csc_matrix:
-        """(columns, M): a state times this is its derivative at the nodes, a span taken as 1."""
+        """(columns, M): a state times this is its derivative at the nodes, for a span of 1."""
         local = self._basis(self._local[0], 1).T
-        return _tall(csc_matrix(block_diag([local / h for h in self.widths])))
+        return _with_end(csc_matrix(block_diag([local / h for h in self.widths])))
 
     @cached_property
     def jumps(self) -> csc_matrix:
-        """(columns, K): a state times this is what each interval's start differs from the end of the one before.
+        """(columns, K): a state times this is the jump between each interval's start and the end of the one before.
 
-        The last: the column of the end.
+        The last entry is the column of the end.
         """
-        ends = _tall(csc_matrix(block_diag([self._basis(np.ones(1)).T] * self.K)))
+        ends = _with_end(csc_matrix(block_diag([self._basis(np.ones(1)).T] * self.K)))
         start = (np.arange(self.K) + 1) * (self.degree + 1)
         one = coo_matrix((np.ones(self.K), (start, np.arange(self.K))), shape=(self.columns, self.K))
         return csc_matrix(ends - one)
@@ -107,6 +107,6 @@ class Mesh:
         return found
 
 
-def _tall(matrix: csc_matrix) -> csc_matrix:
-    """With a row of zeros more: the end of the last interval."""
+def _with_end(matrix: csc_matrix) -> csc_matrix:
+    """The matrix with one more row of zeros, for the end of the last interval."""
     return csc_matrix(hstack([matrix.T, csc_matrix((matrix.shape[1], 1))]).T)

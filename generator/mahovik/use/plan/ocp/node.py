@@ -1,8 +1,8 @@
 """(12) and (13) at one node as CasADi expressions of angle, speed, control, with the coefficients as parameters.
 
-Of masses and mountings nothing is known here: `plan.residual` gives the coefficients as numbers. Time is counted in
-1/Omega, Omega the frequency of the motion: v = phi'/Omega, a = phi''/Omega^2; rows of (12) are relative as the norm of
-residuals has them, torques are tau / (J_s Omega^2). Flywheels stand in the order (-, +) of (13).
+Masses and mountings do not appear: `plan.residual` gives the coefficients as numbers. The unit of time is 1/Omega,
+with Omega the frequency of the motion: v = phi'/Omega, a = phi''/Omega^2; rows of (12) are scaled like the norm of
+residuals, torques are tau / (J_s Omega^2). Flywheels stand in the order (-, +) of (13).
 """
 
 from __future__ import annotations
@@ -15,23 +15,23 @@ import casadi as ca
 from mahovik.use.plan.objective import KINDS
 
 HARMONICS, ROWS = 5, 7
-"""1, cos, sin, cos 2, sin 2 of an angle; six rows of a wrench and the torque."""
+"""Harmonics 1, cos, sin, cos 2, sin 2 of an angle; six rows of a wrench and one of the torque."""
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Where what stands among the parameters: of a node, and of the stand with its objective. Names and sizes."""
+    """Names and sizes of the parameters: those of a node, and those of the stand with its objective."""
 
     N: int
 
     @property
-    def of_node(self) -> dict[str, tuple[int, ...]]:
+    def node_shapes(self) -> dict[str, tuple[int, ...]]:
         """Parameters of a node: coefficients of (12) (see plan.residual.prescribed), and derivatives by the bias."""
         table = (HARMONICS, ROWS, self.N)
         return {"base": (6,), "fixed": table, "moving": table, "by_bias": (6, 6), "tau_by_bias": (self.N, 6)}
 
     @property
-    def of_stand(self) -> dict[str, tuple[int, ...]]:
+    def stand_parameters(self) -> dict[str, tuple[int, ...]]:
         """Parameters of all nodes: tables, scales of the columns of I, weights by kind, mean speeds, motors."""
         table = (HARMONICS, ROWS, self.N)
         return {
@@ -48,15 +48,15 @@ class Layout:
 
 
 def size(shape: tuple[int, ...]) -> int:
-    """Numbers in a table."""
+    """Count of numbers in a table."""
     n = 1
     for each in shape:
         n *= each
     return n
 
 
-def _taken(vector: Any, shapes: dict[str, tuple[int, ...]]) -> dict[str, Any]:
-    """Pieces of a vector of parameters by name, each a function of its indices."""
+def _named_pieces(vector: Any, shapes: dict[str, tuple[int, ...]]) -> dict[str, Any]:
+    """Pieces of a parameter vector by name, each a function of its indices."""
     found, at = {}, 0
     for name, shape in shapes.items():
         found[name] = _Table(vector, at, shape)
@@ -66,7 +66,7 @@ def _taken(vector: Any, shapes: dict[str, tuple[int, ...]]) -> dict[str, Any]:
 
 @dataclass(frozen=True, eq=False)
 class _Table:
-    """A table of symbols, row by row in a vector."""
+    """A table of symbols, stored row by row in a vector."""
 
     vector: Any
     first: int
@@ -81,7 +81,7 @@ class _Table:
 
 @dataclass(frozen=True, eq=False)
 class _Wrenches:
-    """I (6, N) by columns, P - J phi' (6), and tau: what does not depend on the acceleration, and its factor (N)."""
+    """I (6, N) by columns, P - J phi' (6), the part of tau without acceleration, and its factor of acceleration (N)."""
 
     I: Any
     rest: Any
@@ -144,22 +144,22 @@ class Node:
 
     @property
     def unknowns(self) -> int:
-        """Of one node, the bias among them."""
+        """Number of unknowns of one node, including the bias."""
         return 2 * self.N + self.controls + 6
 
 
 def node_functions(N: int, partition: bool, torque: bool) -> Node:
-    """The functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y has tau too."""
+    """Functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y includes tau."""
     layout, controls = Layout(N), N - 6 if partition else N
     z = ca.SX.sym("z", 2 * N + controls + 6)
-    node = ca.SX.sym("node", sum(size(shape) for shape in layout.of_node.values()))
-    stand = ca.SX.sym("stand", sum(size(shape) for shape in layout.of_stand.values()))
-    at, own = _taken(node, layout.of_node), _taken(stand, layout.of_stand)
+    node = ca.SX.sym("node", sum(size(shape) for shape in layout.node_shapes.values()))
+    stand = ca.SX.sym("stand", sum(size(shape) for shape in layout.stand_parameters.values()))
+    at, own = _named_pieces(node, layout.node_shapes), _named_pieces(stand, layout.stand_parameters)
     phi, v, u, bias = z[:N], z[N : 2 * N], z[2 * N : -6], z[-6:]
     found = _wrenches(N, phi, v, bias, at, own)
     if partition:
         column = ca.vertcat(*(own["column"][s] for s in range(N - 6, N)))
-        Q, triangle = ca.qr(found.I[:, N - 6 :] / ca.repmat(column.T, 6, 1))  # without pivots: for every angle
+        Q, triangle = ca.qr(found.I[:, N - 6 :] / ca.repmat(column.T, 6, 1))  # no pivoting: valid for every angle
         left = found.rest - ca.mtimes(found.I[:, : N - 6], u) if N > 6 else found.rest
         dependent = ca.solve(triangle, ca.mtimes(Q.T, left)) / column
         volume = 1.0

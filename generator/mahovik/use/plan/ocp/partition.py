@@ -1,9 +1,10 @@
-"""The partition (-, +) of (13): six flywheels that follow from the others, and where det I+ != 0 holds."""
+"""The partition (-, +) of (13): six dependent flywheels, and where det I+ != 0 holds."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 from itertools import combinations, islice
 from typing import Any
 
@@ -14,13 +15,14 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.nearest import meant
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.options import PlanOptions
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.flywheels import waves
 
 NEARLY = 1e-3
-"""Least singular value of K^-1/2 I+ Theta_ff^-1/2 below which a time is reported: three digits of (13) are lost."""
+"""Least singular value of K^-1/2 I+ Theta_ff^-1/2 below which a time is reported: (13) loses three digits there."""
 _SCREENED, _KEPT, _AT_ONCE = 48, 12, 512
-"""Times of the screening, partitions that are then looked at closely, partitions of one batch."""
+"""Times of the screening, partitions examined closely after it, partitions per batch."""
 _ROWS = 32
 """Times of the table in the report."""
 
@@ -35,9 +37,9 @@ def partition_of(names: Sequence[str], stand: Stand) -> Plus:
         if name not in known:
             raise UsageError(f"{shown}: the stand has no flywheel {name!r}{meant(name, known)}")
     if len(given) != 6:
-        raise UsageError(f"{shown}: {len(given)} names; expected the six flywheels that follow from the others, (13)")
+        raise UsageError(f"{shown}: {len(given)} names; expected the six dependent flywheels of (13)")
     if len(set(given)) != 6:
-        raise UsageError(f"{shown}: a flywheel is named twice; expected six that differ")
+        raise UsageError(f"{shown}: a flywheel is named twice; expected six different ones")
     return tuple(k for k, name in enumerate(known) if name in given)
 
 
@@ -47,7 +49,7 @@ class Along:
 
     t            (M, s)
     determinant  (M,) with the sign of det I+
-    values       (M, 6) singular values, falling
+    values       (M, 6) singular values, largest first
     """
 
     plus: Plus
@@ -57,13 +59,13 @@ class Along:
 
     @staticmethod
     def of(own: Mechanics, t: Array, phi: Array, plus: Plus) -> Along:
-        """At angles phi (M, N) at times t."""
+        """I+ at angles phi (M, N) at times t."""
         columns: Array = scaled_columns(own, phi)[:, :, list(plus)]
         return Along(plus, t, np.asarray(np.linalg.det(columns)), np.asarray(np.linalg.svd(columns, compute_uv=False)))
 
     @property
     def least(self) -> float:
-        """Least singular value on the way; 0 where det I+ changes its sign."""
+        """Least singular value along the motion; 0 if det I+ changes its sign."""
         return 0.0 if self.crossings.size else float(self.values[:, -1].min())
 
     @property
@@ -76,7 +78,7 @@ class Along:
 
     @property
     def near(self) -> list[list[float]]:
-        """Intervals of time (s) with the least singular value below NEARLY."""
+        """Intervals of time (s) where the least singular value is below NEARLY."""
         below = np.concatenate([[False], self.values[:, -1] < NEARLY, [False]])
         edges = np.flatnonzero(np.diff(below.astype(int)))
         return [[float(self.t[a]), float(self.t[b - 1])] for a, b in zip(edges[::2], edges[1::2], strict=True)]
@@ -98,15 +100,15 @@ class Along:
         }
 
     def words(self, names: Sequence[str]) -> str:
-        """Where the partition does not hold."""
+        """Message: where the partition does not hold."""
         at = ", ".join(f"{t:.4g}" for t in islice(self.crossings, 8)) + (" ..." if len(self.crossings) > 8 else "")
         return f"partition {','.join(names[k] for k in self.plus)}: det I+ = 0 at t = {at} s"
 
 
 def best_partition(own: Mechanics, t: Array, phi: Array) -> Along:
-    """Of all partitions the one whose least singular value along phi (M, N) is largest, first without change of sign.
+    """Partition with the largest least singular value along phi (M, N); one without change of sign comes first.
 
-    Screened at few of the times, the most promising then judged at all.
+    All are screened at a few times, and the most promising evaluated at all times.
     """
     rows = np.unique(np.linspace(0, len(t) - 1, _SCREENED).round().astype(int))
     columns = scaled_columns(own, phi[rows])
@@ -132,3 +134,21 @@ def scaled_columns(own: Mechanics, phi: Array) -> Array:
 def order_of(plus: Plus, N: int) -> NDArray[np.intp]:
     """Numbers of all flywheels in the order (-, +) of (13)."""
     return np.array([k for k in range(N) if k not in plus] + list(plus), dtype=np.intp)
+
+
+def requested_partition(stand: Stand, options: PlanOptions) -> Plus | None:
+    """The six dependent flywheels of `--partition`, None: the best. UsageError: not possible on this stand."""
+    if options.method == "fourier":
+        if options.partition is not None:
+            raise UsageError("--partition needs --method ocp-partition or ocp; the method is fourier")
+        return None
+    N, shown = len(stand.flywheels), f"--method {options.method}"
+    if N < 6:
+        raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs six dependent ones; use --method fourier")
+    for wheel in stand.flywheels:
+        if wheel.damping is not None:
+            raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')
+    plus = None if options.partition is None else partition_of(options.partition, stand)
+    if find_spec("casadi") is None:
+        raise UsageError(f"{shown}: CasADi is not installed: pip install casadi, or use --method fourier")
+    return plus

@@ -17,22 +17,22 @@ from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.ocp.coefficients import Scaled
 from mahovik.use.plan.ocp.mesh import Mesh
 from mahovik.use.plan.ocp.partition import Along, Plus, best_partition, order_of
-from mahovik.use.plan.ocp.refine import exact, finite_exact, finite_start, start_of
+from mahovik.use.plan.ocp.refine import exact_periodic, finite_exact, finite_start, periodic_start
 from mahovik.use.plan.ocp.solve import Collocated, Start, solve
 from mahovik.use.plan.ocp.structure import Formulation
-from mahovik.use.plan.outcome import Tell, Ways
+from mahovik.use.plan.options import PlanOptions
+from mahovik.use.plan.outcome import Candidates, OnProgress
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.search import Candidate
-from mahovik.use.plan.wishes import Wishes
 
 INTERVALS, DEGREE = 24, 4
-"""Of a period with one harmonic; of higher ones as many more."""
+"""Intervals per period of a motion with one harmonic (higher ones add more), and degree."""
 EACH = 2
 """Intervals between two samples of a finite motion."""
 PARTS = (0.995, 0.97, 0.93)
-"""Of the bounds, in turn, until what was refined keeps to them."""
+"""Parts of the bounds tried in order, until the refined motion keeps to the bounds."""
 _TIMES = 801
-"""Times at which I+ is looked at."""
+"""Times at which I+ is evaluated."""
 SINGULAR = "SINGULAR_PARTITION"
 
 Kind = TypeVar("Kind", Candidate, Solved)
@@ -40,9 +40,9 @@ Kind = TypeVar("Kind", Candidate, Solved)
 
 @dataclass(frozen=True)
 class _Task(Generic[Kind]):
-    """What differs between periodic and finite motions.
+    """Differences between periodic and finite motions, as functions.
 
-    start   a programme as a start; exact: what a collocated motion near a programme becomes
+    start   a programme as a start; exact: the exact motion near a collocated one
     good    whether that is a programme; kept: whether it keeps to the bounds; objective: J of (13)
     """
 
@@ -55,20 +55,25 @@ class _Task(Generic[Kind]):
 
 
 def periodic_ocp(
-    improver: Improver, warm: Sequence[Candidate], asked: Wishes, plus: Plus | None, budget: Budget, tell: Tell | None
-) -> Ways[Candidate]:
+    improver: Improver,
+    warm: Sequence[Candidate],
+    options: PlanOptions,
+    plus: Plus | None,
+    budget: Budget,
+    on_progress: OnProgress | None,
+) -> Candidates[Candidate]:
     """(13) of a periodic motion, from programmes of the Fourier method."""
     problem = improver.problem
     mesh = Mesh.uniform(INTERVALS + 8 * (problem.highest - 1), DEGREE)
     task = _Task[Candidate](
-        start=lambda each: start_of(each.motion),
-        exact=lambda each, found: exact(improver, each, found),
+        start=lambda each: periodic_start(each.motion),
+        exact=lambda each, found: exact_periodic(improver, each, found),
         good=lambda each: each.exact,
         kept=lambda each: not each.exceeded,
         objective=lambda each: each.objective,
         mesh=mesh,
     )
-    return _Run(problem, improver.cost, task, asked, budget, tell).all(warm, plus)
+    return _Run(problem, improver.cost, task, options, budget, on_progress).run_all(warm, plus)
 
 
 def finite_ocp(
@@ -76,11 +81,11 @@ def finite_ocp(
     cost: Cost,
     warm: Sequence[Solved],
     figures: Callable[[Solved], Mapping[str, Any]],
-    asked: Wishes,
+    options: PlanOptions,
     plus: Plus | None,
     budget: Budget,
-    tell: Tell | None,
-) -> Ways[Solved]:
+    on_progress: OnProgress | None,
+) -> Candidates[Solved]:
     """(13) of a finite motion with x(t0) = x0, from programmes of the search; `figures`: of one, for its report."""
     breaks = problem.space(warm[0].degree).breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
     inside = np.arange(EACH) / EACH
@@ -93,7 +98,7 @@ def finite_ocp(
         objective=lambda each: float(figures(each)["objective"]),
         mesh=Mesh(fine, DEGREE),
     )
-    return _Run(problem, cost, task, asked, budget, tell).all(warm, plus)
+    return _Run(problem, cost, task, options, budget, on_progress).run_all(warm, plus)
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,33 +108,33 @@ class _Run(Generic[Kind]):
     problem: Problem
     cost: Cost
     task: _Task[Kind]
-    asked: Wishes
+    options: PlanOptions
     budget: Budget
-    tell: Tell | None
+    on_progress: OnProgress | None
 
     @property
     def formulation(self) -> Formulation:
-        """Of (13), by the method; `fourier` has none."""
-        assert self.asked.method != "fourier"
-        return self.asked.method
+        """Formulation of (13) for the method; `fourier` has none."""
+        assert self.options.method != "fourier"
+        return self.options.method
 
     @property
     def names(self) -> list[str]:
-        """Of the flywheels."""
+        """Names of the flywheels."""
         return [s.name for s in self.problem.stand.flywheels]
 
     def along(self, one: Kind, plus: Plus | None) -> Along:
-        """I+ along a programme; without `plus` of the partition that is best there."""
+        """I+ along a programme; if `plus` is None, for the best partition there."""
         t: Array = np.linspace(0.0, self.problem.motion.span, _TIMES)
         phi = self.task.start(one).at(t).phi
         own = self.problem.mechanics
         return best_partition(own, t, phi) if plus is None else Along.of(own, t, phi, plus)
 
-    def all(self, warm: Sequence[Kind], plus: Plus | None) -> Ways[Kind]:
-        """Programmes in the order of what they promise, until as many are there as asked for."""
-        outcome = Ways[Kind]()
+    def run_all(self, warm: Sequence[Kind], plus: Plus | None) -> Candidates[Kind]:
+        """Programmes, most promising start first, until the wanted number is found."""
+        outcome = Candidates[Kind]()
         starts = [(each, self.along(each, plus)) for each in warm]
-        if self.asked.method == "ocp-partition":
+        if self.options.method == "ocp-partition":
             starts.sort(key=lambda each: -each[1].least)
             which = "programme {} of {} found: " if len(starts) > 1 else ""
             outcome.words = [
@@ -140,24 +145,24 @@ class _Run(Generic[Kind]):
             starts = [each for each in starts if not each[1].crossings.size]
             outcome.reason = "SEARCH" if starts else SINGULAR
         for one, along in starts:
-            if len(outcome.found) >= self.asked.keep or outcome.interrupted or outcome.cut:
+            if len(outcome.found) >= self.options.keep or outcome.interrupted or outcome.cut:
                 break
-            self.one(one, along, plus, outcome)
+            self.run_one(one, along, plus, outcome)
         outcome.found.sort(key=lambda each: (not self.task.kept(each[0]), self.task.objective(each[0])))
         return outcome
 
-    def one(self, warm: Kind, along: Along, plus: Plus | None, outcome: Ways[Kind]) -> None:
-        """(13) from one programme: into the outcome goes what it becomes, or why it becomes nothing."""
+    def run_one(self, warm: Kind, along: Along, plus: Plus | None, outcome: Candidates[Kind]) -> None:
+        """Solve (13) from one programme; the outcome gets the new programme, or the reason why there is none."""
         until = None
-        if self.asked.seconds is not None:
-            until = time.monotonic() + max(0.0, self.asked.seconds - self.budget.elapsed)
+        if self.options.seconds is not None:
+            until = time.monotonic() + max(0.0, self.options.seconds - self.budget.elapsed)
         scaled = Scaled(self.problem, self.cost, order_of(along.plus, self.problem.N))
         best: tuple[Kind, Collocated] | None = None
         tries: list[Collocated] = []
         try:
             for part in PARTS:
                 start = self.task.start(warm)
-                run = solve(scaled, self.formulation, self.task.mesh, start, part, self.tell, until)
+                run = solve(scaled, self.formulation, self.task.mesh, start, part, self.on_progress, until)
                 tries.append(run)
                 outcome.interrupted |= run.interrupted
                 outcome.cut |= run.cut
@@ -165,7 +170,7 @@ class _Run(Generic[Kind]):
                 if not run.usable:
                     break
                 became = self.task.exact(warm, run)
-                if self.task.good(became) and not (ended and self.worse(became, warm)):
+                if self.task.good(became) and not (ended and self.is_worse(became, warm)):
                     best = (became, run) if best is None or self.task.kept(became) else best
                 if ended or (best is not None and self.task.kept(best[0])):
                     break
@@ -178,36 +183,38 @@ class _Run(Generic[Kind]):
             return
         if best is None:
             last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
-            self.say(outcome, f"{last}; between its nodes that is no programme; --method fourier has one")
+            self.add_words(
+                outcome, f"{last}; its motion violates (12) between the nodes; --method fourier has a programme"
+            )
             return
-        after = self.along(best[0], along.plus if self.asked.method == "ocp-partition" else plus)
-        if self.asked.method == "ocp-partition" and after.crossings.size:
+        after = self.along(best[0], along.plus if self.options.method == "ocp-partition" else plus)
+        if self.options.method == "ocp-partition" and after.crossings.size:
             outcome.reason = SINGULAR
-            self.say(outcome, after.words(self.names))
+            self.add_words(outcome, after.words(self.names))
             return
         report = self.report(warm, best[0], best[1], after, iterations)
         outcome.found.append((best[0], report))
 
-    def worse(self, became: Kind, warm: Kind) -> bool:
-        """Whether the start of a run that was cut is better than what it had come to."""
+    def is_worse(self, became: Kind, warm: Kind) -> bool:
+        """Whether the start of an interrupted run is better than its result."""
         task = self.task
         return task.kept(warm) and (not task.kept(became) or task.objective(became) > task.objective(warm))
 
     @staticmethod
-    def say(outcome: Ways[Kind], words: str) -> None:
-        """One line more."""
+    def add_words(outcome: Candidates[Kind], words: str) -> None:
+        """Add a line to the outcome's words."""
         outcome.words = [*outcome.words, words]
 
     def report(self, warm: Kind, became: Kind, run: Collocated | None, along: Along, iterations: int) -> dict[str, Any]:
-        """For the programme's report; `run` None: the start itself is given."""
+        """Entries for the programme's report; `run` None: the start itself is given."""
         mesh = self.task.mesh
         return {
-            "method": self.asked.method,
+            "method": self.options.method,
             "ocp": {
                 "intervals": mesh.K,
                 "degree": mesh.degree,
                 "iterations": iterations,
-                "ipopt": "no better point yet: the start is given" if run is None else run.words,
+                "ipopt": "no better point found yet: the start is given" if run is None else run.words,
                 "objective_of_start": self.task.objective(warm),
                 "objective_at_nodes": None if run is None else run.objective,
                 "objective": self.task.objective(became),

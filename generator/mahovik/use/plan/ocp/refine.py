@@ -1,4 +1,4 @@
-"""A collocated motion made exact: what hides between the nodes is taken out by the refinement of the Fourier method."""
+"""Make a collocated motion exact: the Fourier method removes the residual between the nodes."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.finite import FiniteProblem, Solved
 from mahovik.use.plan.fourier import Angles, Basis, Periodic
-from mahovik.use.plan.levenberg import Rules, ladder, refine
+from mahovik.use.plan.levenberg import Rules, refine, refine_periodic
 from mahovik.use.plan.ocp.solve import Collocated, Start
-from mahovik.use.plan.optimise import finish, judged
-from mahovik.use.plan.search import RUNGS, Candidate
+from mahovik.use.plan.optimise import evaluate, finish
+from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate
 
 STEPS = 60
-"""Of the refinement."""
+"""Steps of the refinement."""
 _LEAST, _MOST = 16, 32
-"""Harmonics of the fit."""
+"""Least and greatest number of harmonics of the fit."""
 
 
-def start_of(motion: Periodic) -> Start:
+def periodic_start(motion: Periodic) -> Start:
     """A periodic flywheel motion as a start."""
 
     def at(t: Array) -> Angles:
@@ -31,8 +31,8 @@ def start_of(motion: Periodic) -> Start:
     return Start(at, motion.winding, motion.bias)
 
 
-def exact(improver: Improver, start: Candidate, found: Collocated) -> Candidate:
-    """The periodic motion on (12) next to a collocated one: its harmonics, then shortest steps."""
+def exact_periodic(improver: Improver, start: Candidate, found: Collocated) -> Candidate:
+    """The periodic motion on (12) next to a collocated one: fit of its harmonics, then shortest steps."""
     problem, H = improver.problem, int(np.clip(start.motion.H, _LEAST, _MOST))
     M = 8 * H
     t: Array = np.asarray(np.arange(M) * (found.span / M))
@@ -41,9 +41,11 @@ def exact(improver: Improver, start: Candidate, found: Collocated) -> Candidate:
     waves = np.hstack([spectrum[:, :1].real, 2.0 * spectrum[:, 1:].real, -2.0 * spectrum[:, 1:].imag])
     motion = Periodic(start.motion.period, start.motion.winding, waves, found.bias)
     budget = Budget(STEPS)
-    done = finish(problem, improver.cost, judged(problem, improver.cost, motion, 0), budget)
+    done = finish(problem, improver.cost, evaluate(problem, improver.cost, motion, 0), budget)
     if done.residual > problem.tolerance:
-        done = judged(problem, improver.cost, ladder(problem, motion, RUNGS, budget).motion, budget.taken)
+        done = evaluate(
+            problem, improver.cost, refine_periodic(problem, motion, HARMONIC_COUNTS, budget).motion, budget.taken
+        )
     return improver.candidate(done, start.kind)
 
 
@@ -54,7 +56,7 @@ def finite_start(problem: FiniteProblem, solved: Solved) -> Start:
 
 
 def finite_exact(problem: FiniteProblem, start: Solved, found: Collocated) -> Solved:
-    """The finite motion on (12) next to a collocated one: its modes, then steps at the degree of the start."""
+    """The finite motion on (12) next to a collocated one: fit of its modes, then steps at the degree of the start."""
     space = problem.space(start.degree)
     t, weight = space.nodes(start.degree + 1)
     root = np.sqrt(weight)[:, None]

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import defer_interrupt
 from mahovik.use.plan.fourier import Angles
-from mahovik.use.plan.interrupt import deferred
 from mahovik.use.plan.ocp.coefficients import Scaled
-from mahovik.use.plan.ocp.limits import of_rows, of_unknowns
+from mahovik.use.plan.ocp.limits import row_bounds, unknown_bounds
 from mahovik.use.plan.ocp.mesh import Mesh
 from mahovik.use.plan.ocp.structure import Formulation, Structure, Unknowns
 from mahovik.use.plan.ocp.transcription import transcription
@@ -26,7 +26,7 @@ ROWS = ("acceleration", "torque", "angle")
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """Where a run starts: angles (., N; rad, s) at given times, turns of a period (N; finite: none), bias (6)."""
+    """Start of a run: angles (., N; rad, s) at given times, turns per period (N; 0 for finite motions), bias (6)."""
 
     at: Callable[[Array], Angles]
     winding: Array
@@ -35,12 +35,12 @@ class Start:
 
 @dataclass(frozen=True, eq=False)
 class Collocated:
-    """What a run ended with.
+    """Result of a run.
 
-    phi, phi_dot   (N, columns) of the mesh, rad, rad/s, flywheels as in the stand
+    phi, phi_dot   (N, columns) of the mesh, rad, rad/s, flywheels in the stand's order
     objective   J of (13) by the nodes
-    residual    largest relative residual of (12) between the nodes, of the polynomials as they are
-    solved      IPOPT calls it solved; words: what IPOPT says. usable: (13) holds at its nodes, solved or not
+    residual    largest relative residual of (12) between the nodes, of the unchanged polynomials
+    solved      whether IPOPT reports success; words: IPOPT's status. usable: whether (13) holds at the nodes
     """
 
     mesh: Mesh
@@ -58,7 +58,7 @@ class Collocated:
     cut: bool
 
     def at(self, t: Array) -> Angles:
-        """Angles (M, N) at times t (M, s): phi and phi' are polynomials of their own, phi'' the derivative of phi'."""
+        """Angles (M, N) at times t (M, s): phi and phi' are separate polynomials, phi'' is the derivative of phi'."""
         x = t / self.span
         E, D = self.mesh.interpolate(x), self.mesh.interpolate(x, 1) / self.span
         return Angles(E @ self.phi.T, E @ self.phi_dot.T, D @ self.phi_dot.T)
@@ -70,10 +70,10 @@ def solve(
     mesh: Mesh,
     start: Start,
     part: float,
-    tell: Callable[[Any], None] | None = None,
+    on_progress: Callable[[Any], None] | None = None,
     until: float | None = None,
 ) -> Collocated:
-    """(13) from a start, inside `part` of the bounds. Ctrl-C, and the time `until`, end it with the best so far."""
+    """Solve (13) from a start, inside `part` of the bounds. Ctrl-C and the time `until` end it with the best so far."""
     problem = scaled.problem
     motion = problem.motion
     kinds = frozenset(kind for kind in ROWS if getattr(motion.bounds, kind) is not None)
@@ -81,19 +81,19 @@ def solve(
     own = transcription(Structure(formulation, problem.N, breaks, mesh.degree, scaled.span, motion.periodic, kinds))
     angles = start.at(mesh.times * motion.span)
     nodes = Angles(*(x[mesh.at_nodes] for x in angles))
-    of_nodes = scaled.of_nodes(mesh.nodes * motion.span, nodes, start.bias)
-    given = np.concatenate([of_nodes.ravel("F"), scaled.of_stand(2.0 * np.pi * start.winding / motion.span)])
-    first = _first(scaled, own.structure, angles, start.winding).vector
-    low, high = of_unknowns(scaled, own.structure, start.winding, start.bias, part)
-    rows_low, rows_high = of_rows(scaled, own.structure, start.winding, part, own.rows(first, given))
-    seen = own.watch.begin(rows_low, rows_high, tell, until)
-    with deferred(seen.interrupt, again=False):
+    of_nodes = scaled.node_parameters(mesh.nodes * motion.span, nodes, start.bias)
+    given = np.concatenate([of_nodes.ravel("F"), scaled.stand_parameters(2.0 * np.pi * start.winding / motion.span)])
+    first = _start_point(scaled, own.structure, angles, start.winding).vector
+    low, high = unknown_bounds(scaled, own.structure, start.winding, start.bias, part)
+    rows_low, rows_high = row_bounds(scaled, own.structure, start.winding, part, own.rows(first, given))
+    seen = own.watch.begin(rows_low, rows_high, on_progress, until)
+    with defer_interrupt(seen.interrupt, again=False):
         found = own.solver(x0=first, p=given, lbx=low, ubx=high, lbg=rows_low, ubg=rows_high)
-    end = _ended(scaled, own.structure, start, found, own.solver.stats(), seen)
-    return replace(end, residual=between(problem, end))
+    end = _result(scaled, own.structure, start, found, own.solver.stats(), seen)
+    return replace(end, residual=residual_between_nodes(problem, end))
 
 
-def _ended(
+def _result(
     scaled: Scaled,
     own: Structure,
     start: Start,
@@ -101,7 +101,7 @@ def _ended(
     status: dict[str, Any],
     seen: Seen,
 ) -> Collocated:
-    """The solution; without one, the best point seen."""
+    """The solution; if there is none, the best point seen."""
     solved, back, N = bool(status["success"]), np.argsort(scaled.order), own.N
     last = solved or seen.best is None
     point = own.split(np.asarray(found["x"]).ravel() if last else np.asarray(seen.best))
@@ -122,7 +122,7 @@ def _ended(
     )
 
 
-def between(problem: Problem, found: Collocated) -> float:
+def residual_between_nodes(problem: Problem, found: Collocated) -> float:
     """Largest relative residual at 20 times in every interval, none of them a node."""
     inside = (np.arange(20) + 0.381966) / 20
     t = (found.mesh.breaks[:-1, None] + found.mesh.widths[:, None] * inside).ravel() * found.span
@@ -130,7 +130,7 @@ def between(problem: Problem, found: Collocated) -> float:
     return problem.norm.relative(residual(at, *found.at(t)))
 
 
-def _first(scaled: Scaled, own: Structure, angles: Angles, winding: Array) -> Unknowns:
+def _start_point(scaled: Scaled, own: Structure, angles: Angles, winding: Array) -> Unknowns:
     """The point that IPOPT starts from."""
     order, mesh, Omega = scaled.order, own.mesh, scaled.Omega
     phi, v, a = (x[:, order].T for x in (angles.phi, angles.phi_dot / Omega, angles.phi_ddot / Omega**2))

@@ -1,7 +1,7 @@
-"""What a programme of IPOPT is built for, its unknowns, and its rows: g = A z + B y, y the values of all nodes.
+"""Structure of an IPOPT problem: its unknowns, and its rows g = A z + B y, y the values of all nodes.
 
 Unknowns z: the states x (2N) at all columns of the mesh, the controls u at its nodes, the change of the bias (6), the
-mean of each swing (N). A and B are numbers; what bounds the rows is not built in.
+mean of each swing (N). A and B are constant; the bounds of the rows are given at each run.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ class Unknowns:
 
     @property
     def vector(self) -> Array:
-        """As IPOPT has it."""
+        """Flat vector, column-major, as IPOPT expects."""
         return np.concatenate([self.x.ravel("F"), self.u.ravel("F"), self.bias, self.mean])
 
 
 @dataclass(frozen=True)
 class Structure:
-    """All that a programme of IPOPT is built for.
+    """Everything that decides how an IPOPT problem is built.
 
-    span   of the motion, in 1/Omega
-    kinds  bounds that are rows: of acceleration, torque, angle
+    span   span of the motion, in 1/Omega
+    kinds  bounds that are rows: acceleration, torque, angle
     """
 
     formulation: Formulation
@@ -54,7 +54,7 @@ class Structure:
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The mesh of these intervals."""
+        """Mesh of these intervals."""
         return Mesh(np.array(self.breaks), self.degree)
 
     @property
@@ -64,34 +64,34 @@ class Structure:
 
     @property
     def controls(self) -> int:
-        """Controls at a node."""
+        """Number of controls at a node."""
         return self.N - 6 if self.partition else self.N
 
     @property
     def M(self) -> int:
-        """Nodes."""
+        """Number of nodes."""
         return self.mesh.K * self.degree
 
     @property
-    def of_y(self) -> dict[str, slice]:
-        """Where what stands in y of one node."""
+    def y_slices(self) -> dict[str, slice]:
+        """Slices of y of one node, by name."""
         first = {"dependent": slice(0, 6), "volume": slice(6, 7)} if self.partition else {"residual": slice(0, 6)}
         at = 7 if self.partition else 6
         return {**first, "torque": slice(at, at + self.N)} if "torque" in self.kinds else first
 
     @property
-    def size_of_y(self) -> int:
-        """Of one node."""
-        return max(int(each.stop) for each in self.of_y.values())
+    def y_size(self) -> int:
+        """Length of y of one node."""
+        return max(int(each.stop) for each in self.y_slices.values())
 
     @property
     def shapes(self) -> tuple[tuple[int, int], ...]:
-        """Of x, u, bias, mean."""
+        """Shapes of x, u, bias, mean."""
         return (2 * self.N, self.mesh.columns), (self.controls, self.M), (6, 1), (self.N, 1)
 
     @property
     def size(self) -> int:
-        """Unknowns."""
+        """Number of unknowns."""
         return sum(n * m for n, m in self.shapes)
 
     def split(self, vector: Array) -> Unknowns:
@@ -104,7 +104,7 @@ class Structure:
 
     @cached_property
     def places(self) -> Indices:
-        """(M, unknowns of a node): where in z the x, u, bias of each node stand."""
+        """(M, unknowns of a node): positions in z of the x, u, bias of each node."""
         N, m = self.N, self.controls
         first = 2 * N * self.mesh.columns
         x = 2 * N * self.mesh.at_nodes[:, None] + np.arange(2 * N)
@@ -114,7 +114,7 @@ class Structure:
 
     @cached_property
     def rows(self) -> dict[str, slice]:
-        """Where each kind of rows stands in g."""
+        """Slices of g, by kind of rows."""
         found, at = {}, 0
         for name, (A, _) in self._kinds.items():
             found[name] = slice(at, at + A.shape[0])
@@ -123,12 +123,12 @@ class Structure:
 
     @cached_property
     def A(self) -> csc_matrix:
-        """g by z (rows, size), without the part through y."""
+        """Derivative of g by z (rows, size), without the part through y."""
         return csc_matrix(vstack([A for A, _ in self._kinds.values()]))
 
     @cached_property
     def B(self) -> csc_matrix:
-        """g by y of all nodes (rows, M times size_of_y)."""
+        """Derivative of g by y of all nodes (rows, M times size_of_y)."""
         return csc_matrix(vstack([B for _, B in self._kinds.values()]))
 
     @cached_property
@@ -136,7 +136,7 @@ class Structure:
         """A and B of each kind of rows."""
         mesh, N, M = self.mesh, self.N, self.M
         states = eye(2 * N)
-        none = csc_matrix((M * self.size_of_y, M * self.size_of_y))
+        none = csc_matrix((M * self.y_size, M * self.y_size))
         found = {
             "collocation": self._collocation(),
             "continuity": (self._by_x(kron(mesh.jumps.T, states)), none[: 2 * N * mesh.K]),
@@ -144,7 +144,7 @@ class Structure:
         if self.periodic:
             ends = coo_matrix(([-1.0, 1.0], ([0, 0], [0, mesh.columns - 1])), shape=(1, mesh.columns))
             found["closing"] = (self._by_x(kron(ends, states)), none[: 2 * N])
-        for name, y in self.of_y.items():
+        for name, y in self.y_slices.items():
             if name != "dependent" or "acceleration" in self.kinds:
                 found[name] = (csc_matrix(((y.stop - y.start) * M, self.size)), self._of_nodes(y))
         if "angle" in self.kinds:
@@ -164,18 +164,18 @@ class Structure:
         by = np.hstack([self.places[:, N : 2 * N], self.places[:, 2 * N : 2 * N + m]]).ravel()
         shape = (2 * N * M, self.size)
         A = self._by_x(share) - rate * coo_matrix((np.ones(len(taken)), (taken, by)), shape=shape)
-        shape = (2 * N * M, M * self.size_of_y)
+        shape = (2 * N * M, M * self.y_size)
         if not self.partition:
             return csc_matrix(A), csc_matrix(shape)
-        y = self.size_of_y * np.arange(M)[:, None] + np.arange(6)
+        y = self.y_size * np.arange(M)[:, None] + np.arange(6)
         B = coo_matrix((np.full(6 * M, -rate), (row[:, N + m :].ravel(), y.ravel())), shape=shape)
         return csc_matrix(A), csc_matrix(B)
 
     def _of_nodes(self, y: slice) -> csc_matrix:
-        """Rows that are a piece of y at every node."""
-        return csc_matrix(kron(eye(self.M), csc_matrix(eye(self.size_of_y))[y]))
+        """Rows equal to a piece of y at every node."""
+        return csc_matrix(kron(eye(self.M), csc_matrix(eye(self.y_size))[y]))
 
     def _by_x(self, matrix: csc_matrix) -> csc_matrix:
-        """Of rows by x alone: with the columns of all other unknowns."""
+        """Rows that depend on x alone, extended by the columns of all other unknowns."""
         wide = coo_matrix(matrix)
         return csc_matrix(coo_matrix((wide.data, (wide.row, wide.col)), shape=(wide.shape[0], self.size)))

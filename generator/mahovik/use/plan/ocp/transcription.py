@@ -1,6 +1,6 @@
-"""(13) as a programme of IPOPT, built once for its structure and solved for any numbers.
+"""(13) as an IPOPT problem, built once for its structure and solved for any numbers.
 
-Derivatives are put together of blocks, one a node, each of them a flat CasADi function: building takes a second.
+Derivatives are assembled from blocks, one per node, each a flat CasADi function: building takes a second.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _OPTIONS = {
 
 @dataclass(frozen=True, eq=False)
 class Transcription:
-    """The programme of one structure. Parameters: those of the nodes, one after another, then those of the stand."""
+    """The IPOPT problem of one structure. Parameters: those of all nodes in turn, then those of the stand."""
 
     structure: Structure
     solver: Any
@@ -51,11 +51,11 @@ class Transcription:
 
 
 _built: dict[Structure, Transcription] = {}
-"""In this process: of other seeds, starts, rounds, stands only the numbers differ."""
+"""Problems built in this process: other seeds, starts, rounds or stands change only the numbers."""
 
 
 def transcription(structure: Structure) -> Transcription:
-    """The programme of a structure, built at its first use."""
+    """The IPOPT problem of a structure, built at its first use."""
     if structure not in _built:
         node = node_functions(structure.N, structure.partition, "torque" in structure.kinds)
         _built[structure] = _Builder(structure, node).build()
@@ -64,13 +64,13 @@ def transcription(structure: Structure) -> Transcription:
 
 @dataclass(frozen=True, eq=False)
 class _Builder:
-    """Functions of IPOPT from those of a node."""
+    """Builds the functions for IPOPT from those of a node."""
 
     structure: Structure
     node: Node
 
     def build(self) -> Transcription:
-        """f, g, and their derivatives."""
+        """Build f, g, and their derivatives."""
         own, M = self.structure, self.structure.M
         z = ca.MX.sym("z", own.size)
         nodes, stand = (ca.MX.sym("given", self.node.value.size1_in(k), n) for k, n in ((1, M), (2, 1)))
@@ -84,7 +84,7 @@ class _Builder:
         by_y, by_cost = self.node.slope.map("slopes", "serial", M, [2], [])(taken, *given)
         Jy, gradient = self._slopes(by_y), self._gradient(ca.reshape(by_cost, own.places.shape[1], M), weights)
         lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", own.A.shape[0])
-        pull = ca.reshape(ca.mtimes(B.T, lam_g), own.size_of_y, M)
+        pull = ca.reshape(ca.mtimes(B.T, lam_g), own.y_size, M)
         bends = self.node.bend.map("bends", "serial", M, [2], [])(taken, *given, pull, lam_f * weights.T)
         rows_of = ca.Function("rows", [z, p], [g])
         names = ["x", "p"], ["f", "grad_f_x"]
@@ -106,7 +106,7 @@ class _Builder:
 
     def _slopes(self, blocks: Any) -> Any:
         """dy/dz of all nodes (M size_of_y, size) from blocks side by side."""
-        own, n = self.structure, self.structure.size_of_y
+        own, n = self.structure, self.structure.y_size
         w = own.places.shape[1]
         k = np.arange(own.M)[:, None, None]
         row = (n * k + np.arange(n)[None, None, :]) + np.zeros((1, w, 1), dtype=int)  # by columns, as blocks are stored
@@ -122,7 +122,7 @@ class _Builder:
         return ca.densify(ca.mtimes(_matrix(spread), ca.vec(blocks * ca.repmat(weights.T, w, 1))))
 
     def _hessian(self, blocks: Any) -> Any:
-        """Upper triangle of the second derivatives by z, from those of the nodes: the bias is common to all."""
+        """Upper triangle of the second derivatives by z, from those of the nodes; all nodes share the bias."""
         own = self.structure
         M, w = own.places.shape
         row = np.broadcast_to(own.places[:, None, :], (M, w, w)).ravel()
@@ -135,7 +135,7 @@ class _Builder:
 
 
 def _assembled(row: Indices, column: Indices, shape: tuple[int, int], values: Any) -> Any:
-    """A sparse matrix with values (n) at places that differ."""
+    """A sparse matrix with values (n) at distinct places."""
     order = np.lexsort((row, column))
     counts = np.concatenate([[0], np.cumsum(np.bincount(column, minlength=shape[1]))])
     sparsity = ca.Sparsity(*shape, counts.tolist(), row[order].tolist())
@@ -143,7 +143,7 @@ def _assembled(row: Indices, column: Indices, shape: tuple[int, int], values: An
 
 
 def _matrix(matrix: Any) -> Any:
-    """A matrix of SciPy in CasADi."""
+    """CasADi matrix of a SciPy one."""
     columns = csc_matrix(matrix)
     columns.sort_indices()
     rows, width = columns.shape

@@ -1,4 +1,4 @@
-"""What looks at every iteration of IPOPT: progress, time, Ctrl-C, and the best point so far."""
+"""Callback at every iteration of IPOPT: progress, time, Ctrl-C, and the best point so far."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import numpy as np
 from mahovik.use.plan.array import Array
 
 FEASIBLE = 1e-4
-"""Largest violation of a row at which a point counts as one that the refinement can make exact."""
+"""Largest violation of a row at which the refinement can still make a point exact."""
 
 
 @dataclass
 class Seen:
-    """Of one run: iterations, objective and largest violation at the last, and the best point that is feasible."""
+    """Record of one run: iterations, objective and largest violation at the last one, and the best feasible point."""
 
     iterations: int = 0
     objective: float = np.inf
@@ -30,7 +30,7 @@ class Seen:
 
     @property
     def doing(self) -> str:
-        """What it does."""
+        """Name of the activity."""
         return "optimal control"
 
     @property
@@ -39,12 +39,12 @@ class Seen:
         return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"
 
     def interrupt(self) -> None:
-        """By Ctrl-C: IPOPT ends at its next iteration."""
+        """Make IPOPT end at its next iteration."""
         self.interrupted = True
 
 
 class Watch(ca.Callback):
-    """Iteration callback of one programme; `begin` before every run."""
+    """Iteration callback of one IPOPT problem; call `begin` before every run."""
 
     def __init__(self, name: str, unknowns: int, rows: int, parameters: int) -> None:
         ca.Callback.__init__(self)
@@ -52,18 +52,18 @@ class Watch(ca.Callback):
         self.begin(np.zeros(rows), np.zeros(rows), None, None)
         self.construct(name, {})
 
-    def begin(self, low: Array, high: Array, tell: Callable[[Any], None] | None, until: float | None) -> Seen:
-        """A run with these bounds of the rows; it ends at `until` of the monotonic clock. What it will have seen."""
-        self._low, self._high, self._tell, self._until = low, high, tell, until
+    def begin(self, low: Array, high: Array, on_progress: Callable[[Any], None] | None, until: float | None) -> Seen:
+        """Begin a run with these bounds of the rows, until the monotonic time `until`; return the record it fills."""
+        self._low, self._high, self._tell, self._until = low, high, on_progress, until
         self._seen = Seen()
         return self._seen
 
     def get_n_in(self) -> int:
-        """As many as the solver has outputs."""
+        """Number of outputs of the solver."""
         return int(ca.nlpsol_n_out())
 
     def get_n_out(self) -> int:
-        """Whether to stop."""
+        """One output: whether to stop."""
         return 1
 
     def get_sparsity_in(self, i: int) -> Any:

@@ -1,5 +1,5 @@
-"""(13): the programme that is best by the objective and inside the bounds, from a start that nearly solves (12)."""
+"""(13): the best programme by the objective inside the bounds, from a start that nearly solves (12)."""
 
-from mahovik.use.plan.optimise.improve import Improved, finish, improve, judged, over, promise
+from mahovik.use.plan.optimise.improve import Improved, estimate, evaluate, exceeded_by, finish, improve
 
-__all__ = ["Improved", "finish", "improve", "judged", "over", "promise"]
+__all__ = ["Improved", "estimate", "evaluate", "exceeded_by", "finish", "improve"]

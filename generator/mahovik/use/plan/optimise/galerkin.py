@@ -1,7 +1,7 @@
 """Fourier coefficients of the residual and their derivatives by the unknowns, from samples, by FFT.
 
-Of a real R(t) at M uniform times the rows are R_0, sqrt(2) Re R_j, sqrt(2) Im R_j for harmonics j of a range: the sum
-of their squares is the mean square that those harmonics have. A wave cos or sin (k Omega t) of a flywheel moves the
+For a real R(t) at M uniform times the rows are R_0, sqrt(2) Re R_j, sqrt(2) Im R_j, for harmonics j of a range: the
+sum of their squares is the mean square of those harmonics. A wave cos or sin (k Omega t) of a flywheel moves the
 harmonics j - k and j + k of dR/dphi, dR/dphi', dR/dphi'' to j: no product of matrices is needed.
 """
 
@@ -21,7 +21,7 @@ def coefficients(R: Array, first: int, last: int) -> Array:
 
 
 def rows(spectrum: Complex, first: int) -> Array:
-    """Real rows of complex coefficients (J, 6, ...) of harmonics `first` and on; of the mean its real part."""
+    """Real rows of complex coefficients (J, 6, ...) of harmonics `first` and on; for the mean, the real part only."""
     double = np.sqrt(2.0)
     mean = 1 if first == 0 else 0
     parts = [spectrum[:mean].real, double * spectrum[mean:].real, double * spectrum[mean:].imag]
@@ -31,7 +31,7 @@ def rows(spectrum: Complex, first: int) -> Array:
 def derivatives(by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array, Omega: float, H: int, last: int) -> Complex:
     """Harmonics 0..last (last + 1, 6, N (2H + 1)) of the change of R by each wave; by_... are (M, 6, N).
 
-    Omega: of the period, rad/s. Waves of a flywheel: mean, cosines 1..H, sines 1..H.
+    Omega: 2 pi over the period, rad/s. Waves of a flywheel: mean, cosines 1..H, sines 1..H.
     """
     M, R, N = by_phi.shape
     A, B, C = (np.fft.fft(x, axis=0) / M for x in (by_phi, by_phi_dot, by_phi_ddot))

@@ -1,8 +1,8 @@
 """From a flywheel motion that nearly solves (12) to one that does, keeps the bounds, and is locally best: (13).
 
-Bounds first, the objective weighted little: limits start where the motion is and are tightened by TIGHTER a round until
-they are those asked for. Then the objective. Then the finish with more harmonics and a heavy tail, by the same steps:
-anything else would slide along nearly free directions and break the bounds again.
+Bounds come first, with a small weight of the objective: limits start at the motion's own values and are tightened by
+TIGHTER in each round, down to the bounds. Then the objective. Then the finish with more harmonics and a heavy tail, by
+the same steps: anything else would slide along nearly free directions and break the bounds again.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from mahovik.use.plan.bounds import KNEE, Exceeded, bounded, exceeded
+from mahovik.use.plan.bounds import KNEE, ExceededBound, exceeded_bounds, has_bounds
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.objective import Cost
@@ -22,35 +22,35 @@ from mahovik.use.plan.rows import Rows
 HARMONICS = 16
 TAIL = 300.0
 FINISHES = ((0, 0, 24), (0, 0, 32), (0, 0, 48), (24, 12, 48), (32, 12, 64))
-"""Harmonics and steps of a smoothing, harmonics of the shortest steps after it; until the residual is accepted."""
+"""Harmonics and steps of a smoothing, then harmonics of shortest steps; tried until the residual is accepted."""
 RESTORING = 4
 EXACT_ENOUGH = 0.05
-"""Of the tolerance: a residual below this needs no more harmonics."""
+"""Part of the tolerance: a residual below it needs no more harmonics."""
 TAIL_OF_FINISH = 3e4
 TIGHTER = 0.6
 ROUNDS = 12
 STEPS_A_ROUND = 8
 STEPS = 30
 MEANWHILE = 0.17
-"""Weight of the objective rows while bounds are not met: 0.03 in squares."""
+"""Weight of the objective rows while bounds are exceeded: 0.03 in squares."""
 GAIN = 0.97
-"""A round that leaves more than this of the excess has gained nothing."""
+"""A round that leaves more than this part of the excess has gained nothing."""
 _IDLE_ROUNDS = 2
 NEAR, LAST = 1.2, 0.99 / KNEE
-"""Use of the bounds below which they are aimed at without a margin, and how wide the limits are then."""
+"""Use of the bounds below which the aim needs no margin, and how wide the limits are then."""
 SPARE = 0.97
 """Use of the bounds up to which there is a margin to keep."""
 
 
 @dataclass(frozen=True, eq=False)
 class Improved:
-    """What became of a start.
+    """Improved motion and its figures.
 
     motion      the flywheel motion with its bias
     objective   J of (13), and the part of each kind
     used        largest part of a bound that is used; above 1 one is exceeded
     residual    relative, on a fine grid
-    steps       that were taken
+    steps       number of steps taken
     """
 
     motion: Periodic
@@ -62,19 +62,19 @@ class Improved:
 
 
 def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Improved:
-    """Bounds, then objective; the residual is left at what the finish can deal with. Ends with the budget."""
-    stage = stage_of(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
+    """Meet the bounds, then improve the objective; the finish corrects the remaining residual. Ends with the budget."""
+    stage = make_stage(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
     motion, steps = start.with_harmonics(stage.H), 0
     point = stage.at(motion)
-    if bounded(problem.motion.bounds):
+    if has_bounds(problem.motion.bounds):
         point, steps = _within(problem, cost, stage, point, budget)
     if point.used <= 1.0:
-        run = descend(replace(stage, wider=aim(point.used)), point.motion, STEPS, budget)
+        run = descend(replace(stage, wider=limit_factor(point.used)), point.motion, STEPS, budget)
         point, steps = run.point, steps + run.steps
-    return judged(problem, cost, point.motion, steps)
+    return evaluate(problem, cost, point.motion, steps)
 
 
-def _within(problem: Problem, cost: Cost, asked: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
+def _within(problem: Problem, cost: Cost, target: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
     """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
     taken, idle = 0, 0
     for _ in range(ROUNDS):
@@ -82,71 +82,71 @@ def _within(problem: Problem, cost: Cost, asked: Stage, point: Point, budget: Bu
         if before < KNEE + 0.02 and taken:
             break
         wider = max(1.0, TIGHTER * before)
-        stage = stage_of(problem, cost, asked.H, asked.tail, MEANWHILE, wider)
+        stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, wider)
         run = descend(stage, point.motion, STEPS_A_ROUND, budget, enough=(KNEE + 0.01) * wider)
         point, taken = run.point, taken + run.steps
         idle = idle + 1 if point.used > GAIN * before and point.used > 1.0 else 0
         if idle >= _IDLE_ROUNDS or budget.exhausted:
             break
-    if 1.0 < point.used < NEAR:  # nothing to spare: the knee right at the limit
-        stage = stage_of(problem, cost, asked.H, asked.tail, MEANWHILE, LAST)
+    if 1.0 < point.used < NEAR:  # no margin: the knee stands right at the limit
+        stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, LAST)
         run = descend(stage, point.motion, 3 * STEPS_A_ROUND, budget, enough=0.999)
         point, taken = run.point, taken + run.steps
     return point, taken
 
 
-def aim(used: float) -> float:
-    """How wide limits are for a motion that shall keep to this use of the bounds."""
+def limit_factor(used: float) -> float:
+    """Factor on the limits for a motion that should keep to this use of the bounds."""
     if used <= SPARE:
         return 1.0
     return LAST if used <= 1.0 else used / KNEE
 
 
 def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Improved:
-    """The same motion with a residual that is accepted, if it can be had; bounds and objective kept where they are.
+    """The same motion with an accepted residual, if possible, with bounds and objective kept.
 
     First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by the
     optimiser, with a heavy tail, before them.
     """
-    wider = aim(found.used)
+    wider = limit_factor(found.used)
     for smooth, steps, H in FINISHES:
         motion, taken = found.motion, budget.taken
         if found.residual < EXACT_ENOUGH * problem.tolerance or budget.exhausted:
             break
         if smooth:
-            stage = stage_of(problem, cost, harmonics(problem, motion, smooth), TAIL_OF_FINISH, wider=wider)
+            stage = make_stage(problem, cost, harmonics(problem, motion, smooth), TAIL_OF_FINISH, wider=wider)
             motion = descend(stage, motion.with_harmonics(stage.H), steps, budget).point.motion
-        stage = stage_of(problem, cost, harmonics(problem, motion, H), TAIL)
+        stage = make_stage(problem, cost, harmonics(problem, motion, H), TAIL)
         motion = restore(stage, motion.with_harmonics(stage.H), RESTORING, budget)
-        again = judged(problem, cost, motion, found.steps + budget.taken - taken)
+        again = evaluate(problem, cost, motion, found.steps + budget.taken - taken)
         if again.residual < found.residual:
             found = again
     return found
 
 
-def promise(problem: Problem, cost: Cost, start: Periodic) -> tuple[float, float]:
+def estimate(problem: Problem, cost: Cost, start: Periodic) -> tuple[float, float]:
     """Objective and use of the bounds of a start, at few samples."""
-    point = stage_of(problem, cost, start.H, TAIL).at(start)
+    point = make_stage(problem, cost, start.H, TAIL).at(start)
     parts = cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
     return sum(parts.values()), point.used
 
 
-def judged(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improved:
+def evaluate(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improved:
     """Figures of a motion on a fine grid."""
-    point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
+    point = make_stage(problem, cost, motion.H, TAIL, fine=True).at(motion)
     speed = point.stage.Omega * motion.winding
     parts = cost.value(point.angles, speed, Rows.of(point.tau))
     return Improved(motion, sum(parts.values()), parts, point.used, problem.relative(motion), steps)
 
 
-def over(problem: Problem, cost: Cost, motion: Periodic) -> tuple[Exceeded, ...]:
-    """Bounds that a motion exceeds on a fine grid; the worst first."""
-    point = stage_of(problem, cost, motion.H, TAIL, fine=True).at(motion)
+def exceeded_by(problem: Problem, cost: Cost, motion: Periodic) -> tuple[ExceededBound, ...]:
+    """Bounds that a motion exceeds on a fine grid; largest excess first."""
+    point = make_stage(problem, cost, motion.H, TAIL, fine=True).at(motion)
     t, stand = point.stage.grid.t, problem.stand
-    return exceeded(problem.motion.bounds, stand, t, point.angles, point.swing, point.tau, motion.bias)
+    return exceeded_bounds(problem.motion.bounds, stand, t, point.angles, point.swing, point.tau, motion.bias)
 
 
-def stage_of(
+def make_stage(
     problem: Problem,
     cost: Cost,
     H: int,
@@ -161,12 +161,12 @@ def stage_of(
 
 
 def grid_of(problem: Problem, H: int, fine: bool) -> Grid:
-    """Samples that tell 2 H harmonics of the residual apart, from what the motion and windings add."""
+    """Enough samples to separate 2 H harmonics of the residual from those that motion and windings add."""
     M = 20 * (2 * H + 2) if fine else max(64, 4 * H + 8 * problem.highest + 16)
     return problem.grid(M, H, 0.381966 if fine else 0.0)
 
 
 def harmonics(problem: Problem, motion: Periodic, least: int) -> int:
-    """Harmonics to work with: more for motions and windings of high order."""
+    """Number of harmonics to work with: more for motions and windings of high order."""
     order = max(problem.highest, int(abs(motion.winding).max(initial=0)))
     return least + 2 * (order - 1)

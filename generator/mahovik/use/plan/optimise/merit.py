@@ -1,7 +1,7 @@
-"""What the optimiser makes least, and what it keeps at zero, at one flywheel motion.
+"""Function that the optimiser minimises, and its constraints, at one flywheel motion.
 
-Least: half the mean square of objective rows, hinge rows of the bounds, and residual harmonics H + 1..2H times TAIL.
-Zero: residual harmonics 0..H (Galerkin). Both with derivatives by the waves and the free bias.
+Minimised: half the mean square of objective rows, hinge rows of the bounds, and residual harmonics H + 1..2H times
+TAIL. Zero: residual harmonics 0..H (Galerkin). Both with derivatives by the waves and the free bias.
 """
 
 from __future__ import annotations
@@ -15,25 +15,25 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.required import Course
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import bias_hinges, hinges, utilisation
+from mahovik.use.plan.bounds import bias_hinges, hinge_rows, utilisation
 from mahovik.use.plan.fourier import Angles, Periodic
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.optimise.galerkin import coefficients, derivatives, rows
 from mahovik.use.plan.problem import Grid, Problem
 from mahovik.use.plan.residual import Linear, Prescribed, linear, prescribe
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
-from mahovik.use.plan.rows import Rows, sums
+from mahovik.use.plan.rows import Rows, gauss_newton_sums
 
 _STEP = 1e-6
-"""m, rad: of the differences by the bias."""
+"""m, rad: step of the differences by the bias."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """How a point is judged: grid and harmonics, and weights of the rows.
+    """Evaluation of a point: grid and harmonics, and weights of the rows.
 
-    tail        of residual harmonics H + 1..2H
-    objective   of the objective rows; small while bounds are not met
+    tail        weight of residual harmonics H + 1..2H
+    objective   weight of the objective rows; small while bounds are exceeded
     wider       limits are this many times those of the bounds
     """
 
@@ -47,7 +47,7 @@ class Stage:
 
     @property
     def Omega(self) -> float:
-        """Of the period, rad/s."""
+        """2 pi over the period, rad/s."""
         return 2.0 * np.pi / self.problem.motion.span
 
     def at(self, motion: Periodic) -> Point:
@@ -55,17 +55,17 @@ class Stage:
         prescribed = prescribe(self.problem.mechanics, self.grid.course, motion.bias)
         return Point(self, motion, motion.at(self.grid.basis), prescribed)
 
-    def around(self, bias: Array) -> Around:
-        """What is prescribed on both sides of a bias, for differences by its free components."""
+    def around(self, bias: Array) -> BiasPerturbations:
+        """Prescribed coefficients on both sides of a bias, for differences by its free components."""
         moved = np.flatnonzero(self.problem.free)
         one = np.eye(6)[moved] * _STEP
         steps, M = np.vstack([one, -one]), len(self.grid.t)
         tiled = Course(*(np.tile(x, (2 * len(moved), 1)) for x in self.grid.course))
-        return Around(moved, prescribe(self.problem.mechanics, tiled, bias + np.repeat(steps, M, axis=0)))
+        return BiasPerturbations(moved, prescribe(self.problem.mechanics, tiled, bias + np.repeat(steps, M, axis=0)))
 
 
-class Around(NamedTuple):
-    """Prescribed at 2 F shifts of the bias, forth and then back, of its F free components `moved`."""
+class BiasPerturbations(NamedTuple):
+    """Prescribed at 2 F shifts of the bias, first forth and then back, of its F free components `moved`."""
 
     moved: NDArray[np.intp]
     at: Prescribed
@@ -76,7 +76,7 @@ class Model:
     """Linear and quadratic model at a point, n unknowns.
 
     c, A        constraints (6 (2H + 1)) and derivatives
-    gradient, curvature   of what is to be least
+    gradient, curvature   of the minimised function
     """
 
     c: Array
@@ -87,7 +87,7 @@ class Model:
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """A motion seen through a stage."""
+    """A flywheel motion evaluated in a stage."""
 
     stage: Stage
     motion: Periodic
@@ -133,8 +133,8 @@ class Point:
         speed = stage.Omega * self.motion.winding
         wanted = stage.cost.rows(self.angles, speed, torque).values() if stage.objective > 0.0 else ()
         bounds = stage.problem.motion.bounds
-        kept = hinges(bounds, self.angles, self.swing, torque, self.motion.winding, stage.wider).values()
-        return [rows.times(stage.objective) for rows in wanted] + [rows for rows in kept if rows.value.any()]
+        kept = hinge_rows(bounds, self.angles, self.swing, torque, self.motion.winding, stage.wider).values()
+        return [rows.scaled(stage.objective) for rows in wanted] + [rows for rows in kept if rows.value.any()]
 
     @cached_property
     def value(self) -> float:
@@ -145,13 +145,13 @@ class Point:
 
     @cached_property
     def used(self) -> float:
-        """Largest part of any bound that is used at the stage's times; 1 is the limit."""
+        """Largest use of any bound at the stage's times; 1 is the limit."""
         bounds = self.stage.problem.motion.bounds
         motion = self.motion
         return utilisation(bounds, self.angles, self.swing, self.tau, motion.bias, motion.winding)
 
-    def model(self, around: Around) -> Model:
-        """Derivatives at this point; those by the bias from differences `around` a bias near by."""
+    def model(self, around: BiasPerturbations) -> Model:
+        """Derivatives at this point; those by the bias from differences `around` a nearby bias."""
         stage, H = self.stage, self.stage.H
         problem = stage.problem
         free = problem.free
@@ -163,7 +163,7 @@ class Point:
         own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
         A, T = rows(whole[: H + 1], 0), stage.tail * rows(whole[H + 1 :], H + 1)
-        total = sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)
+        total = gauss_newton_sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
         gradient = total.gradient + T.T @ self.tail
         curvature = total.curvature + T.T @ T
@@ -172,7 +172,7 @@ class Point:
         curvature[n:, n:] += np.diag((slope**2)[free])
         return Model(self.c, A, gradient, curvature)
 
-    def _by_bias(self, around: Around) -> tuple[Array, Array]:
+    def _by_bias(self, around: BiasPerturbations) -> tuple[Array, Array]:
         """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
         problem, M, F = self.stage.problem, len(self.stage.grid.t), len(around.moved)
         R, tau = np.zeros((M, 6, 6)), np.zeros((M, problem.N, 6))

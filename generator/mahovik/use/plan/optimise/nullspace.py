@@ -1,4 +1,4 @@
-"""Steps to and along c(x) = 0: the shortest that solves the linear model of c, and a basis of what leaves it alone."""
+"""Steps to c(x) = 0 and along it: the shortest solution of the linear model of c, and a basis of its null space."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from scipy.linalg import qr, solve_triangular
 from mahovik.use.plan.array import Array
 
 SINGULAR = 1e-9
-"""Of the largest: a singular value below this is none."""
+"""Part of the largest singular value below which one counts as zero."""
 _DOUBTFUL = 1e-6
-"""Of the largest entry on the diagonal of R: below it the singular values are looked at."""
+"""Part of the largest diagonal entry of R below which the singular values are computed."""
 
 
 @dataclass(frozen=True, eq=False)
 class Range:
-    """Of A (r, n): `least(c)` is the shortest x with A x = c, or nearly where none is; `null` (n, n - rank)."""
+    """Range of A (r, n): `least(c)` is the shortest x with A x = c, or nearly so; `null` (n, n - rank)."""
 
     _left: Array
     _right: Array
@@ -27,9 +27,9 @@ class Range:
 
     @staticmethod
     def of(A: Array, null: bool = True) -> Range:
-        """By QR of A^T; by singular values where a row depends on the others, or rows are more than unknowns.
+        """Range by QR of A^T; by singular values if rows depend on each other or outnumber the unknowns.
 
-        null: whether its basis is wanted; else it may be missing.
+        null: whether its basis is needed; otherwise it may be missing.
         """
         r, n = A.shape
         if r <= n:
@@ -42,7 +42,7 @@ class Range:
         return Range(U[:, :rank], V[:rank].T, None, values[:rank], V[rank:].T)
 
     def least(self, c: Array) -> Array:
-        """Shortest x (n) of A x = c (r)."""
+        """Shortest x (n) with A x = c (r)."""
         if self._triangle is not None:
             return np.asarray(self._right @ solve_triangular(self._triangle, c, trans="T", check_finite=False))
         return np.asarray(self._right @ ((self._left.T @ c) / self._values))

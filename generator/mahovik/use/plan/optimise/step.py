@@ -1,7 +1,7 @@
 """One run of Gauss-Newton with constraints: range-space and null-space steps, merit, second-order correction.
 
-In unknowns scaled so that harmonic k moves by 1/(1 + k^2): the shortest step is that of least acceleration. With
-A the derivatives of c, d = -A^+ c + Z p; p makes the quadratic model least, damped like Levenberg-Marquardt. The merit
+Unknowns are scaled so that harmonic k moves by 1/(1 + k^2): the shortest step has the least acceleration. With
+A the derivatives of c, d = -A^+ c + Z p; p minimises the quadratic model, damped like Levenberg-Marquardt. The merit
 is nu |c| + value, nu above the multipliers.
 """
 
@@ -19,18 +19,18 @@ from mahovik.use.plan.optimise.merit import Model, Point, Stage
 from mahovik.use.plan.optimise.nullspace import Range
 
 LONGEST = 0.7
-"""rad: no angle moves by more in a step."""
+"""rad: limit of the change of an angle in one step."""
 CORRECTIONS = 2
-"""Second-order corrections of a trial: steps along the range with the derivatives at hand."""
+"""Second-order corrections of a trial: steps along the range with the present derivatives."""
 TRIALS = 8
 RENEWED = 10
-"""Steps after which what is prescribed around the bias is made anew: the bias moves little."""
+"""Steps after which the prescribed coefficients around the bias are computed again: the bias moves little."""
 _LEAST = 1e-9
 _SOLVED = 1e-10
-"""Residual harmonics 0..H that count as zero."""
+"""Residual harmonics 0..H below this count as zero."""
 _DECREASE = 1e-4
 _IDLE = 3
-"""Of the merit: a run ends after so many steps that gain less."""
+"""Part of the merit and number of steps: a run ends after this many steps that gain less."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +43,14 @@ class Run:
 
 
 def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: float | None = None) -> Run:
-    """At most `steps` steps from `start`; ends early where little is gained, or all bounds are used below `enough`.
+    """Take at most `steps` steps from `start`; end early if little is gained or bounds are used below `enough`.
 
-    Ctrl-C ends it, and the budget, with the point it has.
+    Ctrl-C or the end of the budget ends the run with its present point.
     """
     point, lam, nu, idle = stage.at(start), 1e-2, 0.0, 0
     around = stage.around(start.bias)
     for taken in range(steps):
-        if enough is not None and point.used < enough and solved(point):
+        if enough is not None and point.used < enough and is_solved(point):
             return Run(point, taken, True)
         if not budget.step():
             return Run(point, taken, False)
@@ -59,7 +59,7 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
                 around = stage.around(point.motion.bias)
             local = Local.of(stage, point.model(around))
             nu = max(local.penalty(), 0.5 * nu)
-            trial, lam = local.better(point, lam, nu)
+            trial, lam = local.reduce_merit(point, lam, nu)
         except KeyboardInterrupt:
             budget.interrupted = True
             return Run(point, taken, False)
@@ -68,20 +68,20 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
         before, after = merit(point, nu), merit(trial, nu)
         idle = idle + 1 if before - after < _DECREASE * before else 0
         point, lam = trial, max(0.2 * lam, _LEAST)
-        if idle >= _IDLE and solved(point):
+        if idle >= _IDLE and is_solved(point):
             return Run(point, taken + 1, True)
     return Run(point, steps, False)
 
 
 def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Periodic:
-    """Residual harmonics 0..H brought to zero by shortest steps alone, as far as `steps` of them go."""
+    """Bring residual harmonics 0..H to zero by shortest steps alone, as far as `steps` steps allow."""
     point = stage.at(start)
     around = stage.around(start.bias)
     for _ in range(steps):
         if size(point.c) < _SOLVED or not budget.step():
             break
         model = point.model(around)
-        scale = scales(stage, model.A)
+        scale = unknown_scales(stage, model.A)
         step = -scale * Range.of(model.A * scale, null=False).least(point.c)
         trial = stage.at(point.motion.moved(step, stage.problem.free))
         if size(trial.c) > 0.5 * size(point.c):
@@ -100,8 +100,8 @@ def size(c: Array) -> float:
     return float(np.linalg.norm(c))
 
 
-def solved(point: Point) -> bool:
-    """Whether the residual harmonics 0..H are zero but for what the next step takes away."""
+def is_solved(point: Point) -> bool:
+    """Whether the residual harmonics 0..H are zero, apart from what the next step removes."""
     return size(point.c) < 1e-5
 
 
@@ -119,8 +119,8 @@ class Local:
 
     @staticmethod
     def of(stage: Stage, model: Model) -> Local:
-        """Scaled and split."""
-        scale = scales(stage, model.A)
+        """The model, scaled and split."""
+        scale = unknown_scales(stage, model.A)
         gradient = scale * model.gradient
         curvature = scale[:, None] * model.curvature * scale
         split = Range.of(model.A * scale)
@@ -128,13 +128,13 @@ class Local:
         return Local(stage, scale, model.c, gradient, curvature, split, reduced)
 
     def penalty(self) -> float:
-        """nu: 1.5 times the multipliers, and a little more."""
+        """nu: 1.5 times the largest multiplier, and a little more."""
         shortest = -self.split.least(self.c)
         y = self.split.multipliers(self.gradient + self.curvature @ shortest)
         return 1.5 * float(np.linalg.norm(y)) + 1e-3
 
-    def better(self, point: Point, lam: float, nu: float) -> tuple[Point | None, float]:
-        """A point of less merit, and the damping that led there; None: damping does not help."""
+    def reduce_merit(self, point: Point, lam: float, nu: float) -> tuple[Point | None, float]:
+        """A point with smaller merit, and the damping that led there; None: no damping helps."""
         before = merit(point, nu)
         for _ in range(TRIALS):
             trial = self.trial(point, lam)
@@ -145,10 +145,10 @@ class Local:
 
     def trial(self, point: Point, lam: float) -> Point | None:
         """The point after a step with damping `lam`, corrected; None: no step can be computed."""
-        step = self.towards(lam)
+        step = self.damped_step(lam)
         if step is None:
             return None
-        part = min(1.0, LONGEST / max(self.longest(step), 1e-30))
+        part = min(1.0, LONGEST / max(self.largest_change(step), 1e-30))
         moved = point.motion.moved(self.scale * (part * step), self.stage.problem.free)
         trial = self.stage.at(moved)
         left = (1.0 - part) * self.c
@@ -156,7 +156,7 @@ class Local:
             if size(trial.c - left) < _SOLVED:
                 break
             back = -self.split.least(trial.c - left)
-            if self.longest(back) > LONGEST:
+            if self.largest_change(back) > LONGEST:
                 break
             corrected = self.stage.at(trial.motion.moved(self.scale * back, self.stage.problem.free))
             if size(corrected.c - left) > 0.5 * size(trial.c - left):
@@ -164,7 +164,7 @@ class Local:
             trial = corrected
         return trial
 
-    def towards(self, lam: float) -> Array | None:
+    def damped_step(self, lam: float) -> Array | None:
         """Step (n, scaled): along the range to c = 0, along the null space downhill."""
         shortest = -self.split.least(self.c)
         Z = self.split.null
@@ -178,15 +178,15 @@ class Local:
             return None
         return np.asarray(shortest - Z @ p)
 
-    def longest(self, step: Array) -> float:
+    def largest_change(self, step: Array) -> float:
         """Largest change of an angle (rad) by a scaled step."""
         basis, N = self.stage.grid.basis, self.stage.problem.N
         waves = (self.scale * step)[: N * basis.value.shape[1]].reshape(N, -1)
         return float(np.abs(basis.value @ waves.T).max(initial=0.0))
 
 
-def scales(stage: Stage, A: Array) -> Array:
-    """Scale (n) of the unknowns: 1/(1 + k^2) of waves; of the bias, so that it moves the residual as waves do."""
+def unknown_scales(stage: Stage, A: Array) -> Array:
+    """Scale (n) of the unknowns: 1/(1 + k^2) for waves; for the bias, so that it moves the residual like waves do."""
     waves = np.tile(1.0 / (1.0 + stage.grid.basis.orders**2), stage.problem.N)
     n = len(waves)
     squares = np.einsum("ij,ij->j", A, A)

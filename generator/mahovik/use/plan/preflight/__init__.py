@@ -1,4 +1,4 @@
-"""Checks before any search, below a second: what no programme of these flywheels can do, in words for a builder."""
+"""Checks before any search, in less than a second: motions that no programme of these flywheels can make."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def preflight(problem: Problem) -> Preflight:
     pose = mean_pose(problem)
     found.bias = pose.bias
     if problem.kinked:
-        found.warnings.append(f"damping by |V| has kinks: a relative residual to {problem.tolerance:g} is accepted")
+        found.warnings.append(f"damping by |V| has kinks: a relative residual up to {problem.tolerance:g} is accepted")
     if motion.periodic:
         check_mean_wrench(problem, pose, found)
     at = prescribe(problem.mechanics, course, found.bias)

@@ -10,16 +10,16 @@ from mahovik.use.plan.problem import Problem
 
 _DIRECTIONS = 400
 _SLACK = 1.01
-"""The carrier turns a little under the flywheels, and the mean pose may move."""
+"""Margin: the carrier turns a little under the flywheels, and the mean pose may move."""
 _NEAR, _NEAR_OF_SIX = 0.5, 0.15
-"""Share of the limit beyond which a search often fails."""
+"""Shares of the limit beyond which a search often fails, for more flywheels than six and for six."""
 
 
 def check_first_moment(problem: Problem, force: Array, C: Array, found: Preflight) -> None:
     """Refuses where half the range of u . G exceeds sum mu_s sqrt(1 - (u . e_s)^2) in some direction u.
 
-    force (M, 3; N) in E0 at uniform times: required of the flywheels with centres of mass on their axes; its second
-    integral is G, kg m. C (M, 3, 3): attitude. A condition that is necessary only.
+    force (M, 3; N) in E0 at uniform times: required from the flywheels with centres of mass on their axes; its second
+    integral is G, kg m. C (M, 3, 3): attitude. The condition is necessary, not sufficient.
     """
     tables = problem.mechanics.tables
     varying = np.hstack([force - force.mean(axis=0), np.zeros_like(force)])
@@ -34,8 +34,8 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
         found.refusal = found.refusal or Refusal(
             "FIRST_MOMENT",
             f"along {where} the motion needs a first moment of +-{need:.3g} kg m from the flywheels; all "
-            f"their unbalance across it is {have:.3g} kg m, whatever the speed; a motion of {100 / found.reach:.2g} % "
-            f"of this amplitude, or {found.reach:.3g} times the unbalance, would be within it",
+            f"their unbalance across it is {have:.3g} kg m, at any speed; possible with {100 / found.reach:.2g} % "
+            f"of this amplitude, or with {found.reach:.3g} times the unbalance",
         )
     elif found.reach > near:
         found.warnings.append(
@@ -53,18 +53,18 @@ def second_integral(force: Array, period: float) -> Array:
 
 
 def reach(G: Array, axes: Array, unbalance: Array) -> tuple[float, float, Array]:
-    """Need and have (kg m) in the direction where need over have is largest; axes (M, 3, N) in E0."""
+    """Need and available amount (kg m) in the direction with the largest ratio; axes (M, 3, N) in E0."""
     rng = np.random.default_rng(0)
     principal = np.linalg.svd(G, full_matrices=False)[2]
-    ways = np.vstack([np.eye(3), rng.normal(size=(_DIRECTIONS, 3)), principal, _widest(G)])
-    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
-    along = G @ ways.T
+    candidates = np.vstack([np.eye(3), rng.normal(size=(_DIRECTIONS, 3)), principal, _widest(G)])
+    candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
+    along = G @ candidates.T
     need = (along.max(axis=0) - along.min(axis=0)) / 2.0
     some = axes[:: max(1, len(axes) // 16)]
-    across = np.sqrt(np.maximum(1.0 - (ways @ some) ** 2, 0.0))  # (m, ways, N)
+    across = np.sqrt(np.maximum(1.0 - (candidates @ some) ** 2, 0.0))  # (m, ways, N)
     have = (across.max(axis=0) * unbalance).sum(axis=1)
     worst = int(np.argmax(need / np.maximum(have, 1e-300)))
-    return float(need[worst]), float(have[worst]), np.asarray(ways[worst])
+    return float(need[worst]), float(have[worst]), np.asarray(candidates[worst])
 
 
 def _widest(G: Array) -> Array:

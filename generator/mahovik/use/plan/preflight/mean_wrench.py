@@ -1,4 +1,4 @@
-"""Mean wrench: flywheels have none over a period, so the surroundings must carry the weight, at some mean pose."""
+"""Mean wrench: flywheels give none over a period, so the surroundings must carry the weight at some mean pose."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from mahovik.use.plan.residual.kinematics import in_E1, twists
 _STEPS = 60
 _TIMES = 32
 _DIFFERENCE = 1e-6
-_LONGEST = np.array([0.05] * 3 + [0.2] * 3)  # m, rad: of a step
+_LONGEST = np.array([0.05] * 3 + [0.2] * 3)  # m, rad: step
 _FREE = 1e-6
-"""Of the largest singular value: a direction that nothing holds; differences leave 1e-8."""
+"""Part of the largest singular value below which a direction is free; differences leave 1e-8."""
 
 
 @dataclass(frozen=True, eq=False)
 class MeanPose:
-    """The bias at which the mean wrench is least, and what is left of it.
+    """The bias with the least mean wrench, and the remaining wrench.
 
-    left     (6; N, N m): mean over the period, in E0 axes, moment about O1
+    left     (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
     """
 
     bias: Array
@@ -45,7 +45,7 @@ def mean_pose(problem: Problem) -> MeanPose:
 
     found = left(bias)
     for _ in range(_STEPS):
-        if not len(free) or np.linalg.norm(found) <= 1e-13 * _sizes(problem):
+        if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
             break
         J = np.empty((6, len(free)))
         for k, component in enumerate(free):
@@ -77,8 +77,8 @@ def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
     return np.concatenate(parts)
 
 
-def _sizes(problem: Problem) -> float:
-    """N: weight of everything, or what acts in its place."""
+def _force_size(problem: Problem) -> float:
+    """Weight of everything, or a force of similar meaning if there is none, N."""
     mass = float(problem.mechanics.mean_inertia[0, 0])
     return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
 
@@ -86,59 +86,61 @@ def _sizes(problem: Problem) -> float:
 COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
 
 
-def _weights(problem: Problem) -> float:
-    """N m: what the weights of unbalanced flywheels give at most."""
+def _largest_moment(problem: Problem) -> float:
+    """Largest moment that the weights of unbalanced flywheels give, N m."""
     return float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
 
 
-def _uncarried(problem: Problem, pose: MeanPose) -> str | None:
+def _uncarried_part(problem: Problem, pose: MeanPose) -> str | None:
     """`force` or `moment` that nothing carries at the mean pose; None: all is carried."""
     force, moment = (np.concatenate(each)[None] for each in ((pose.left[:3], _NONE), (_NONE, pose.left[3:])))
     if problem.norm.relative(force) > problem.tolerance:
         return "force"
     turning = float(np.linalg.norm(pose.left[3:]))
-    return "moment" if turning > _weights(problem) and problem.norm.relative(moment) > problem.tolerance else None
+    return (
+        "moment" if turning > _largest_moment(problem) and problem.norm.relative(moment) > problem.tolerance else None
+    )
 
 
-def _held(problem: Problem) -> str:
-    """What would help where means that are held are all that is in the way; empty where they are not."""
+def _advice(problem: Problem) -> str:
+    """Advice if only means that are held are in the way; else empty."""
     if problem.free.all():
         return ""
     everywhere = mean_pose(replace(problem, free=np.ones(6, dtype=bool)))
-    if _uncarried(problem, everywhere) is not None:
+    if _uncarried_part(problem, everywhere) is not None:
         return ""
     given = np.array(problem.motion.free_mean, dtype=bool)
     said = []
     for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
         names = ", ".join(name for name, is_held in zip(COORDINATES, held, strict=True) if is_held)
         said += [f"{key} holds the mean of {names}"] if names else []
-    return f"{' and '.join(said)}: set free, the mean pose may shift to where the surroundings carry it"
+    return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"
 
 
 _NONE = np.zeros(3)
 _TILTED = 0.1
-"""rad: a mean tilt beyond this is worth a warning."""
+"""rad: a larger mean tilt causes a warning."""
 _TELLING = 1e-3
-"""rad: and what is beyond this is named in it."""
+"""rad: angles larger than this are named in the warning."""
 
 
 def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
     """Refuses a mean force beyond rounding, and a mean moment that weights of unbalance cannot give.
 
-    A remainder counts where it alone would be a relative residual that is not accepted. Flywheels with damping of
-    their own may have a mean wrench: then nothing is refused.
+    A remainder counts if it alone would be a relative residual that is not accepted. Flywheels with damping may have a
+    mean wrench: then nothing is refused.
     """
     if any(problem.mechanics.tables.damping):
         return
     force, moment = pose.left[:3], pose.left[3:]
-    able = _weights(problem)
-    left = _uncarried(problem, pose)
+    able = _largest_moment(problem)
+    left = _uncarried_part(problem, pose)
     if left == "force":
         size = float(np.linalg.norm(force))
         found.refusal = Refusal(
             "MEAN_WRENCH",
             f"a mean force of {size:.4g} N along {direction(force)} is carried by nothing: flywheels give no mean "
-            f"force over a period; {_held(problem) or 'a suspension, legs or buoyancy that balance it would help'}",
+            f"force over a period; {_advice(problem) or 'a suspension, legs or buoyancy that balance it would help'}",
         )
     elif left == "moment":
         turning = float(np.linalg.norm(moment))
@@ -146,7 +148,7 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
             "MEAN_WRENCH",
             f"a mean moment of {turning:.4g} N m along {direction(moment)} is carried by nothing: weights of "
             f"unbalanced flywheels give at most {able:.3g} N m; "
-            f"{_held(problem) or 'a suspension that is stiff in rotation would help'}",
+            f"{_advice(problem) or 'a suspension that is stiff in rotation would help'}",
         )
     tilts = dict(zip(("psi", "theta", "phi"), pose.bias[3:].tolist(), strict=True))
     if max(abs(x) for x in tilts.values()) > _TILTED:

@@ -1,4 +1,4 @@
-"""What the checks before the search say."""
+"""Outcome of the checks before the search."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH",
 
 @dataclass(frozen=True)
 class Refusal:
-    """No programme exists: why, in words that say which direction, need, have, and what would help."""
+    """No programme exists: the message names direction, need, available amount, and what would help."""
 
     reason: Reason
     words: str
@@ -22,10 +22,10 @@ class Refusal:
 
 @dataclass
 class Preflight:
-    """The mean pose, a refusal or None, and what to know besides.
+    """The mean pose, a refusal or None, and warnings.
 
     bias   (6; m, rad): where the surroundings carry the mean wrench
-    reach  share of the first-moment limit that is needed
+    reach  used share of the first-moment limit
     """
 
     bias: Array
@@ -38,7 +38,7 @@ AXES = ("x", "y", "z")
 
 
 def direction(u: Array) -> str:
-    """A direction (3) in words: an axis where it is one, else its numbers."""
+    """A direction (3) in words: the name of an axis, else its numbers."""
     u = u / np.linalg.norm(u)
     k = int(np.argmax(np.abs(u)))
     if abs(u[k]) > 0.999:

@@ -9,9 +9,9 @@ from mahovik.use.plan.preflight.outcome import Preflight, Refusal, direction
 from mahovik.use.plan.problem import Problem
 
 _RANK = 1e-7
-"""Of the largest singular value: a column of I or dI/dphi below this counts for nothing."""
+"""Part of the largest singular value: a smaller column of I or dI/dphi counts as zero."""
 _OUTSIDE = 1e-3
-"""Of the required wrench, outside the span: more is a refusal."""
+"""Largest accepted part of the required wrench outside the span."""
 
 
 def check_span(problem: Problem, P: Array, found: Preflight) -> None:
@@ -41,7 +41,7 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
 
 
 def _words(outside: Array, needed: Array, share: float) -> str:
-    """Which direction, how much of it, what would help."""
+    """Message: which direction, how much of it, what would help."""
     parts = []
     for kind, rows, unit in (("force", slice(0, 3), "N"), ("moment", slice(3, 6), "N m")):
         part, whole = outside[:, rows], needed[:, rows]

@@ -1,4 +1,4 @@
-"""The boundary-value problem of a run-up or run-down: where the carrier starts and where it has to end."""
+"""The boundary-value problem of a run-up or run-down: start and required end of the carrier's course."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from mahovik.use.plan.forward import (
     Course,
     Drive,
     Equilibrium,
-    along,
+    acceleration_rates,
     course,
     drive,
     equilibrium,
     linearise,
-    pushes,
+    linearise_along,
 )
-from mahovik.use.plan.forward.collocation import INTERVALS, Eliminated, integrated
+from mahovik.use.plan.forward.collocation import INTERVALS, Eliminated, integrate
 from mahovik.use.plan.residual import Linear, Mechanics
 from mahovik.use.plan.residual.norm import able_at
 from mahovik.use.plan.runup.fade import SPLINES, Fade, fade
 
 NODES = 64
-"""A period of the fastest harmonic or flywheel."""
+"""Nodes per period of the fastest harmonic or flywheel."""
 FEWEST = 48
-"""Blocks of NODES: enough for the splines."""
+"""Fewest blocks of NODES: enough for the splines."""
 
 
 @dataclass(frozen=True, eq=False)
 class Amplitude:
-    """What errors are shares of: the motion's largest displacement and twist in the norm |root x| of the inertia.
+    """Unit of errors: the motion's largest displacement and twist in the norm |root x| of the inertia.
 
     root    6x6: x^T K0 x = |root x|^2
     """
@@ -45,15 +45,15 @@ class Amplitude:
     twist: float
 
     def shares(self, y: Array) -> Array:
-        """(12, ...) of small differences of states (12, ...), dimensionless."""
+        """Dimensionless (12, ...) form of small differences of states (12, ...)."""
         return np.concatenate([self.root @ y[:6] / self.displacement, self.root @ y[6:] / self.twist])
 
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """Where unknowns c (N, P) lead: the motion of the flywheels, rest, the carrier's course, and how far off it ends.
+    """Result of unknowns c (N, P): the flywheels' motion, rest, the carrier's course, and its terminal error.
 
-    error   (12): terminal error as shares of the amplitude
+    error   (12): terminal error, in amplitudes
     """
 
     c: Array
@@ -64,12 +64,12 @@ class Flight:
 
     @property
     def size(self) -> float:
-        """See `size`."""
+        """Terminal error; see `size`."""
         return size(self.error)
 
 
 def size(error: Array) -> float:
-    """The larger share of a terminal error (12): of the pose, or of the twist."""
+    """The larger part of a terminal error (12): pose or twist."""
     return float(max(np.linalg.norm(error[:6]), np.linalg.norm(error[6:])))
 
 
@@ -77,7 +77,7 @@ def size(error: Array) -> float:
 class Boundary:
     """Run-up (`up`) or run-down between rest and the programme's t = 0.
 
-    Where a direction is free at rest, the carrier may begin (or end) anywhere along it: there no pose is asked for.
+    In directions that are free at rest the carrier may begin (or end) anywhere: no pose is required there.
 
     chart   about the mean pose
     family  at 4 B + 1 nodes
@@ -92,13 +92,13 @@ class Boundary:
 
     @property
     def spacing(self) -> float:
-        """Of the nodes, s."""
+        """Time between nodes, s."""
         return float(self.family.t[1] - self.family.t[0])
 
     def fly(self, c: Array, before: Flight | None = None, guess: Array | None = None) -> Flight:
-        """Where c (N, P) leads; `before`: of unknowns not far from these, or `guess`: states (M, 12).
+        """Flight of c (N, P); `before`: a flight with similar unknowns, or `guess`: states (M, 12).
 
-        Raises CheckError: there is no rest. StateError: the carrier is thrown about.
+        Raises CheckError: there is no rest. StateError: the carrier moves too violently.
         """
         near = None
         if before is not None:
@@ -106,8 +106,8 @@ class Boundary:
         given, rest, found, error = self._followed(self.family.angles(c), guess, near)
         return Flight(c, given, rest, found, error)
 
-    def missed(self, table: Samples, guess: Array) -> float:
-        """Terminal error, as `size`, of a table as it is read, by this problem's nodes; `guess`: states (M, 12)."""
+    def table_error(self, table: Samples, guess: Array) -> float:
+        """Terminal error (see `size`) of a table as it is read, on this problem's nodes; `guess`: states (M, 12)."""
         return size(self._followed(table.at(self.family.t), guess, None)[3])
 
     def _followed(
@@ -122,27 +122,27 @@ class Boundary:
         return given, rest, found, self.amplitude.shares(rest.held @ (found.y[-1] - end))
 
     def along(self, flight: Flight) -> Linear:
-        """Torques on the way, and derivatives of (8) and of them by the flywheels' motion."""
-        return along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
+        """Torques along a flight, and derivatives of (8) and of the torques by the flywheels' motion."""
+        return linearise_along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
 
-    def renewed(self, flight: Flight) -> Flight:
-        """The same with the linear equations along its own course."""
+    def relinearised(self, flight: Flight) -> Flight:
+        """The same flight with the linear equations along its own course."""
         near = linearise(self.chart, flight.given, self.spacing, flight.course.y)
         return replace(flight, course=replace(flight.course, near=near))
 
     def sensitivity(self, flight: Flight) -> tuple[Array, Array]:
         """Derivatives by c: of the terminal error (12, N P), and of the states at all nodes (M, 12, N P).
 
-        As exact as the flight's linear equations: `renewed` first.
+        As exact as the flight's linear equations: call `relinearised` first.
         """
         N, P = flight.c.shape
         rates = np.zeros((len(self.family.t), 12, N, P))
-        for B, basis in zip(pushes(flight.given, self.along(flight)), self.family.basis, strict=True):
+        for B, basis in zip(acceleration_rates(flight.given, self.along(flight)), self.family.basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = self.family.basis[0, 0 if self.up else -1]
         rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)
         start = rest if self.up else np.zeros_like(rest)
-        defects = integrated(rates.reshape(-1, 12, N * P), self.spacing)
+        defects = integrate(rates.reshape(-1, 12, N * P), self.spacing)
         states = flight.course.near.solve(defects, start)
         end = states[-1] if self.up else states[-1] - rest
         return self.amplitude.shares(flight.rest.held @ end), states
@@ -158,9 +158,9 @@ def boundary(
     nodes: int = NODES,
     splines: int = SPLINES,
 ) -> Boundary:
-    """The problem of a programme for a motion; about `nodes` a period of its fastest part.
+    """The problem of a programme for a motion, with about `nodes` nodes per period of its fastest part.
 
-    Blocks are a power of two in number: then tables in C, whose nodes are, can have the same.
+    The number of blocks is a power of two, like the number of nodes of tables in C: both can then have the same nodes.
     """
     fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
     B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
@@ -177,7 +177,7 @@ def boundary(
 
 
 def amplitude_of(chart: Chart, motion: RequiredMotion, programme: Programme) -> Amplitude:
-    """Of a periodic motion; of a carrier held still, what the flywheels can do at the period's frequency."""
+    """Amplitude of a periodic motion; for a carrier held still, what the flywheels can do at the period's frequency."""
     root = np.asarray(np.linalg.cholesky(chart.mechanics.mean_inertia).T)
     M = max(64, 16 * max(motion.harmonics, default=1))
     y = chart.of(motion.at(motion.span * np.arange(M) / M, programme.bias))

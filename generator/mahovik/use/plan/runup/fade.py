@@ -1,8 +1,8 @@
-"""Flywheel motions between rest and a periodic programme: the programme faded in, or out, and what may be added.
+"""Flywheel motions between rest and a periodic programme: the programme faded in or out, plus free additions.
 
 With x from 0 (rest) to 1 (the programme's t = 0) and w(x) = x^3 (10 - 15 x + 6 x^2): mean speeds grow by w, the
-periodic part by w^2; added are c_s0 (1 - w), a free angle of rest, and c_sj b_j(x), quintic B-splines inside. Any c
-keeps rest at one end and the programme, with two derivatives, at the other.
+periodic part by w^2; additions are c_s0 (1 - w), a free angle of rest, and c_sj b_j(x), quintic B-splines inside.
+Any c keeps rest at one end and the programme, with two derivatives, at the other.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from mahovik.core.motion.programme import Angles, Programme
 from mahovik.use.plan.array import Array
 
 SPLINES = 6
-"""B-splines a flywheel."""
+"""B-splines per flywheel."""
 
 
 @dataclass(frozen=True, eq=False)
 class Fade:
     """The family of motions at times t (M, s) of 0..duration: unknowns c (N, P; rad), P = 1 + splines.
 
-    fixed  phi, phi', phi'' (M, N each) where c = 0
-    basis  (3, M, P): what each c of a flywheel adds to its phi, phi', phi''
+    fixed  phi, phi', phi'' (M, N each) for c = 0
+    basis  (3, M, P): derivatives of a flywheel's phi, phi', phi'' by each of its c
     """
 
     t: Array
@@ -33,7 +33,7 @@ class Fade:
 
     @property
     def P(self) -> int:
-        """Unknowns a flywheel."""
+        """Unknowns per flywheel."""
         return int(self.basis.shape[2])
 
     def angles(self, c: Array) -> Angles:
@@ -92,6 +92,6 @@ def _periodic(programme: Programme, t: Array) -> tuple[Array, Array, Array, Arra
 def _splines(count: int, x: Array) -> tuple[Array, Array, Array]:
     """Quintic B-splines with their support inside 0..1, uniform knots, and two derivatives by x: (M, count) each."""
     knots = np.arange(-5.0, count + 11.0) / (count + 5)
-    inside = np.eye(count + 10)[:, 5:-5]  # those of the ends reach over them
+    inside = np.eye(count + 10)[:, 5:-5]  # B-splines at the ends reach beyond them
     spline = BSpline(knots, inside, 5)
     return spline(x), spline.derivative(1)(x), spline.derivative(2)(x)

@@ -1,4 +1,4 @@
-"""Bounds on the way: how far the carrier strays, speeds, accelerations and torques of the flywheels; less of each."""
+"""Bounds of a run-up: deviation of the carrier, speeds, accelerations and torques; steps that reduce an excess."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from mahovik.errors import StateError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.runup.boundary import Boundary, Flight
-from mahovik.use.plan.runup.newton import LONGEST, reachable, shoot
+from mahovik.use.plan.runup.newton import LONGEST, nonzero, shoot
 
 KEEP = 0.97
-"""Of a bound: what is above is pushed down."""
+"""Enforce bounds at this fraction."""
 
 _STEPS, _CLOSE = 24, 1e-4
-"""Steps; terminal error after each."""
+"""Number of steps; terminal error after each."""
 _STALL = 4
-"""Steps that together must take a tenth off the excess."""
+"""Steps that together must reduce the excess by a tenth."""
 
 
 @dataclass(frozen=True, eq=False)
 class Shares:
-    """Of the bounds that are given, by name: values over bound (M, 1 or N) at the nodes."""
+    """Values over bound (M, 1 or N) at the nodes, by name, for each bound given."""
 
     by_name: dict[str, Array]
 
@@ -35,21 +35,21 @@ class Shares:
 
     @property
     def excess(self) -> float:
-        """Sum of squares of what is above KEEP."""
+        """Sum of squares of the parts above KEEP."""
         return sum(float(np.sum(np.maximum(x - KEEP, 0.0) ** 2)) for x in self.by_name.values())
 
 
 def shares(problem: Boundary, flight: Flight, bounds: Bounds) -> Shares:
     """Values over bounds along a flight; the deviation from the mean pose, linear (m) and angular (rad)."""
     found = {}
-    for name, values in measured(problem, flight).items():
+    for name, values in measure(problem, flight).items():
         limit = bounds.deviation if name == "deviation" else getattr(bounds, name)
         if limit is not None:
             found[name] = np.abs(values) / np.array(limit)
     return Shares(found)
 
 
-def measured(problem: Boundary, flight: Flight) -> dict[str, Array]:
+def measure(problem: Boundary, flight: Flight) -> dict[str, Array]:
     """Deviation (M, 2; m, rad), speed, acceleration, torque (M, N) at the nodes."""
     angles, y = problem.family.angles(flight.c), flight.course.y
     return {
@@ -60,10 +60,10 @@ def measured(problem: Boundary, flight: Flight) -> dict[str, Array]:
     }
 
 
-def reduced(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -> Flight:
-    """The flight with the least excess that Gauss-Newton's steps along the terminal conditions find in the time.
+def reduce_excess(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -> Flight:
+    """The flight with the least excess found in the time, by Gauss-Newton steps that keep the terminal conditions.
 
-    Each step makes the excess and itself least among those that keep the terminal conditions; then Newton's steps.
+    Each step minimises the excess and its own length subject to the terminal conditions; Newton's steps follow.
     """
     best, least, weight = flight, shares(problem, flight, bounds).excess, 1e-2
     history = [least]
@@ -75,7 +75,7 @@ def reduced(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -
             or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL])
         ):
             break
-        best = problem.renewed(best)
+        best = problem.relinearised(best)
         J, states = problem.sensitivity(best)
         h, G = _rows(problem, best, bounds, states)
         step = _step(J, best.error, h, G, weight * float(np.linalg.norm(G)) ** 2 / G.shape[1])
@@ -96,7 +96,7 @@ def reduced(problem: Boundary, flight: Flight, bounds: Bounds, budget: Budget) -
 def _step(J: Array, error: Array, h: Array, G: Array, weight: float) -> Array:
     """argmin |h + G dx|^2 + weight |dx|^2 with J dx = -error."""
     U, sigma, Vt = np.linalg.svd(J)
-    rank = int(reachable(sigma).sum())
+    rank = int(nonzero(sigma).sum())
     straight = -Vt[:rank].T @ ((U.T @ error)[:rank] / sigma[:rank])
     null = Vt[rank:].T
     reach = G @ null
@@ -105,15 +105,15 @@ def _step(J: Array, error: Array, h: Array, G: Array, weight: float) -> Array:
 
 
 def _rows(problem: Boundary, flight: Flight, bounds: Bounds, states: Array) -> tuple[Array, Array]:
-    """What is above KEEP (K), and its derivatives by the unknowns (K, N P); the carrier's part in torques left out."""
+    """Parts above KEEP (K), and derivatives by the unknowns (K, N P), without the carrier's part in torques."""
     N, P = flight.c.shape
-    values, basis, along = measured(problem, flight), problem.family.basis, problem.along(flight)
+    values, basis, along = measure(problem, flight), problem.family.basis, problem.along(flight)
     h, G = [np.zeros(0)], [np.zeros((0, N * P))]
     for name, share in shares(problem, flight, bounds).by_name.items():
         rows, columns = np.nonzero(share > KEEP)
         h.append(share[rows, columns] - KEEP)
         signed = values[name][rows, columns]
-        scale = share[rows, columns] / signed  # of derivatives: sign over bound
+        scale = share[rows, columns] / signed  # factor of the derivatives: sign over bound
         own = np.zeros((len(rows), N, P))
         k = np.arange(len(rows))
         if name == "deviation":

@@ -1,4 +1,4 @@
-"""A run-up or run-down from nothing: coarse nodes first, bounds, then nodes fine enough to be believed."""
+"""Solve a run-up or run-down: coarse nodes first, then bounds, then nodes fine enough to trust."""
 
 from __future__ import annotations
 
@@ -15,31 +15,32 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
-from mahovik.use.plan.runup.limits import reduced, shares
-from mahovik.use.plan.runup.newton import reachable, shoot
+from mahovik.use.plan.runup.limits import reduce_excess, shares
+from mahovik.use.plan.runup.newton import nonzero, shoot
 
 GOAL = 1e-8
-"""Terminal error at the nodes, share of the amplitude."""
+"""Terminal error at the nodes, in amplitudes."""
 ACCEPTED = 1e-6
-"""The same of the table, by nodes twice as dense."""
+"""Accepted terminal error of the table, with nodes twice as dense."""
 
 _ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
-"""Splines a flywheel, and how far (rad) the first angles of rest are drawn about those of the plain fade."""
+"""Splines per flywheel, and range (rad) of the random first angles of rest about those of the plain fade."""
 RICHER = (12, 20)
-"""Splines a flywheel, in turn, while a bound is exceeded."""
+"""Splines per flywheel, tried in order while a bound is exceeded."""
 _STEPS, _COARSE = 60, 1e-4
 
 Problems = Callable[[int, int], Boundary]
-"""By nodes and splines."""
+"""Problem for given numbers of nodes and splines."""
 DENSEST = 8 * NODES
-"""A period of the fastest part, and rows half as many."""
+"""Most nodes per period of the fastest part; half as many rows."""
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """A solution of the boundary-value problem, and the terminal error of its table by nodes twice as dense.
+    """A solution of the boundary-value problem, and the terminal error of its table with nodes twice as dense.
 
-    steps     Newton's, of the attempt that succeeded
+    steps     Newton steps of the successful attempt
+    attempts  1: the first
     attempts  1: the first
     """
 
@@ -62,10 +63,10 @@ def solve(
 ) -> Found:
     """A run-up (`up`) into the programme, or a run-down from it, in `duration` s.
 
-    Inside the motion's bounds, if that can be reached. The same for the same programme and seed, unless the time of
-    `budget` is over: then no attempt is begun, and no step is taken to come nearer to the bounds.
+    It keeps the motion's bounds if possible. The same programme and seed give the same result, unless the time of
+    `budget` is over: then no attempt begins, and no step is taken towards the bounds.
 
-    Raises CheckError: there is no rest, or none was found.
+    Raises CheckError: there is no rest, or no run-up was found.
     """
     budget = budget or Budget(0)
     rng = np.random.default_rng(seed)
@@ -86,38 +87,38 @@ def solve(
             shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
             best = min(best, shot.flight.size)
             if shot.flight.size > _COARSE:
-                if not budget.over() and out_of_reach(coarse, shot.flight):
+                if not budget.over() and is_out_of_reach(coarse, shot.flight):
                     raise CheckError(
-                        f"{which}: what surrounds the stand cannot take up the momentum of the programme, so that no "
-                        "run-up or run-down exists; a programme that rocks may have none to take up"
+                        f"{which}: the surroundings cannot absorb the momentum of the programme, so no "
+                        "run-up or run-down exists; a programme of rocking flywheels may have no momentum"
                     )
                 continue
-            found = _refined(problem, *_within(problem, coarse, shot.flight, motion.bounds, budget))
+            found = _refine_nodes(problem, *_reduce_excess(problem, coarse, shot.flight, motion.bounds, budget))
         except StateError:
             continue
         return Found(*found, shot.steps, number + 1)
-    ends = f"ends {best:.2g} of its amplitude away" if np.isfinite(best) else "is thrown about on the way"
+    ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
-        "give it longer (`runup`)"
+        "make it longer (`runup`)"
     )
 
 
-def out_of_reach(problem: Boundary, flight: Flight) -> bool:
-    """Whether the terminal error lies where no change of the flywheels' motion leads, to first order."""
-    J, _ = problem.sensitivity(problem.renewed(flight))
+def is_out_of_reach(problem: Boundary, flight: Flight) -> bool:
+    """Whether the remaining terminal error cannot be reduced by any flywheel motion, to first order."""
+    J, _ = problem.sensitivity(problem.relinearised(flight))
     U, sigma, _ = np.linalg.svd(J)
-    lost = U[:, ~reachable(sigma)].T @ flight.error
+    lost = U[:, ~nonzero(sigma)].T @ flight.error
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
-def _within(
+def _reduce_excess(
     problem: Problems, own: Boundary, flight: Flight, bounds: Bounds, budget: Budget
 ) -> tuple[Boundary, Flight]:
-    """Inside the bounds, or nearer to them: with more splines a flywheel while they are exceeded and time is left."""
+    """Bring a flight inside the bounds or nearer to them: more splines while bounds are exceeded and time is left."""
     tried = [(own, flight)]
     if shares(own, flight, bounds).excess > 0.0:
-        flight = reduced(own, flight, bounds, budget)
+        flight = reduce_excess(own, flight, bounds, budget)
         tried.append((own, flight))
     for splines in RICHER:
         if shares(own, flight, bounds).most <= 1.0:
@@ -133,37 +134,37 @@ def _within(
             break
         if there.size > _COARSE:
             break
-        own, flight = richer, reduced(richer, there, bounds, budget)
+        own, flight = richer, reduce_excess(richer, there, bounds, budget)
         tried.append((own, flight))
     return min(tried, key=lambda each: shares(each[0], each[1], bounds).most)
 
 
-def _refined(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
-    """On denser nodes, until the table of the solution ends right: problem, flight, terminal error of the table.
+def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
+    """Refine the nodes until the table of the solution ends accurately: problem, flight, terminal error of the table.
 
-    Raises StateError where even the densest does not.
+    Raises StateError if even the densest table does not.
     """
     before, flight, nodes = coarse, start, 2 * NODES
     splines = coarse.family.P - 1
     own = problem(nodes, splines)
     while nodes <= DENSEST:
-        flight = own.fly(flight.c, guess=between(before, own, flight.course.y))
+        flight = own.fly(flight.c, guess=interpolate_states(before, own, flight.course.y))
         flight = shoot(own, flight, GOAL, 6).flight
         nodes *= 2
         denser = problem(nodes, splines)
-        error = denser.missed(table_of(own, flight), between(own, denser, flight.course.y))
+        error = denser.table_error(table_of(own, flight), interpolate_states(own, denser, flight.course.y))
         if error <= ACCEPTED:
             return own, flight, error
         before, own = own, denser
-    raise StateError("the motion is too rough for the nodes")
+    raise StateError("the motion is too rough for the densest nodes")
 
 
 def table_of(problem: Boundary, flight: Flight) -> Samples:
-    """Rows at every second node."""
+    """Table with a row at every second node."""
     angles = problem.family.angles(flight.c)
     return Samples(problem.family.t[::2], *(x[::2] for x in angles))
 
 
-def between(own: Boundary, other: Boundary, y: Array) -> Array:
-    """States y at the nodes of one problem, interpolated at those of another."""
+def interpolate_states(own: Boundary, other: Boundary, y: Array) -> Array:
+    """States y at the nodes of `own`, interpolated at those of `other`."""
     return np.asarray(CubicSpline(own.family.t, y)(other.family.t))

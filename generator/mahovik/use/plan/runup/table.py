@@ -1,4 +1,4 @@
-"""Run-up and run-down of a programme: solved, tabulated, and told of in its report."""
+"""Run-up and run-down of a programme: solution, table, and report."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.runup.limits import measured, shares
+from mahovik.use.plan.runup.limits import measure, shares
 from mahovik.use.plan.runup.solve import Found, solve, table_of
 
 UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
@@ -28,11 +28,11 @@ def with_runup(
     budget: Budget | None = None,
     say: Callable[[str], None] | None = None,
 ) -> Programme:
-    """The programme with the tables `runup` and `rundown` that the motion asks for, and both in its report.
+    """The programme with the tables `runup` and `rundown` that the motion file requests, and their report.
 
-    A table that was not found is left out: its report says why under `reason`. Without `runup` in the motion nothing
-    is changed. The same for the same arguments, unless the `budget` ends by time or Ctrl-C: then what is not found yet
-    is left out. Half of the seconds left are the run-up's. `say` is told which of the two is sought.
+    A table that was not found is left out; its report has the reason under `reason`. Without `runup` in the motion file
+    nothing changes. The same arguments give the same result, unless time or Ctrl-C ends the `budget`: then a table not
+    found yet is left out. The run-up has half of the remaining seconds. `say` receives the name of the current search.
     """
     if motion.runup is None or not programme.periodic:
         return programme
@@ -58,7 +58,7 @@ def with_runup(
 
 
 def shortcomings(programme: Programme) -> tuple[str, ...]:
-    """What is to be said of run-up and run-down, a line each: not found, or a bound that is exceeded."""
+    """Problems of run-up and run-down, one per line: not found, or a bound exceeded."""
     lines = []
     for key in ("runup", "rundown"):
         told = programme.report.get(key, {})
@@ -69,8 +69,8 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
 
 
 def figures(found: Found, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
-    """What the report says of a run-up: terminal error, deviation and when, peaks, bounds that are exceeded."""
-    values, t = measured(found.problem, found.flight), found.problem.family.t
+    """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
+    values, t = measure(found.problem, found.flight), found.problem.family.t
     name = "run-up" if found.problem.up else "run-down"
     at = np.argmax(values["deviation"], axis=0)
     exceeded = []

@@ -1,4 +1,4 @@
-"""What the numbers of a linear model are: names and units of its states, inputs and outputs."""
+"""Channels of a linear model: names and units of its states, inputs and outputs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from mahovik.core.stand.model import Stand
 
 
 class Channel(NamedTuple):
-    """One state, input or output: a name without spaces but one before a flywheel or point, and a unit of SI."""
+    """One state, input or output: a name (a space only before a flywheel or point), and an SI unit."""
 
     name: str
     unit: str

@@ -20,7 +20,7 @@ FORMAT = 1
 
 
 def check(path: Path) -> None:
-    """Raises UsageError where no model can be written to a file of this name."""
+    """Raise UsageError if no model can be written to a file of this name."""
     if path.suffix not in SUFFIXES:
         raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
 
@@ -33,7 +33,7 @@ def rendered(model: LinearModel, suffix: str) -> bytes:
 
 
 def contents(model: LinearModel) -> dict[str, Any]:
-    """What both formats hold, by name. Numbers in SI."""
+    """Contents of both formats, by name. Numbers in SI."""
     channels = {name: getattr(model, name) for name in ("states", "inputs", "outputs")}
     return {
         "schema": FORMAT,
@@ -49,13 +49,13 @@ def contents(model: LinearModel) -> dict[str, Any]:
 
 
 def encode_lines(values: dict[str, Any]) -> str:
-    """JSON, a key a line; floats read back as the same bits."""
+    """JSON, one key per line; floats read back to the same bits."""
     lines = [f" {json.dumps(name)}: {encode(value)}" for name, value in values.items()]
     return "{\n" + ",\n".join(lines) + "\n}"
 
 
 def _mat(model: LinearModel) -> bytes:
-    """Names and units as columns of cells. The text at the head of the file has no date."""
+    """Names and units as columns of cells. The header text has no date."""
     from scipy.io import savemat
 
     values = contents(model)

@@ -1,4 +1,4 @@
-"""A, B, C, D: how small deviations from a motion of the whole system go on, with exact derivatives."""
+"""A, B, C, D: evolution of small deviations from a motion of the whole system, with exact derivatives."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from mahovik.use.study.linear.points import output_rows, places
 Array = NDArray[np.float64]
 
 SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))
-"""[<e>] (6, 6) of (5): axes of a flywheel turn by it."""
+"""[<e>] (6, 6) of (5): derivative of a flywheel's axes as it turns."""
 
 STEADY = 1e-9
-"""m/s2, rad/s2: what is left of V* at rest is rounding, far below this."""
+"""m/s2, rad/s2: remaining V* that counts as rest; rounding is far below this."""
 
 
 @dataclass(frozen=True, eq=False)
 class LinearModel:
-    """x' = A x + B u, y = C x + D u of small deviations from the motion that goes through a state. SI.
+    """x' = A x + B u, y = C x + D u for small deviations from the motion through a state. SI.
 
     states    (n): x, y, z (m) and rx, ry, rz (rad): place of O1 and rotation vector of the carrier from its pose in
               that motion, on E1 as it is there; deviations of V (6), of phi (N) and phi' (N)
@@ -39,8 +39,8 @@ class LinearModel:
     outputs   (p): per point displacement, velocity, acceleration in E0, on the point's axes in that motion (3 each)
     A, B, C, D   n x n, n x m, p x n, p x m
     state     the state, with V* and the drive torques that keep its phi''
-    points    names
-    locked    flywheels keep their motion whatever happens; without their states and inputs
+    points    their names
+    locked    flywheels keep their prescribed motion; without their states and inputs
     """
 
     stand: Stand
@@ -57,7 +57,7 @@ class LinearModel:
 
     @property
     def steady(self) -> bool:
-        """V* and phi'' vanish to rounding; else the matrices hold for a moment, and tell nothing of stability."""
+        """V* and phi'' vanish to rounding; otherwise the matrices hold for a moment only and do not show stability."""
         return all(abs(x) <= STEADY for x in (*self.state.V_dot, *self.state.phi_ddot))
 
 
@@ -66,9 +66,9 @@ def linear_model(
 ) -> LinearModel:
     """The linear model of `stand` about `state`, seen at `points` (names of points and instruments; None: all).
 
-    Flywheels have the accelerations `state.phi_ddot`; V* follows from (8), their drive torques from both, so `V_dot`
-    and `tau` of the state are not read. `locked`: the flywheels' motion is prescribed, 12 states are left.
-    Raises UsageError for an unknown point, StateError where a leg has no length or a number is not finite.
+    Flywheels have the accelerations `state.phi_ddot`; V* follows from (8), and their drive torques from both, so
+    `V_dot` and `tau` of the state are ignored. `locked`: the flywheels' motion is prescribed, 12 states are left.
+    Raises UsageError for an unknown point, StateError if a leg has no length or a number is not finite.
     """
     seen = places(stand, points)
     found = _Equations.at(stand, state)
@@ -111,7 +111,7 @@ class _Equations:
         phi, phi_dot, phi_ddot = (np.array([x], dtype=np.float64) for x in (state.phi, state.phi_dot, state.phi_ddot))
         still = _twists(stand, state)
         push, push_by_phi, about = _run_time(mechanics, state)
-        with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
+        with np.errstate(all="ignore"):  # an overflow is not finite, and is reported below
             by = by_carrier(mechanics, still, phi, phi_dot)
             held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
             V_dot = np.linalg.solve(-by.by_twist_dot[0], held.R[0] + push)
@@ -136,7 +136,7 @@ class _Equations:
 
 
 def _arranged(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
-    """The full mass matrix (6 + N), and what R and -tau change by with pose, V, phi, phi' (6 + N, 12 + 2 N)."""
+    """The full mass matrix (6 + N), and derivatives of R and -tau by pose, V, phi, phi' (6 + N, 12 + 2 N)."""
     coupled = [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
     mass = np.block([[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], coupled])
     carrier = [by.by_pose[0], by.by_twist[0], wheels.by_phi[0] + push_by_phi, wheels.by_phi_dot[0]]
@@ -154,7 +154,7 @@ def _twists(stand: Stand, state: State) -> Twists:
 
 
 def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
-    """Run-time wrenches together in E1 about O1 (6), by phi (6, N), and their moments about the spin axes (N)."""
+    """Run-time wrenches: sum in E1 about O1 (6), by phi (6, N), and their moments about the spin axes (N)."""
     stand = mechanics.stand
     total, by_phi, about = np.zeros(6), np.zeros((6, mechanics.N)), np.zeros(mechanics.N)
     none = (0.0,) * 6

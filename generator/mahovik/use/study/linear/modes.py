@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from mahovik.use.study.linear.channels import Channel
 from mahovik.use.study.linear.model import LinearModel
-from mahovik.use.study.rest import reduced
+from mahovik.use.study.rest import reduced_basis
 
 Array = NDArray[np.float64]
 
@@ -23,15 +23,15 @@ STIFF = 1e-10
 """Part of the largest stiffness below which a direction is free."""
 
 SLOWEST = 1e-6
-"""1/s: what is slower is zero in any case."""
+"""1/s: slower modes always count as zero."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mode:
     """One mode: exp(eigenvalue t) times its shape.
 
-    kind        "free": eigenvalue zero, nothing brings it back; "oscillation": a pair; "decay", "growth": real
-    eigenvalue  1/s; of a pair that with the imaginary part above zero
+    kind        "free": eigenvalue zero, no restoring force; "oscillation": a pair; "decay", "growth": real
+    eigenvalue  1/s; for a pair, the one with positive imaginary part
     frequency   |eigenvalue| / 2 pi, Hz: natural, without damping
     damping     ratio, -Re / |eigenvalue|; negative: it grows
     shape       (n, complex) displacements by `Modes.coordinates`, the largest is 1
@@ -54,7 +54,7 @@ class Modes:
     """Modes of a model by natural frequency, free ones first. A pair of eigenvalues is one mode.
 
     coordinates  of the shapes: pose (6) and phi of free flywheels
-    zeros        number of zero eigenvalues; a free direction that nothing damps has two, its place and its speed
+    zeros        number of zero eigenvalues; an undamped free direction has two, its position and its speed
     """
 
     coordinates: tuple[Channel, ...]
@@ -63,12 +63,12 @@ class Modes:
 
     @property
     def unstable(self) -> bool:
-        """Some mode grows."""
+        """Whether some mode grows."""
         return any(mode.damping < 0.0 and mode.kind != "free" for mode in self.modes)
 
 
 def modes(model: LinearModel) -> Modes:
-    """The modes of a linear model. In place of zero eigenvalues stand the free directions, without stiffness."""
+    """The modes of a linear model. Free directions (without stiffness) replace zero eigenvalues."""
     n = len(model.A)
     places = [*range(6), *range(12, 12 + (n - 12) // 2)]
     values, vectors = np.linalg.eig(model.A)
@@ -98,7 +98,7 @@ def _mode(value: complex, shape: NDArray[np.complex128], turning: bool) -> Mode:
     kind = "oscillation" if turning else "decay" if value.real < 0.0 else "growth"
     damping = -value.real / size
     if abs(damping) <= FREE:
-        damping = 0.0  # rounding of an eigenvalue, of either sign
+        damping = 0.0  # rounding, of either sign
     return Mode(kind, value, size / (2.0 * np.pi), damping, _scaled(shape))
 
 
@@ -107,7 +107,7 @@ def _free(shape: Array) -> Mode:
 
 
 def _scaled(shape: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """The largest displacement (m or rad) is 1."""
+    """Scale so that the largest displacement (m or rad) is 1."""
     largest = shape[int(np.argmax(np.abs(shape)))]
     return np.asarray(shape / largest) if largest != 0.0 else shape
 
@@ -116,4 +116,4 @@ def _still(A: Array, places: list[int]) -> list[Array]:
     """Displacements (a basis) that nothing brings back: A x = 0 with no speed in x."""
     _, sizes, rows = np.linalg.svd(A[:, places])
     kept = sizes > max(STIFF * float(sizes.max(initial=0.0)), SLOWEST**2)
-    return list(reduced(rows[int(kept.sum()) :]))
+    return list(reduced_basis(rows[int(kept.sum()) :]))

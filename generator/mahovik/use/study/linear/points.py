@@ -1,4 +1,4 @@
-"""Outputs of a linear model: how a point of the carrier moves off its place in the nominal motion."""
+"""Outputs of a linear model: displacement of a point of the carrier from the nominal motion."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Place(NamedTuple):
 def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...]:
     """The points and instruments named, in that order; None: all of the stand. Raises UsageError.
 
-    The name of the carrier means O1 on the axes of E1.
+    The carrier's name stands for O1 on the axes of E1.
     """
     known = {name: Place(name, _origin(L), L[:3, :3]) for name, L in point_transfers(stand)}
     if names is None:
@@ -50,8 +50,7 @@ def _origin(L: Array) -> Array:
 def output_rows(place: Place, V: Array, V_dot: Array) -> tuple[Array, Array]:
     """Rows (9, 12) by pose and V, and (9, 6) by V*: displacement, velocity, acceleration of a point.
 
-    Differences of the point's place and its derivatives in E0 from those of the nominal motion, on the axes that the
-    point has there. V, V* (6) of the nominal motion.
+    They are differences in E0 from the nominal motion, on the point's axes in that motion. V, V* (6): nominal motion.
     """
     r, v, omega, v_dot, omega_dot = place.origin, V[:3], V[3:], V_dot[:3], V_dot[3:]
     arm, turning = skew(r), skew(omega)

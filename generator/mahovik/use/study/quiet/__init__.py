@@ -1,6 +1,6 @@
-"""Quiet: speeds and phases of redundant flywheels by which their unbalance cancels at a point, momentum kept."""
+"""Quiet: speeds and phases of redundant flywheels whose unbalance cancels at a point, with the momentum kept."""
 
-from mahovik.use.study.quiet.quieted import Quieted, quiet
-from mahovik.use.study.quiet.wish import MEASURES, Measure, Wish
+from mahovik.use.study.quiet.options import MEASURES, Measure, QuietOptions
+from mahovik.use.study.quiet.result import QuietResult, quiet
 
-__all__ = ["MEASURES", "Measure", "Quieted", "Wish", "quiet"]
+__all__ = ["MEASURES", "Measure", "QuietOptions", "QuietResult", "quiet"]

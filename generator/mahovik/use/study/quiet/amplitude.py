@@ -1,4 +1,4 @@
-"""Jitter of one flywheel at a point: the carrier's answer to its unbalance, complex, at its own frequency."""
+"""Jitter of one flywheel at a point: the carrier's response to its unbalance, complex, at its own frequency."""
 
 from __future__ import annotations
 
@@ -13,26 +13,27 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.points import point_transfers
 from mahovik.use.study.linear import linear_model
-from mahovik.use.study.quiet.wish import MEASURES, Wish
+from mahovik.use.study.quiet.options import MEASURES, QuietOptions
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 QUARTERS = np.arange(4) * (np.pi / 2)
-"""Phases whose mean has neither the first nor the second harmonic of a flywheel."""
+"""Phases whose mean removes the first and the second harmonic of a flywheel."""
 
 
 @dataclass(frozen=True, eq=False)
 class Amplitudes:
-    """First order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments of flywheels.
+    """Amplitudes to first order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments.
 
-    Every flywheel s turns at constant speed; what it adds is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i phi_s).
+    Every flywheel s turns at constant speed; its contribution is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i
+    phi_s).
 
     A0, A1     (12 x 12), (N x 12 x 12): x' = A x + B w of the carrier with locked flywheels, A = A0 + sum A1_s phi_s'
     B          (12 x 6), by a wrench about O1 in E1
     turning    (N x 6, complex): w = Re(turning_s exp(i phi_s)) phi_s'^2, centrifugal wrench
-    hanging    (N x 6, complex): the same of weight and other wrenches that go round with the flywheel
-    C          (axes x 12): velocity of the point, or turning of its axes; `power` times differentiated: the measure
+    hanging    (N x 6, complex): the same for weight and other wrenches that turn with the flywheel
+    C          (axes x 12): velocity of the point, or rotation of its axes; differentiated `power` times: the measure
     """
 
     A0: Array
@@ -44,22 +45,22 @@ class Amplitudes:
     power: int
 
     @staticmethod
-    def of(stand: Stand, wish: Wish, rest: State) -> Amplitudes:
-        """About the pose `rest`. Raises StateError."""
+    def of(stand: Stand, options: QuietOptions, rest: State) -> Amplitudes:
+        """Amplitudes about the pose `rest`. Raises StateError."""
         N = len(stand.flywheels)
-        measure = MEASURES[wish.measure]
-        across = np.array(wish.axes)
-        still = _mean(stand, rest, wish.point, np.zeros(N))
-        moving = [_mean(stand, rest, wish.point, row)[0] - still[0] for row in np.eye(N)]
+        measure = MEASURES[options.measure]
+        across = np.array(options.axes)
+        still = _mean(stand, rest, options.point, np.zeros(N))
+        moving = [_mean(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
         C, power = still[2], 1 - measure.integrals
         if measure.turning:
-            L = dict(point_transfers(stand))[wish.point]
+            L = dict(point_transfers(stand))[options.point]
             C, power = np.hstack([np.zeros((3, 9)), L[:3, :3].T]), -measure.integrals
         turning, hanging = _wrenches(stand, rest)
         return Amplitudes(still[0], np.array(moving), still[1], turning, hanging, across @ C, power)
 
     def at(self, speeds: Array) -> Complex:
-        """Amplitudes (axes x N) at these speeds (N, rad/s), phases zero; a flywheel at rest has none."""
+        """Amplitudes (axes x N) at these speeds (N, rad/s), for phases zero; zero for a flywheel at rest."""
         return self._solved(speeds)[0]
 
     def states(self, speeds: Array) -> Complex:
@@ -94,7 +95,7 @@ def _mean(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, 
 
 
 def _wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:
-    """First harmonics (N x 6 each) of the wrench on the carrier: by the square of the speed, and without it."""
+    """First harmonics (N x 6 each) of the wrench on the carrier: by the square of the speed, and independent of it."""
     N = len(stand.flywheels)
 
     def harmonic(s: int, speed: float) -> Complex:

@@ -1,4 +1,4 @@
-"""What is written: a regime that `simulate` reads, a state to begin with, and everything as JSON."""
+"""Output files: a regime that `simulate` reads, an initial state, and everything as JSON."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ import math
 from typing import Any
 
 from mahovik.proof.verify.evaluate import state_object
-from mahovik.use.study.quiet.lines import inside
-from mahovik.use.study.quiet.quieted import Jitter, Quieted
+from mahovik.use.study.quiet.lines import in_band
+from mahovik.use.study.quiet.result import Jitter, QuietResult
 
 
-def regime_text(found: Quieted) -> str:
+def regime_text(found: QuietResult) -> str:
     """The regime as TOML: constant speeds, and phases at t = 0."""
     text = [
-        f"# {found.stand.name}: quiet at {found.wish.point}, {found.wish.band[0]:g} to {found.wish.band[1]:g} Hz.",
+        f"# {found.stand.name}: quiet at {found.options.point}, "
+        f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz.",
         "# Phases are those at t = 0; flywheels of one speed must hold them.",
         "schema = 1",
     ]
@@ -23,17 +24,17 @@ def regime_text(found: Quieted) -> str:
     return "\n".join(text) + "\n"
 
 
-def result(found: Quieted) -> dict[str, Any]:
-    """Everything, in SI and Hz; strict JSON: an infinite reduction, which is silence, is null."""
-    wish = found.wish
+def result(found: QuietResult) -> dict[str, Any]:
+    """Everything, in SI and Hz; strict JSON: an infinite reduction (silence) is null."""
+    options = found.options
     reduction = found.reduction
     return {
         "name": found.stand.name,
-        "point": wish.point,
-        "measure": wish.measure,
+        "point": options.point,
+        "measure": options.measure,
         "unit": found.unit,
-        "axes": [list(axis) for axis in wish.axes],
-        "band": list(wish.band),
+        "axes": [list(axis) for axis in options.axes],
+        "band": list(options.band),
         "momentum": found.wheels.momentum.tolist(),
         "momentum_error": found.momentum_error,
         "flywheels": list(found.wheels.names),
@@ -42,7 +43,7 @@ def result(found: Quieted) -> dict[str, Any]:
         "change": (found.after.speeds - found.before.speeds).tolist(),
         "reduction": reduction if math.isfinite(reduction) else None,
         "phase_error_that_doubles": found.hold,
-        "avoided": [list(each) for each in wish.avoid],
+        "avoided": [list(each) for each in options.avoid],
         "natural_frequencies": list(found.natural),
         "agrees": found.agrees,
         "looked_at": found.looked_at,
@@ -51,13 +52,13 @@ def result(found: Quieted) -> dict[str, Any]:
     }
 
 
-def _jitter(found: Quieted, jitter: Jitter) -> dict[str, Any]:
+def _jitter(found: QuietResult, jitter: Jitter) -> dict[str, Any]:
     heard = jitter.heard or (None,) * len(jitter.lines)
     lines = [
         {
             "frequency": line.frequency,
             "flywheels": [found.wheels.names[s] for s in line.flywheels],
-            "in_band": inside(line.frequency, found.wish.band),
+            "in_band": in_band(line.frequency, found.options.band),
             "amplitude": math.sqrt(2.0 * line.mean_square),
             "amplitude_of_phases_not_held": math.sqrt(2.0 * line.apart),
             "simulated": simulated,

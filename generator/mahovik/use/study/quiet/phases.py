@@ -1,4 +1,4 @@
-"""Relative phases of flywheels of one speed by which their amplitudes cancel as far as they can."""
+"""Relative phases of flywheels of one speed that cancel their amplitudes as far as possible."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ Complex = NDArray[np.complex128]
 SWEEPS = 400
 
 
-def cancelled(a: Complex, rng: np.random.Generator, starts: int = 48) -> tuple[Array, float]:
-    """Angles psi (m; the first 0) that make |sum_k a_k exp(i psi_k)|^2 least, and that least; a: axes x m.
+def cancel(a: Complex, rng: np.random.Generator, starts: int = 48) -> tuple[Array, float]:
+    """Angles psi (m; the first 0) that minimise |sum_k a_k exp(i psi_k)|^2, and the minimum; a: axes x m.
 
-    One angle after another is set to the best for the others, which never makes it worse, from many starts at once;
-    Newton's method ends the best.
+    Each angle in turn is set to its best value for the others, which never increases the sum, from many starts at once;
+    Newton's method refines the best.
     """
     m = a.shape[1]
     if m == 1:
@@ -48,7 +48,7 @@ def _powers(a: Complex, z: Complex) -> Array:
 
 
 def _newton(a: Complex, psi: Array) -> Array:
-    """Damped Gauss-Newton steps on the real rows of the sum, as long as they help."""
+    """Damped Gauss-Newton steps on the real rows of the sum, as long as they reduce it."""
     damping, now = 1e-6, power(a, psi)
     for _ in range(60):
         terms = a * np.exp(1j * psi)

@@ -1,4 +1,4 @@
-"""Which speeds: where something changes, and around the best of that, those of least jitter or least change."""
+"""Search of speeds: intersections of planes where something changes, then neighbours of the best ones."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from numpy.typing import NDArray
 
 from mahovik.errors import CheckError
 from mahovik.use.study.quiet.amplitude import Amplitudes
-from mahovik.use.study.quiet.lines import apart, best_phases, together
-from mahovik.use.study.quiet.planes import Planes, refused
+from mahovik.use.study.quiet.lines import best_phases, groups, uncontrolled_mean_square
+from mahovik.use.study.quiet.options import QuietOptions
+from mahovik.use.study.quiet.planes import Planes, broken_limits
 from mahovik.use.study.quiet.wheels import Wheels
-from mahovik.use.study.quiet.wish import Wish
 
 Array = NDArray[np.float64]
 
 MOST = 3000
-"""Meetings of planes that are drawn where there are more."""
+"""Random intersections of planes, if there are more."""
 
 QUIET_ENOUGH = 1e-4
-"""Part of the RMS before, below which lower is no better: the smaller change of speeds is."""
+"""Part of the RMS before below which a smaller change of speeds is preferred to a lower RMS."""
 
-ALIKE = 1.02  # RMS by this factor: the smaller change is taken
+ALIKE = 1.02  # RMS ratio within which the smaller change is taken
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +38,7 @@ class Found:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """The best, how many speeds were looked at, whether time or Ctrl-C cut the search."""
+    """The best speeds, how many were tried, and whether time or Ctrl-C cut the search."""
 
     best: Found
     looked_at: int
@@ -47,20 +47,20 @@ class Outcome:
 
 
 class Search:
-    """One search. `seconds`: of the clock, None without end; `tell` gets a line about it now and then."""
+    """One search. `seconds`: wall-clock limit in s; None: unlimited. `tell` receives lines of progress."""
 
     def __init__(
         self,
         wheels: Wheels,
         amplitudes: Amplitudes,
-        wish: Wish,
+        options: QuietOptions,
         seconds: float | None = None,
         tell: Callable[[str], None] | None = None,
     ) -> None:
-        self.wheels, self.amplitudes, self.wish = wheels, amplitudes, wish
-        self.rng = np.random.default_rng(wish.seed)
-        self.planes = Planes(wheels, wish)
-        self.before = apart(wheels.start, amplitudes.at(wheels.start), wish.guarded)
+        self.wheels, self.amplitudes, self.options = wheels, amplitudes, options
+        self.rng = np.random.default_rng(options.seed)
+        self.planes = Planes(wheels, options)
+        self.before = uncontrolled_mean_square(wheels.start, amplitudes.at(wheels.start), options.guarded)
         self.end = None if seconds is None else time.monotonic() + seconds
         self.found: list[Found] = []
         self.looked_at = 0
@@ -68,11 +68,11 @@ class Search:
         self._least = np.inf
 
     def run(self) -> Outcome:
-        """The search. Raises CheckError where no speeds are allowed; Ctrl-C before anything is found goes on."""
+        """Run the search. Raises CheckError: no speeds are allowed; KeyboardInterrupt: Ctrl-C before any result."""
         cut = interrupted = False
         try:
             cut = not self._meetings()
-            if self.found and self.wish.reduction is None and not cut:
+            if self.found and self.options.reduction is None and not cut:
                 cut = not self._neighbours()
         except KeyboardInterrupt:
             if not self.found:
@@ -82,60 +82,60 @@ class Search:
             raise CheckError(self._binding(cut))
         return Outcome(self._best(), self.looked_at, cut, interrupted)
 
-    def look(self, speeds: Array, starts: int = 12) -> Found:
-        """What these speeds give."""
+    def evaluate(self, speeds: Array, starts: int = 12) -> Found:
+        """Evaluate these speeds."""
         self.looked_at += 1
-        _, least = best_phases(speeds, self.amplitudes.at(speeds), self.wish.guarded, self.rng, starts)
+        _, least = best_phases(speeds, self.amplitudes.at(speeds), self.options.guarded, self.rng, starts)
         self._least = min(self._least, least)
         lower = float(np.sqrt(self.before / self._least)) if self._least > 0.0 else np.inf
         self._tell(f"searching: {self.looked_at} speeds tried, best {lower:.3g} times lower")
         return Found(speeds, least, float(np.abs(speeds - self.wheels.start).max()))
 
-    def _late(self) -> bool:
+    def _out_of_time(self) -> bool:
         return self.end is not None and time.monotonic() > self.end
 
     def _meetings(self) -> bool:
-        """Allowed meetings of planes, the most promising first; False where time cuts it."""
+        """Try allowed intersections of planes, most promising first; False if time ran out."""
         seen: dict[tuple[float, ...], tuple[float, Array]] = {}
-        for speeds in self.planes.meetings(MOST, self.rng):
-            if self._late():
+        for speeds in self.planes.intersections(MOST, self.rng):
+            if self._out_of_time():
                 break
             key = tuple(np.round(speeds, 6).tolist())
-            if key in seen or refused(speeds, self.wheels, self.wish):
+            if key in seen or broken_limits(speeds, self.wheels, self.options):
                 continue
-            seen[key] = self._promise(speeds), speeds
+            seen[key] = self._rank(speeds), speeds
         ranked = sorted(seen.values(), key=lambda each: each[0])
         for bound, speeds in ranked:
-            if self._late() and self.found:
+            if self._out_of_time() and self.found:
                 return False
-            if self.found and bound > self._worth_it():
+            if self.found and bound > self._bound():
                 break
-            self.found.append(self.look(speeds))
-        return not self._late()
+            self.found.append(self.evaluate(speeds))
+        return not self._out_of_time()
 
-    def _promise(self, speeds: Array) -> float:
-        """By what speeds are ranked: with a wanted reduction the change; else a lower bound of the mean square."""
-        if self.wish.reduction is not None:
+    def _rank(self, speeds: Array) -> float:
+        """Rank of speeds: with a wanted reduction the change; otherwise a lower bound of the mean square."""
+        if self.options.reduction is not None:
             return float(np.abs(speeds - self.wheels.start).max())
         alone = np.zeros(len(speeds))
-        for group in together(speeds):
+        for group in groups(speeds):
             if len(group) == 1:
                 alone[group[0]] = speeds[group[0]]
-        return apart(alone, self.amplitudes.at(alone), self.wish.guarded) * (1.0 - 1e-3)
+        return uncontrolled_mean_square(alone, self.amplitudes.at(alone), self.options.guarded) * (1.0 - 1e-3)
 
-    def _worth_it(self) -> float:
-        """Above this bound no further speeds need be looked at."""
-        if self.wish.reduction is not None:
-            good = [each.change for each in self.found if self._enough(each)]
+    def _bound(self) -> float:
+        """Bound above which no further speeds need be tried."""
+        if self.options.reduction is not None:
+            good = [each.change for each in self.found if self._is_sufficient(each)]
             return min(good) if good else np.inf
         least = min(each.mean_square for each in self.found)
         return max(ALIKE**2 * least, QUIET_ENOUGH**2 * self.before)
 
-    def _enough(self, each: Found) -> bool:
-        return each.mean_square * (self.wish.reduction or 1.0) ** 2 <= self.before
+    def _is_sufficient(self, each: Found) -> bool:
+        return each.mean_square * (self.options.reduction or 1.0) ** 2 <= self.before
 
     def _neighbours(self) -> bool:
-        """From the best few on, along directions that keep together what turns together; False where time cuts it."""
+        """From the best few, step along directions that keep groups together; False if time ran out."""
         for each in sorted(self.found, key=lambda one: one.mean_square)[:4]:
             if each.mean_square <= QUIET_ENOUGH**2 * self.before:
                 return True
@@ -144,19 +144,19 @@ class Search:
         return True
 
     def _descend(self, each: Found) -> bool:
-        """Steps along a basis, halved where none helps."""
+        """Steps along a basis, halved if none helps."""
         basis = self._directions(each.speeds)
         step = 0.1 * max(float(np.abs(each.speeds).max()), 1.0)
         smallest = 1e-5 * step
         while step > smallest and len(basis):
-            if self._late():
+            if self._out_of_time():
                 return False
             better = each
             for direction in (*basis, *(-basis)):
                 speeds = each.speeds + step * direction
-                if refused(speeds, self.wheels, self.wish):
+                if broken_limits(speeds, self.wheels, self.options):
                     continue
-                other = self.look(speeds)
+                other = self.evaluate(speeds)
                 if other.mean_square < better.mean_square * (1.0 - 1e-9):
                     better = other
             if better is each:
@@ -167,9 +167,9 @@ class Search:
         return True
 
     def _directions(self, speeds: Array) -> Array:
-        """Orthonormal rows: changes of speeds that hold no momentum and keep groups together."""
+        """Orthonormal rows: changes of speeds that keep the momentum and keep groups together."""
         Z, rows = self.wheels.nullspace, []
-        for group in together(speeds):
+        for group in groups(speeds):
             for s in group[1:]:
                 row = np.zeros(len(speeds))
                 row[group[0]], row[s] = np.sign(speeds[group[0]]), -np.sign(speeds[s])
@@ -180,8 +180,8 @@ class Search:
         return np.asarray(right[int(np.sum(sizes > 1e-9)) :] @ Z.T)
 
     def _best(self) -> Found:
-        """By the wish: the least change that is enough, else of the quietest that with the least change."""
-        enough = [each for each in self.found if self.wish.reduction is not None and self._enough(each)]
+        """Best result: the least change that is sufficient; else, of the quietest, the one with the least change."""
+        enough = [each for each in self.found if self.options.reduction is not None and self._is_sufficient(each)]
         if enough:
             return min(enough, key=lambda each: (each.change, each.mean_square))
         least = min(each.mean_square for each in self.found)
@@ -189,18 +189,18 @@ class Search:
         return min((each for each in self.found if each.mean_square <= most), key=lambda each: each.change)
 
     def _binding(self, cut: bool) -> str:
-        """Why no speeds are allowed: what, left out, would allow some."""
+        """Why no speeds are allowed: the options without which some would be."""
         if cut:
             return "--time ended the search before any allowed speeds were found"
         tally: list[set[str]] = [
-            refused(speeds, self.wheels, self.wish) for speeds in self.planes.meetings(300, self.rng)
+            broken_limits(speeds, self.wheels, self.options) for speeds in self.planes.intersections(300, self.rng)
         ]
         alone = sorted({next(iter(each)) for each in tally if len(each) == 1})
         words = {
             "limit": "the speed limit",
             "least": "--least",
             "change": "--change",
-            "avoid": "the frequencies to be avoided",
+            "avoid": "the avoided frequencies",
         }
         several = min(tally, key=len)
         binds = [words[each] for each in (alone or sorted(several))]

@@ -1,4 +1,4 @@
-"""The check: the whole stand in time, by the emitted C or SciPy on the reference; nothing of the search is used."""
+"""The check: simulation of the whole stand, by the emitted C or SciPy on the reference, independent of the search."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.points import point_transfers
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.quiet.amplitude import Amplitudes
+from mahovik.use.study.quiet.options import MEASURES, QuietOptions
 from mahovik.use.study.quiet.spectrum import LOBE
-from mahovik.use.study.quiet.wish import MEASURES, Wish
-from mahovik.use.study.rest import moved
+from mahovik.use.study.rest import displaced_state
 
 Array = NDArray[np.float64]
 
 SHORTEST, LONGEST, MOST = 1.0, 5.0, 20000
-"""s, of a simulated time; samples, where a line that is just outside of the band asks for longer."""
+"""Shortest and longest simulated time, s; most samples, if a line just outside the band needs a longer time."""
 
 
 @dataclass(frozen=True)
@@ -37,26 +37,26 @@ class Sampling:
     every: float
 
     @staticmethod
-    def of(wish: Wish, speeds: Array) -> Sampling:
-        """Lines are told from each other, and those outside from the band, as far as the longest time allows.
+    def of(options: QuietOptions, speeds: Array) -> Sampling:
+        """Sampling that separates lines from each other and from the band, as far as the longest time allows.
 
-        Third harmonics of the flywheels do not come back into the band as images.
+        Third harmonics of the flywheels are not aliased into the band.
         """
         f = np.unique(np.round(np.abs(speeds) / (2 * math.pi), 9))
         f = f[f > 0.0]
         beats = min((float(x) for x in np.diff(f) if x > 1e-9), default=math.inf)
-        edges = min((abs(float(x) - edge) for x in f for edge in wish.band if x != edge), default=math.inf)
-        rate = max(2.56 * wish.band[1], wish.band[1] + 3.2 * float(f.max(initial=0.0)))
-        until = max(1.5 * LOBE / beats, 20.0 / max(wish.band[0], 0.1), SHORTEST)
+        edges = min((abs(float(x) - edge) for x in f for edge in options.band if x != edge), default=math.inf)
+        rate = max(2.56 * options.band[1], options.band[1] + 3.2 * float(f.max(initial=0.0)))
+        until = max(1.5 * LOBE / beats, 20.0 / max(options.band[0], 0.1), SHORTEST)
         until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))
         count = math.ceil(until * rate)
         return Sampling(until, until / count)
 
 
-def beginning(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, phases: Array) -> State:
-    """The state at t = 0 on the steady motion, to first order: no mode has to decay first."""
+def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, phases: Array) -> State:
+    """State at t = 0 on the steady motion, to first order: no mode has to decay first."""
     x = (amplitudes.states(speeds) * np.exp(1j * np.sign(speeds) * phases)).sum(axis=1).real
-    state = moved(rest, pieces(stand, rest).C, x[:6])
+    state = displaced_state(rest, pieces(stand, rest).C, x[:6])
     V = cast(Vec6, tuple(x[6:].tolist()))
     return replace(state, V=V, phi=tuple(phases.tolist()), phi_dot=tuple(speeds.tolist()))
 
@@ -67,17 +67,17 @@ def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
     return Regime("quiet", tuple(Driven(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
 
 
-def simulated(
+def simulate_point(
     stand: Stand,
-    wish: Wish,
+    options: QuietOptions,
     start: State,
     sampling: Sampling,
     backend: str = "c",
     progress: Callable[[float], None] | None = None,
 ) -> Array:
-    """What is measured, not integrated (times x axes): acceleration of the point or its turning.
+    """The measured motion, not integrated (times x axes): acceleration of the point or of its rotation.
 
-    Raises ToolchainError, StateError; KeyboardInterrupt goes on.
+    Raises ToolchainError, StateError, KeyboardInterrupt.
     """
     speeds, phases = np.array(start.phi_dot), np.array(start.phi)
     longest = 0.1 / max(float(np.abs(speeds).max()), 1.0)
@@ -88,20 +88,22 @@ def simulated(
     if run.stopped is not None:
         raise StateError(run.stopped)
     count = round(sampling.until / sampling.every)
-    L = dict(point_transfers(stand))[wish.point]
+    L = dict(point_transfers(stand))[options.point]
 
     def six(linear: str, angular: str, over: tuple[str, str]) -> Array:
         names = [f"{linear}_{a} [{over[0]}]" for a in "xyz"] + [f"{angular}_{a} [{over[1]}]" for a in "xyz"]
         return np.column_stack([run[name] for name in names])[:count] @ L
 
     V, V_dot = six("v", "omega", ("m/s", "rad/s")), six("v_dot", "omega_dot", ("m/s2", "rad/s2"))
-    if MEASURES[wish.measure].turning:
-        return np.asarray(V[:, 3:] @ np.array(wish.axes).T)
-    return np.asarray((V_dot[:, :3] + np.cross(V[:, 3:], V[:, :3])) @ np.array(wish.axes).T)
+    if MEASURES[options.measure].turning:
+        return np.asarray(V[:, 3:] @ np.array(options.axes).T)
+    return np.asarray((V_dot[:, :3] + np.cross(V[:, 3:], V[:, :3])) @ np.array(options.axes).T)
 
 
-def expected(speeds: Array, phases: Array, a: NDArray[np.complex128], integrals: int, sampling: Sampling) -> Array:
-    """The same samples by the amplitudes a (axes x N, integrated), to be put through the same transform."""
+def expected_samples(
+    speeds: Array, phases: Array, a: NDArray[np.complex128], integrals: int, sampling: Sampling
+) -> Array:
+    """The same samples from amplitudes a (axes x N, integrated), for the same transform."""
     count = round(sampling.until / sampling.every)
     t = sampling.every * np.arange(count)
     omega, sign = np.abs(speeds), np.sign(speeds)

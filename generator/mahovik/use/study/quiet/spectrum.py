@@ -1,22 +1,22 @@
-"""RMS of a sampled motion in a band, and its amplitude at a frequency: a window with little leakage, one transform."""
+"""RMS of a sampled motion in a band, and its amplitude at a frequency, by one window with little leakage."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.study.quiet.wish import Interval
+from mahovik.use.study.quiet.options import Interval
 
 Array = NDArray[np.float64]
 
 LOBE = 4.0
-"""Half width of the window's main lobe, in 1/T; beside it 92 dB are gone."""
+"""Half width of the window's main lobe, in 1/T; leakage beside it is 92 dB lower."""
 
 _TERMS = (0.35875, 0.48829, 0.14128, 0.01168)  # Blackman-Harris (1978), four terms
 
 
 def window(n: int) -> Array:
-    """n samples of it."""
+    """n samples of the window."""
     angle = 2.0 * np.pi * np.arange(n) / n
     return np.asarray(sum((-1.0) ** k * a * np.cos(k * angle) for k, a in enumerate(_TERMS)))
 
@@ -41,7 +41,7 @@ def line_amplitude(x: Array, every: float, frequency: float, integrals: int) -> 
 
 
 def _level(x: Array, w: Array) -> Array:
-    """Without its mean and slope, as the window sees them."""
+    """The samples without their weighted mean and slope."""
     t = np.linspace(-1.0, 1.0, len(x))
     basis = np.column_stack([np.ones_like(t), t])
     fit = np.linalg.lstsq(w[:, None] * basis, w[:, None] * x, rcond=None)[0]

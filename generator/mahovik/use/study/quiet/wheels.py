@@ -1,4 +1,4 @@
-"""What a set of flywheels can hold: momentum of their speeds, the speeds that hold none, and the limits."""
+"""Momentum of a set of flywheels: speeds that hold it, speeds that hold none, and the limits."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
-from mahovik.use.study.quiet.wish import Wish
+from mahovik.use.study.quiet.options import QuietOptions
 
 Array = NDArray[np.float64]
 RANK = 1e-9
@@ -25,9 +25,9 @@ RANK = 1e-9
 class Wheels:
     """axes (3 x N): mean angular momentum in E1 of unit speeds, spin inertia by spin axis, kg m2.
 
-    nullspace (N x d): orthonormal; speeds that hold no momentum. momentum (3, N m s): what is required.
-    start (N, rad/s): speeds that hold it and are nearest to those given.
-    moved (rad/s): how far that is from those given.
+    nullspace (N x d): orthonormal; speeds without momentum. momentum (3, N m s): the required one.
+    start (N, rad/s): speeds that hold it, nearest to the given ones.
+    moved (rad/s): distance of `start` from the given speeds.
     """
 
     names: tuple[str, ...]
@@ -39,10 +39,10 @@ class Wheels:
     limit: Array
 
     @staticmethod
-    def of(stand: Stand, wish: Wish) -> Wheels:
-        """Of a stand and what is asked. Raises UsageError: too few flywheels, momentum out of their axes' span.
+    def of(stand: Stand, options: QuietOptions) -> Wheels:
+        """Wheels of a stand for some options. Raises UsageError: too few flywheels, momentum out of their axes' span.
 
-        CheckError where the momentum asks for more than the limits.
+        CheckError: the momentum needs more than the limits.
         """
         N = len(stand.flywheels)
         axes = momentum_axes(stand)
@@ -54,33 +54,33 @@ class Wheels:
                 f"expected {rank + 1} or more"
             )
         nullspace = right[rank:].T
-        given = None if wish.speeds is None else np.array(wish.speeds)
-        momentum = axes @ given if wish.momentum is None and given is not None else np.array(wish.momentum)
+        given = None if options.speeds is None else np.array(options.speeds)
+        momentum = axes @ given if options.momentum is None and given is not None else np.array(options.momentum)
         outside = float(np.linalg.norm(left[:, rank:].T @ momentum))
         if outside > 1e-9 * max(float(np.linalg.norm(momentum)), 1e-30):
             raise UsageError(
-                f"{stand.name}: --momentum: {outside:.4g} N m s of it is across all spin axes (rank {rank}): "
+                f"{stand.name}: --momentum: {outside:.4g} N m s of it are across all spin axes (rank {rank}): "
                 f"no speeds hold it"
             )
         begin = np.zeros(N) if given is None else given
         start = begin + np.linalg.pinv(axes, rcond=RANK) @ (momentum - axes @ begin)
         moved = 0.0 if given is None else float(np.abs(start - given).max())
         names = tuple(s.name for s in stand.flywheels)
-        found = Wheels(names, axes, nullspace, momentum, start, moved, limits(stand, wish))
+        found = Wheels(names, axes, nullspace, momentum, start, moved, limits(stand, options))
         found.check_reach()
         return found
 
     def check_reach(self) -> None:
-        """Whether some speeds within the limits hold the momentum. Raises CheckError."""
-        least, speeds = self.fullest()
+        """Check that some speeds within the limits hold the momentum. Raises CheckError."""
+        least, speeds = self.least_load()
         if least > 1.0 + 1e-9:
             worst = int(np.argmax(np.abs(speeds) / self.limit))
             raise CheckError(
-                f"momentum out of reach: it takes {least:.4g} times the speed limits, at best {self.names[worst]} at "
+                f"momentum out of reach: it needs {least:.4g} times the speed limits, at best {self.names[worst]} at "
                 f"{rpm(abs(speeds[worst])):.5g} rpm (limit {rpm(self.limit[worst]):.5g} rpm)"
             )
 
-    def fullest(self) -> tuple[float, Array]:
+    def least_load(self) -> tuple[float, Array]:
         """The least t for which speeds |phi'_s| <= t limit_s hold the momentum, and those speeds."""
         finite = np.isfinite(self.limit)
         if not finite.any():
@@ -94,7 +94,7 @@ class Wheels:
         equal, right = np.column_stack([self.axes / scale, np.zeros(3)]), self.momentum / scale
         free: Any = [(None, None)] * N + [(0.0, None)]
         found = linprog(cost, upper, np.zeros(len(upper)), equal, right, free, method="highs")
-        if found.x is None:  # rank below 3: rows that depend on others, with rounding between them
+        if found.x is None:  # rank below 3: some rows depend on others, up to rounding
             return float((np.abs(self.start[finite]) / bound).max()), self.start
         return float(found.x[-1]), np.asarray(found.x[:N])
 
@@ -106,13 +106,13 @@ def momentum_axes(stand: Stand) -> Array:
     return np.column_stack(columns) if columns else np.zeros((3, 0))
 
 
-def limits(stand: Stand, wish: Wish) -> Array:
-    """N, rad/s: the limit asked for, else the no-load speed of the motor, else none."""
+def limits(stand: Stand, options: QuietOptions) -> Array:
+    """Speed limits (N, rad/s): the given limit, else the no-load speed of the motor, else none."""
     speeds = [np.inf if s.motor is None or s.motor.speed is None else s.motor.speed for s in stand.flywheels]
     own = np.array(speeds, dtype=np.float64)
-    return own if wish.limit is None else np.minimum(own, wish.limit)
+    return own if options.limit is None else np.minimum(own, options.limit)
 
 
 def rpm(speed: float) -> float:
-    """Turns a minute of rad/s."""
+    """Revolutions per minute, from rad/s."""
     return float(speed * 30.0 / np.pi)

@@ -1,4 +1,4 @@
-"""What unbalanced flywheels at constant speeds make a stand do: exact periodic steady states, spectra, sweeps."""
+"""Response to unbalanced flywheels at constant speeds: exact periodic steady states, spectra, sweeps."""
 
 from mahovik.use.study.response.periodic import Periodic, periodic_response
 from mahovik.use.study.response.scene import Scene

@@ -15,7 +15,7 @@ from scipy.sparse.linalg import LinearOperator, gmres
 Array = NDArray[np.float64]
 
 ACCURATE = 1e-7
-"""Of GMRES in one step of Newton's method."""
+"""Accuracy of GMRES in one step of Newton's method."""
 
 RESTART, ROUNDS = 60, 5
 
@@ -30,10 +30,10 @@ def derivative(y: Array, base: float) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Linearised:
-    """dy' = J dy + push dh + r with conditions: seen . mean(dy) = c. Solved for dy (M, n) and dh (f).
+    """dy' = J dy + push dh + r with conditions: seen . mean(dy) = c. The unknowns are dy (M, n) and dh (f).
 
-    J (M, n, n); push (M, n, f): what numbers h that are constant in time add to y'; seen (f, n); base: rad/s;
-    size (n): of what is unknown, so that all numbers count alike.
+    J (M, n, n); push (M, n, f): effect of the constant numbers h on y'; seen (f, n); base: rad/s;
+    size (n): scales of the unknowns.
     """
 
     J: Array
@@ -43,7 +43,7 @@ class Linearised:
     size: Array
 
     def solve(self, r: Array, c: Array) -> tuple[Array, Array] | None:
-        """dy, dh; None where the equations are singular, at an undamped resonance."""
+        """dy, dh; None if the equations are singular, at an undamped resonance."""
         M, n = r.shape
         f = len(c)
         inverse = self._inverse(M)
@@ -73,7 +73,7 @@ class Linearised:
         return x[: M * n].reshape(M, n) * self.size, x[M * n :]
 
     def _inverse(self, M: int) -> NDArray[np.complex128] | None:
-        """Inverses (H + 1, n + f, n + f) of the mean equations, a harmonic each; constants h belong to the zeroth."""
+        """Inverses (H + 1, n + f, n + f) of the mean equations, one per harmonic; constants h belong to the zeroth."""
         n, f = self.J.shape[1], len(self.seen)
         k = np.arange(M // 2 + 1)
         A = np.zeros((len(k), n + f, n + f), dtype=np.complex128)
@@ -88,15 +88,15 @@ class Linearised:
         return found if np.all(np.isfinite(found)) else None
 
 
-def resampled(y: Array, M: int) -> Array:
-    """The same trigonometric polynomial at M nodes (odd), its highest harmonics left out where M is smaller."""
+def resample(y: Array, M: int) -> Array:
+    """The same trigonometric polynomial at M nodes (odd), without its highest harmonics if M is smaller."""
     spectrum = np.fft.rfft(y, axis=0)
     H = min(len(spectrum), M // 2 + 1)
     return np.asarray(np.fft.irfft(spectrum[:H], M, axis=0) * (M / len(y)))
 
 
 def odd_length(least: int) -> int:
-    """The next number of nodes without factors but 3, 5, 7: odd, and fast to transform."""
+    """The next number of nodes with only the factors 3, 5, 7: odd, and fast to transform."""
     M = least | 1
     while _rest(M) > 1:
         M += 2

@@ -1,4 +1,4 @@
-"""A sweep as a file: JSON with everything, CSV with a row a speed."""
+"""A sweep as a file: JSON with everything, CSV with a row per speed."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from mahovik.use.study.response.sweep import Step, Sweep
 RPM = 30.0 / np.pi
 
 NEGLIGIBLE = 1e-9
-"""Part of the largest amplitude of a step: harmonics below it are not written."""
+"""Part of the largest amplitude of a step: smaller harmonics are not written."""
 
 AXES = ("x", "y", "z")
 
 
 def values(found: Sweep) -> dict[str, Any]:
-    """What JSON holds; SI, frequencies in Hz."""
+    """Contents of the JSON file; SI, frequencies in Hz."""
     asked = found.asked
     return {
         "schema": 1,
@@ -64,17 +64,17 @@ def _step(step: Step) -> dict[str, Any]:
 
 
 def _numbers(row: Any) -> list[float | None]:
-    """No steady state: null."""
+    """A row of numbers; null without a steady state."""
     return [float(x) if np.isfinite(x) else None for x in row]
 
 
 def json_text(found: Sweep) -> str:
-    """JSON, a key a line."""
+    """JSON, one key per line."""
     return encode_lines(values(found)) + "\n"
 
 
 def csv_text(found: Sweep) -> str:
-    """A row a speed: speeds, RMS on the axes and together, within the band, amplitudes of the orders."""
+    """A row per speed: speeds, RMS on the axes and together, within the band, amplitudes of the orders."""
     unit, lines = found.unit, found.lines()
     names = [f"speed {name} [rpm]" for name in found.asked.names]
     parts = [("rms", found.rms())] + ([("band rms", found.rms(found.band))] if found.band else [])

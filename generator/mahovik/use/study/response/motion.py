@@ -19,7 +19,7 @@ UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s2"}
 
 @dataclass(frozen=True, eq=False)
 class PointMotion:
-    """Of one point at M uniform nodes (M, 3 each), from its place at rest, in E0, on the axes it has at rest."""
+    """Motion of one point at M uniform nodes (M, 3 each), from its place at rest, in E0, on its axes at rest."""
 
     displacement: Array
     velocity: Array
@@ -34,7 +34,7 @@ class PointMotion:
 
 
 def point_motion(place: Place, y: Array, V_dot: Array) -> PointMotion:
-    """Of a point, from states y (M, 12) in the chart about rest and V* (M, 6)."""
+    """Motion of a point from states y (M, 12) in the chart about rest and V* (M, 6)."""
     turned = Rotation.from_rotvec(y[:, 3:6])
     origin, v, omega = np.tile(place.origin, (len(y), 1)), y[:, 6:9], y[:, 9:]
     displacement = y[:, :3] + turned.apply(origin) - origin

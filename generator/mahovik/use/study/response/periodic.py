@@ -15,7 +15,7 @@ from mahovik.errors import CheckError
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.forward import Drive
 from mahovik.use.study.linear.points import Place, places
-from mahovik.use.study.response.collocation import Linearised, derivative, odd_length, resampled
+from mahovik.use.study.response.collocation import Linearised, derivative, odd_length, resample
 from mahovik.use.study.response.motion import PointMotion, point_motion
 from mahovik.use.study.response.scene import FREE, Scene
 from mahovik.use.study.response.speeds import Turning, common_period
@@ -24,32 +24,32 @@ from mahovik.use.study.rest import rest
 Array = NDArray[np.float64]
 
 PER_TURN = 4
-"""Harmonics for each turn of the fastest flywheel, to begin with."""
+"""Harmonics per turn of the fastest flywheel at first."""
 
 MOST = 8192
-"""Harmonics of the common period."""
+"""Most harmonics of the common period."""
 
 TAIL, KINKED_TAIL = 1e-10, 1e-7
-"""Part of the largest harmonic of V* that the highest third may hold; else there are twice as many.
+"""Largest part of the largest harmonic of V* that the highest third may hold; otherwise harmonics are doubled.
 
-Damping with magnitudes has kinks: harmonics fall as the third power of their number only.
+Damping with magnitudes has kinks: harmonics fall only as the third power of their number.
 """
 
 COARSE = 1e-6
-"""What that part may be where more harmonics do not help, or there are too many: beyond it nothing is returned."""
+"""Larger limit of that part, if more harmonics do not help or are too many; beyond it there is no result."""
 
 ROUNDING = 1e-14
-"""m/s2, rad/s2: harmonics below it are none."""
+"""m/s2, rad/s2: smaller harmonics count as zero."""
 
 STEPS = 30
 SETTLED = 1e-12
-"""A step of Newton's method, part of the course, that is the last."""
+"""Relative size of a last step of Newton's method."""
 
 LARGEST = 2.0
-"""rad: near the edge of the chart."""
+"""rad: limit near the edge of the chart."""
 
 UNSTABLE = 1e-3
-"""Multipliers above 1 by more grow; less may be rounding of a neutral one."""
+"""Multipliers above 1 by more than this grow; less may be rounding of a neutral one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,10 +60,10 @@ class Periodic:
     y, V_dot     (M, 12), (M, 6): states in the chart about rest, y = (x, r, V), and V*
     points       displacement, velocity, acceleration of each point, by name
     hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
-                 zero to rounding where momentum is conserved
+                 zero to rounding if momentum is conserved
     multiplier   largest modulus of the multipliers of the linear equations along the course
-    tail         part of the largest harmonic of V* that the highest third holds: what more harmonics could change
-    natural      (Hz): frequencies of the linear equations, mean over the period, ascending, free ones left out
+    tail         part of the largest harmonic of V* that the highest third holds: possible gain of more harmonics
+    natural      (Hz): frequencies of the linear equations, mean over the period, ascending, without free ones
     """
 
     scene: Scene
@@ -78,12 +78,12 @@ class Periodic:
 
     @property
     def stable(self) -> bool:
-        """Deviations do not grow."""
+        """Whether deviations do not grow."""
         return self.multiplier <= 1.0 + UNSTABLE
 
     @property
     def frequencies(self) -> Array:
-        """(H + 1, Hz): of the harmonics of the points."""
+        """Frequencies (H + 1, Hz) of the points' harmonics."""
         return np.asarray(np.arange(len(self.y) // 2 + 1) * self.turning.base / (2.0 * np.pi))
 
 
@@ -103,13 +103,13 @@ def periodic_response(
     turning = common_period(speeds)
     start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
     if not turning.base:
-        return _still(scene, turning, seen, start)
+        return _at_rest(scene, turning, seen, start)
     search = _Search(scene, turning, start)
     return search.result(seen)
 
 
-def _still(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
-    """All flywheels at rest: one node, no harmonics."""
+def _at_rest(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+    """Result with all flywheels at rest: one node, no harmonics."""
     state = rest(scene.stand, phases.tolist()).state
     chart = scene.chart
     turned = Rotation.from_matrix(chart.C.T @ carrier_rotation(scene.stand, state))
@@ -123,14 +123,14 @@ def _still(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Arra
 
 
 class _Search:
-    """Newton's method at a number of harmonics, doubled until the highest hold nothing."""
+    """Newton's method at a number of harmonics, doubled until the highest ones are negligible."""
 
     def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
         self.scene, self.turning, self.phases = scene, turning, phases
         f = scene.free.shape[1]
         self.y, self.h = np.zeros((1, 12)), np.zeros(f)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
-        enough = KINKED_TAIL if _kinked(scene.stand) else TAIL
+        enough = KINKED_TAIL if _has_kinks(scene.stand) else TAIL
         before = np.inf
         while True:
             self._solve(H)
@@ -139,14 +139,14 @@ class _Search:
                 return
             before, H = self.tail, 2 * H
             if H > MOST:
-                raise CheckError(f"{self._what()}: its harmonics do not fall off within {MOST} of the period")
+                raise CheckError(f"{self._failure()}: its harmonics do not fall off within {MOST} of the period")
 
-    def _what(self) -> str:
+    def _failure(self) -> str:
         given = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
         return f"{self.scene.stand.name} at speeds {given} rad/s: no periodic steady state found"
 
-    def _given(self, M: int) -> Drive:
-        """Flywheels at the nodes."""
+    def _flywheel_sums(self, M: int) -> Drive:
+        """Sums of the flywheels at the nodes."""
         t = np.arange(M)[:, None] / M
         turns = np.array(self.turning.turns, dtype=np.float64)
         phi = self.phases + 2.0 * np.pi * np.remainder(turns * t, 1.0)
@@ -156,8 +156,8 @@ class _Search:
         """The course with H harmonics. Raises CheckError."""
         M = odd_length(2 * H + 1)
         scene, base = self.scene, self.turning.base
-        self.given = given = self._given(M)
-        y, h, push = resampled(self.y, M), self.h, scene.push(given)
+        self.given = given = self._flywheel_sums(M)
+        y, h, push = resample(self.y, M), self.h, scene.push(given)
         fastest = base * max(map(abs, self.turning.turns))
         size = np.repeat([1.0, fastest], 6)
         for _ in range(STEPS):
@@ -173,17 +173,17 @@ class _Search:
             if np.abs(step[0] / size).max() <= SETTLED * np.abs(y / size).max() + ROUNDING / fastest**2:
                 self.y, self.h, self.J = y, h, J
                 return
-        raise CheckError(f"{self._what()}: an undamped resonance, or the carrier is thrown about")
+        raise CheckError(f"{self._failure()}: an undamped resonance, or the carrier moves too violently")
 
     def _tail(self) -> float:
-        """Part of the largest harmonic of V* that the highest third holds; 0 where it is rounding."""
+        """Part of the largest harmonic of V* that the highest third holds; 0 if it is rounding."""
         sizes = np.abs(np.fft.rfft(self.V_dot(), axis=0)) / len(self.y)
-        each = (sizes * np.repeat([1.0, self._lever()], 3)).max(axis=1)
+        each = (sizes * np.repeat([1.0, self._gyration_radius()], 3)).max(axis=1)
         last = float(each[2 * len(each) // 3 :].max())
         return 0.0 if last <= ROUNDING else last / float(each.max())
 
-    def _lever(self) -> float:
-        """m: radius of gyration, to compare turns with shifts."""
+    def _gyration_radius(self) -> float:
+        """Radius of gyration, m, to compare rotations with displacements."""
         K = self.scene.K
         return float(np.sqrt(np.trace(K[3:, 3:]) / np.trace(K[:3, :3])))
 
@@ -193,7 +193,7 @@ class _Search:
         return scene.chart.acceleration(self.given, self.y) + (scene.push(self.given) @ self.h)[:, 6:]
 
     def result(self, seen: tuple[Place, ...]) -> Periodic:
-        """All that is told of the course."""
+        """The result of the course."""
         V_dot = self.V_dot()
         motions = {place.name: point_motion(place, self.y, V_dot) for place in seen}
         multiplier = largest_multiplier(self.J, self.turning.period)
@@ -201,8 +201,8 @@ class _Search:
         return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, self.tail, natural(self.J))
 
 
-def _kinked(stand: Stand) -> bool:
-    """Does some damping depend on magnitudes?"""
+def _has_kinks(stand: Stand) -> bool:
+    """Whether some damping depends on magnitudes."""
     laws = [body.damping for body in stand.bodies if body.damping is not None]
     absolute = any(factor.absolute for law in laws for term in law.terms for factor in term.of)
     return absolute or any(law.quadratic is not None for law in laws)
@@ -217,7 +217,7 @@ def largest_multiplier(J: Array, period: float) -> float:
 
 
 def natural(J: Array) -> Array:
-    """Natural frequencies (Hz), ascending, of the mean of J; neither free directions nor what does not swing."""
+    """Natural frequencies (Hz) of the mean of J, ascending, without free directions and non-oscillating modes."""
     values = np.linalg.eigvals(J.mean(axis=0))
     swinging = values.imag > max(1e-6 * float(np.abs(values).max(initial=0.0)), 1e-6)
     return np.sort(np.abs(values[swinging])) / (2.0 * np.pi)

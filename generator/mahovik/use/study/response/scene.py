@@ -1,4 +1,4 @@
-"""A stand at rest, seen as a place to shake: its chart, free directions, and the carrier's equations along a course."""
+"""A stand at rest, prepared for response: its chart, free directions, and the carrier's equations along a course."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ FREE = 1e-8
 """Part of the largest stiffness (both per unit of mass) below which a direction is free, as for `rest`."""
 
 LEAST = 1e-9
-"""1/s2: a stiffness that is none."""
+"""1/s2: a smaller stiffness counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What does not depend on speeds: made once for a stand.
+    """Data independent of speeds, computed once for a stand.
 
     chart     of states y = (x, r, V) about the rest
     rest      the state there
-    free      (6, f): directions in E1 that nothing brings back, orthonormal in the mass matrix K
+    free      (6, f): directions in E1 without restoring force, orthonormal in the mass matrix K
     K         (6, 6) at rest
     """
 
@@ -44,7 +44,7 @@ class Scene:
 
     @staticmethod
     def of(stand: Stand) -> Scene:
-        """Raises CheckError: the stand has no equilibrium."""
+        """Scene of a stand. Raises CheckError: the stand has no equilibrium."""
         state = rest(stand).state
         mechanics = Mechanics.of(stand)
         chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))
@@ -58,7 +58,7 @@ class Scene:
 
     @property
     def seen(self) -> Array:
-        """(f, 12): what of a state is its displacement along the free directions."""
+        """(f, 12): displacement along the free directions from a state."""
         return np.hstack([self.free.T @ self.K, np.zeros((self.free.shape[1], 6))])
 
     @property
@@ -67,16 +67,16 @@ class Scene:
         return self.K @ self.free
 
     def drive(self, phi: Array, phi_dot: Array) -> Drive:
-        """Of flywheels at constant speeds (M, N each)."""
+        """Sums of flywheels at constant speeds (M, N each)."""
         return drive(self.chart.mechanics, phi, phi_dot, np.zeros_like(phi))
 
     def push(self, given: Drive) -> Array:
-        """(M, 12, f): what a constant wrench along a free direction adds to y'."""
+        """(M, 12, f): effect of a constant wrench along a free direction on y'."""
         acceleration = given.inverse @ self.wrench
         return np.concatenate([np.zeros_like(acceleration), acceleration], axis=1)
 
     def jacobian(self, given: Drive, y: Array, V_dot: Array) -> Array:
-        """dy'/dy (M, 12, 12); V* (M, 6) as it is there. Exact but for terms of the third order in r in its rate."""
+        """dy'/dy (M, 12, 12), with V* (M, 6) given. Exact except for terms of third order in r in its rate."""
         at = self.chart.twists(y)
         by = by_carrier(self.chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot), given.phi, given.phi_dot)
         r, v, omega = y[:, 3:6], y[:, 6:9], y[:, 9:]

@@ -10,10 +10,10 @@ from fractions import Fraction
 from mahovik.errors import UsageError
 
 MOST_TURNS = 1000
-"""Of the fastest flywheel in a common period; longer ones are as good as none."""
+"""Most turns of the fastest flywheel in a common period; longer periods count as none."""
 
 EXACT = 1e-9
-"""Part of the fastest speed by which a speed may be off a whole ratio: what rounding and typed digits leave."""
+"""Largest deviation of a speed from a whole ratio, as a part of the fastest speed: rounding of typed digits."""
 
 
 @dataclass(frozen=True)
@@ -25,20 +25,20 @@ class Turning:
 
     @property
     def period(self) -> float:
-        """s; infinite where all are at rest."""
+        """Period, s; infinite if all are at rest."""
         return 2.0 * math.pi / self.base if self.base else math.inf
 
     @property
     def speeds(self) -> tuple[float, ...]:
-        """rad/s."""
+        """Speeds, rad/s."""
         return tuple(self.base * n for n in self.turns)
 
 
 def common_period(speeds: Sequence[float]) -> Turning:
     """The shortest common period of speeds (rad/s) within MOST_TURNS of the fastest. Raises UsageError: there is none.
 
-    Speeds without one make no periodic motion, and since the carrier's motion is not the sum of what each flywheel
-    makes alone, nothing else is put in its place.
+    Speeds without one make no periodic motion. The carrier's motion is not the sum of responses to single flywheels,
+    so there is no substitute.
     """
     fastest = max((abs(x) for x in speeds), default=0.0)
     if fastest == 0.0:

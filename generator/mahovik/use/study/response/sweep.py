@@ -10,19 +10,19 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.use.study.response.asked import Asked
 from mahovik.use.study.response.motion import UNITS, Spectrum, rms
 from mahovik.use.study.response.periodic import UNSTABLE, periodic_response
 from mahovik.use.study.response.scene import Scene
+from mahovik.use.study.response.speed_plan import SpeedPlan
 from mahovik.use.study.response.speeds import Turning, common_period
 
 Array = NDArray[np.float64]
 
 ORDERS = 6
-"""Of each flywheel that are told as lines."""
+"""Orders of each flywheel reported as lines."""
 
 SEEN = 1e-6
-"""Part of the largest amplitude of all below which a line is left out."""
+"""Part of the largest amplitude of all lines below which a line is left out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Step:
     value        the swept speed, rad/s; speeds (N, rad/s) of all
     frequencies  (H + 1, Hz); amplitudes (H + 1, 3) complex, of the quantity at the point
     natural      Hz; hold (6); multiplier: see Periodic
-    problem      why there is no steady state: amplitudes and the rest are then empty
+    problem      why there is no steady state; amplitudes and the rest are then empty
     """
 
     value: float
@@ -46,7 +46,7 @@ class Step:
 
     @property
     def stable(self) -> bool:
-        """Deviations do not grow."""
+        """Whether deviations do not grow."""
         return self.multiplier <= 1.0 + UNSTABLE
 
     @property
@@ -55,7 +55,7 @@ class Step:
         return np.asarray(np.linalg.norm(self.amplitudes, axis=1))
 
     def at(self, k: int) -> tuple[float, float]:
-        """Frequency (Hz) and magnitude of harmonic k; NaN for the mean, and where there is no state."""
+        """Frequency (Hz) and magnitude of harmonic k; NaN for the mean, and without a steady state."""
         if k == 0 or self.problem is not None:
             return np.nan, np.nan
         return float(k * self.turning.base / (2.0 * np.pi)), float(self.sizes[k]) if k < len(self.sizes) else 0.0
@@ -65,7 +65,7 @@ class Step:
 class OrderLine:
     """An order of the flywheels over the steps: its name, as `2 x w1, w2`, frequency (Hz) and magnitude, or NaN.
 
-    What falls together at all steps is one line, as `1 x w1 = 2 x w2` where w2 turns half as fast.
+    Orders that coincide at all steps are one line, as `1 x w1 = 2 x w2` if w2 turns half as fast.
     """
 
     name: str
@@ -80,10 +80,10 @@ class OrderLine:
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """Steps over a range of speeds, seen at a point. `interrupted`: not all that was asked for."""
+    """Steps over a range of speeds, seen at a point. `interrupted`: some steps are missing."""
 
     stand: Stand
-    asked: Asked
+    asked: SpeedPlan
     point: str
     quantity: str
     band: tuple[float, float] | None
@@ -92,7 +92,7 @@ class Sweep:
 
     @property
     def unit(self) -> str:
-        """Of the amplitudes."""
+        """Unit of the amplitudes."""
         return UNITS[self.quantity]
 
     @property
@@ -113,7 +113,7 @@ class Sweep:
         return tuple(sorted((x for x in found if x.largest > SEEN * largest), key=lambda line: -line.largest))
 
     def _orders(self) -> dict[tuple[int, ...], list[str]]:
-        """Harmonics by step of the common period -> names of orders that are there."""
+        """Harmonics by step of the common period -> names of the orders present."""
         together: dict[tuple[int, ...], list[str]] = {}
         for s, wheel in enumerate(self.stand.flywheels):
             turns = tuple(abs(step.turning.turns[s]) for step in self.steps)
@@ -134,7 +134,7 @@ class Sweep:
 
 def sweep(
     stand: Stand,
-    asked: Asked,
+    asked: SpeedPlan,
     steps: int,
     point: str,
     *,
@@ -143,9 +143,9 @@ def sweep(
     phases: Sequence[float] | None = None,
     go_on: Callable[[int], bool] = lambda done: True,
 ) -> Sweep:
-    """Steady states at `steps` speeds. `go_on` (steps done) is asked before each; Ctrl-C or False ends with those done.
+    """Steady states at `steps` speeds. `go_on` (steps done) is called before each; Ctrl-C or False ends early.
 
-    Raises UsageError: unknown point, speeds without a common period, told before anything is computed. CheckError: no
+    Raises UsageError before anything is computed: unknown point, speeds without a common period. CheckError: no
     equilibrium, or no step has a steady state.
     """
     values = asked.values(steps)

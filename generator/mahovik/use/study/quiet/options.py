@@ -1,4 +1,4 @@
-"""What is asked of `mahovik quiet`: where, of what, in which band, and what the speeds must keep."""
+"""Options of `mahovik quiet`: point, measure, band, and constraints on the speeds."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from mahovik.nearest import meant
 
 
 class Measure(NamedTuple):
-    """What is called jitter: a motion of the point, integrated so many times; `turning`: of its axes."""
+    """Kind of jitter: a motion of the point, integrated this many times; `turning`: rotation of its axes."""
 
     unit: str
     turning: bool
@@ -31,24 +31,24 @@ Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Wish:
-    """SI, frequencies in Hz. Raises UsageError for what means nothing.
+class QuietOptions:
+    """Options of a search for quiet speeds, in SI and Hz. Raises UsageError for options without meaning.
 
     point      name of a point or instrument
     band       Hz, the lower first
     momentum   of the flywheels relative to the carrier, in E1, N m s; None: that of `speeds`
-    speeds     rad/s, to begin with; None: the least that give the momentum
+    speeds     initial ones, rad/s; None: the smallest that give the momentum
     axes       directions in the point's axes (unit vectors), whose mean squares are added
     measure    a key of MEASURES
     limit      largest |phi'|, rad/s; None: the no-load speeds of the motors
     least      least |phi'|, rad/s
     change     largest change of a speed, rad/s; None: any
-    reduction  enough: of all that lower the RMS so many times the least change; None: the lowest RMS
-    avoid      frequencies (Hz, from, to) in which no order of a speed may be
-    orders     which orders those are
-    modes      avoid the natural frequencies of the carrier on its suspension as well
-    margin     of those, to both sides, as a part of the frequency
-    guard      a speed counts as outside of the band only when it is outside by this part of the band's end
+    reduction  sufficient factor: choose the least change that reaches it; None: the lowest RMS
+    avoid      frequencies (Hz, from, to) to keep all orders of the speeds out of
+    orders     these orders
+    modes      also avoid the natural frequencies of the carrier on its suspension
+    margin     around those, on both sides, as a part of the frequency
+    guard      a speed counts as outside the band only if it is outside by this part of the band's end
     """
 
     point: str
@@ -73,7 +73,7 @@ class Wish:
         if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
             raise UsageError(f"--band {low:g}..{high:g} Hz: expected two frequencies, the lower first")
         if self.momentum is None and self.speeds is None:
-            raise UsageError("neither --momentum nor --speeds: give what the flywheels must hold, or how they turn now")
+            raise UsageError("neither --momentum nor --speeds: give the momentum to hold, or the present speeds")
         if self.measure not in MEASURES:
             raise UsageError(f"--measure {self.measure}: expected one of {', '.join(MEASURES)}")
         if low == 0.0 and MEASURES[self.measure].integrals:
@@ -101,14 +101,14 @@ class Wish:
         return self.band[0] * (1.0 - self.guard), self.band[1] * (1.0 + self.guard)
 
 
-def check(stand: Stand, wish: Wish) -> None:
-    """Whether the wish fits the stand. Raises UsageError."""
+def check(stand: Stand, options: QuietOptions) -> None:
+    """Check that the options fit the stand. Raises UsageError."""
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
-    if wish.point not in names:
-        hint = meant(wish.point, names, "the stand has none: add a [[point]]")
-        raise UsageError(f"--point {wish.point}: no point or instrument of that name{hint}")
+    if options.point not in names:
+        hint = meant(options.point, names, "the stand has no points: add a [[point]]")
+        raise UsageError(f"--point {options.point}: no point or instrument of that name{hint}")
     N = len(stand.flywheels)
-    if wish.speeds is not None and len(wish.speeds) != N:
-        raise UsageError(f"--speeds: {len(wish.speeds)} numbers, but the stand has {N} flywheels")
-    if not all(math.isfinite(x) for x in (*(wish.speeds or ()), *(wish.momentum or ()))):
+    if options.speeds is not None and len(options.speeds) != N:
+        raise UsageError(f"--speeds: {len(options.speeds)} numbers, but the stand has {N} flywheels")
+    if not all(math.isfinite(x) for x in (*(options.speeds or ()), *(options.momentum or ()))):
         raise UsageError("--momentum, --speeds: expected finite numbers")

@@ -1,4 +1,4 @@
-"""What the caller wants of a plan."""
+"""Options of a plan."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ Method = Literal["fourier", "ocp-partition", "ocp"]
 
 
 @dataclass(frozen=True)
-class Wishes:
-    """What the caller wants of a plan.
+class PlanOptions:
+    """Options of a plan.
 
-    seed     of all draws; the same file and seed give the same programme
-    seconds  a cut-off; None: only the budget of starts and steps ends the search
-    winding  in place of the motion file's
-    keep     programmes that are given, best first
+    seed     of all random numbers; the same file and seed give the same programme
+    seconds  time limit; None: only the budget of starts and steps ends the search
+    winding  replaces the motion file's
+    keep     programmes to return, best first
     enough   programmes of each kind of winding to choose from
-    verify   whether the programmes are put through the independent verification
-    steps    of search and optimisation that may be taken
-    method   fourier; or (13) by IPOPT from what that gives: with the partition, or with (12) as constraints
+    verify   whether to verify the programmes independently
+    steps    limit of steps of search and optimisation
+    method   fourier; or (13) by IPOPT from its result: with the partition, or with (12) as constraints
     partition   names of the six dependent flywheels, None: the best
     """
 
@@ -37,5 +37,5 @@ class Wishes:
 
     @property
     def seconds_of_search(self) -> float | None:
-        """The cut-off of the search: half of the time is for IPOPT where that is the method."""
+        """Time limit of the search, s: half of the time is kept for IPOPT if the method needs it."""
         return self.seconds if self.seconds is None or self.method == "fourier" else self.seconds / 2.0

@@ -1,4 +1,4 @@
-"""Speeds as they are asked for on a command line: one or several flywheels swept, constant, or geared to another."""
+"""Speeds from a command line: one or several flywheels swept, constant, or geared to another."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from mahovik.errors import UsageError
 from mahovik.nearest import meant
 
 ALL = "all"
-"""In place of a name: every flywheel."""
+"""Name that stands for every flywheel."""
 
 
 @dataclass(frozen=True)
-class Asked:
+class SpeedPlan:
     """Speeds of all flywheels: constant + factor * swept speed (N each; rad/s, 1).
 
     names     of the flywheels
     sweep     first and last value of the swept speed, rad/s; None: nothing is swept
-    swept     the flywheel whose speed it is; where nothing is swept the first that turns, None: none turns
+    swept     the flywheel with the swept speed; without a sweep the first that turns, None: none turns
     """
 
     names: tuple[str, ...]
@@ -35,18 +35,18 @@ class Asked:
     swept: int | None
 
     def speeds(self, value: float) -> tuple[float, ...]:
-        """rad/s (N), where the swept speed has a value."""
+        """Speeds (N, rad/s) for a value of the swept speed."""
         return tuple(c + k * value for c, k in zip(self.constant, self.factor, strict=True))
 
     def values(self, steps: int) -> tuple[float, ...]:
-        """Of the swept speed, evenly spaced; one where nothing is swept: the speed of `swept`."""
+        """Values of the swept speed, evenly spaced; without a sweep only the speed of `swept`."""
         if self.sweep is None:
             return (0.0 if self.swept is None else self.constant[self.swept],)
         return tuple(float(x) for x in np.linspace(*self.sweep, steps))
 
 
-def read_speeds(stand: Stand, given: Sequence[str]) -> Asked:
-    """Of texts NAME=SPEED, NAME=FROM..TO, NAME=[FACTOR*]OTHER; a flywheel that is not named stands still.
+def read_speeds(stand: Stand, given: Sequence[str]) -> SpeedPlan:
+    """Speeds from texts NAME=SPEED, NAME=FROM..TO, NAME=[FACTOR*]OTHER; a flywheel that is not named stands still.
 
     NAME may be `all`. Raises UsageError: an unknown name, no speed, two sweeps, a name twice, gears in a circle.
     """
@@ -63,7 +63,7 @@ def read_speeds(stand: Stand, given: Sequence[str]) -> Asked:
             if one in texts:
                 raise UsageError(f'--speed {each}: flywheel "{one}" has a speed already')
             texts[one] = (each, text.strip())
-    return _asked(names, texts)
+    return _plan_speeds(names, texts)
 
 
 def _known(name: str, names: list[str], each: str) -> None:
@@ -71,7 +71,7 @@ def _known(name: str, names: list[str], each: str) -> None:
         raise UsageError(f'--speed {each}: unknown flywheel "{name}"{meant(name, [*names, ALL])}')
 
 
-def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
+def _plan_speeds(names: list[str], texts: dict[str, tuple[str, str]]) -> SpeedPlan:
     constant, factor = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
     sweep, swept, geared = None, None, {}
     for name, (each, text) in texts.items():
@@ -88,11 +88,11 @@ def _asked(names: list[str], texts: dict[str, tuple[str, str]]) -> Asked:
         else:
             constant[name] = _speed(each, text)
     for name in geared:
-        constant[name], factor[name] = _through(name, geared, constant, factor)
+        constant[name], factor[name] = _geared(name, geared, constant, factor)
     if swept is None:
         swept = next((name for name in names if constant[name]), None)
     leader = None if swept is None else names.index(swept)
-    asked = Asked(tuple(names), tuple(constant.values()), tuple(factor.values()), sweep, leader)
+    asked = SpeedPlan(tuple(names), tuple(constant.values()), tuple(factor.values()), sweep, leader)
     for value in sweep or (0.0,):
         for name, speed in zip(names, asked.speeds(value), strict=True):
             if not abs(speed) <= MAX_SPEED:
@@ -109,19 +109,19 @@ def _factor(each: str, text: str | None) -> float:
     try:
         return float(text.removesuffix("*"))
     except ValueError:
-        raise UsageError(f"--speed {each}: {text.removesuffix('*')!r} is no number") from None
+        raise UsageError(f"--speed {each}: {text.removesuffix('*')!r} is not a number") from None
 
 
-def _through(
+def _geared(
     name: str, geared: dict[str, tuple[str, float, str]], constant: dict[str, float], factor: dict[str, float]
 ) -> tuple[float, float]:
-    """Constant and factor of a geared flywheel, through others that are geared."""
+    """Constant and factor of a flywheel that is geared, possibly through others."""
     ratio, here, passed = 1.0, name, []
     while here in geared:
         each, own, other = geared[here]
         passed.append(here)
         if other in passed:
-            raise UsageError(f"--speed {each}: {' and '.join(passed)} follow one another, give one of them a speed")
+            raise UsageError(f"--speed {each}: {' and '.join(passed)} follow one another; give one of them a speed")
         ratio, here = ratio * own, other
     return ratio * constant[here], ratio * factor[here]
 
