@@ -81,7 +81,7 @@ ONLY = {
 
 
 def name_of(path: Path) -> str:
-    """How a file is called in a report of this test."""
+    """Name of a file in a report of this test."""
     return path.relative_to(REPOSITORY).as_posix()
 
 
@@ -174,7 +174,7 @@ def module_name(path: Path) -> str:
 
 
 def imports_between(modules: Mapping[str, Iterable[str]]) -> dict[str, set[str]]:
-    """Which of the modules each of them imports, from the dotted names that it imports."""
+    """Modules that each module imports, from the dotted names that it imports."""
 
     def module_of(name: str) -> str:
         while name and name not in modules:

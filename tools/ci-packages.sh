@@ -9,10 +9,4 @@ command -v clang >/dev/null || missing+=(clang)
 command -v chromium >/dev/null || missing+=(chromium fonts-liberation fonts-dejavu-core)
 command -v pdflatex >/dev/null || missing+=(texlive-latex-base lmodern)
 printf '#include <sys/types.h>\nint x;\n' | gcc -m32 -fsyntax-only -x c - 2>/dev/null || missing+=(gcc-multilib)
-if [ ${#missing[@]} -eq 0 ]; then
-  exit 0
-fi
-root=()
-[ "$(id -u)" -eq 0 ] || root=(sudo)
-"${root[@]}" apt-get update
-"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
+. "$(dirname "$0")/install-missing.sh"

@@ -12,10 +12,4 @@ if ! printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const char *b, size
   version=$(clang -dumpversion 2>/dev/null | cut -d. -f1 || true)
   missing+=("libclang-rt-${version:-14}-dev")
 fi
-if [ ${#missing[@]} -eq 0 ]; then
-  exit 0
-fi
-root=()
-[ "$(id -u)" -eq 0 ] || root=(sudo)
-"${root[@]}" apt-get update
-"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
+. "$(dirname "$0")/install-missing.sh"

@@ -106,12 +106,6 @@ def _least(found: Sequence[Spent]) -> Spent:
     return Spent(min(s.clock for s in found), min(s.processor for s in found), max(s.memory for s in found))
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table, numbers to the right."""
-    rule = ["---" if k == 0 else "---:" for k in range(len(head))]
-    return "".join(f"| {' | '.join(line)} |\n" for line in [head, rule, *rows])
-
-
 class Measurement:
     """All of it, with the limits that were exceeded."""
 
@@ -154,7 +148,7 @@ class Measurement:
                 self._held(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
                 self._held(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
         columns = [f"{what}, s" for what in ("cold", "warm", "gcc -O2")]
-        return table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
+        return campaign.table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
 
     def start(self) -> str:
         """Commands as a user starts them, in a folder with the stand and a run of it."""
@@ -169,7 +163,7 @@ class Measurement:
         for what, code in (("Python alone", "pass"), ("Python and `import numpy, pydantic`", "import numpy, pydantic")):
             found, middle = median([sys.executable, "-c", code], self._env, 2 * self._repeat, self._folder)
             rows.append([what, *found.cells, f"{middle:.2f}", ""])
-        return table(["command", "s", "processor, s", "MB", "median, s", "limit, s"], rows)
+        return campaign.table(["command", "s", "processor, s", "MB", "median, s", "limit, s"], rows)
 
 
 def machine() -> str:

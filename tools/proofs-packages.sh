@@ -10,10 +10,4 @@ command -v cppcheck >/dev/null || missing+=(cppcheck)
 # clang's sanitizers and fuzzer are a package of their own
 echo 'int main(void) { return 0; }' | clang -fsanitize=undefined -x c -o /dev/null - 2>/dev/null \
   || missing+=(libclang-rt-14-dev)
-if [ ${#missing[@]} -eq 0 ]; then
-  exit 0
-fi
-root=()
-[ "$(id -u)" -eq 0 ] || root=(sudo)
-"${root[@]}" apt-get update
-"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
+. "$(dirname "$0")/install-missing.sh"

@@ -22,15 +22,4 @@ has_header() { # compiler and flags
 has_header arm-none-eabi-gcc || missing+=(libnewlib-arm-none-eabi)
 has_header riscv64-unknown-elf-gcc --specs=picolibc.specs || missing+=(picolibc-riscv64-unknown-elf)
 has_header aarch64-linux-gnu-gcc || missing+=(libc6-dev-arm64-cross)
-if [ ${#missing[@]} -eq 0 ]; then
-  echo "all compilers and emulators are installed"
-  exit 0
-fi
-if ! command -v apt-get >/dev/null; then
-  echo "no apt-get: install what these Debian packages have: ${missing[*]}" >&2
-  exit 1
-fi
-root=()
-[ "$(id -u)" -eq 0 ] || root=(sudo)
-"${root[@]}" apt-get update
-"${root[@]}" apt-get install -y --no-install-recommends "${missing[@]}"
+. "$(dirname "$0")/install-missing.sh"

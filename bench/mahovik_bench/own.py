@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.generate import host_lanes
-from mahovik.core.lower.batch import BATCHED
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
 from mahovik_bench.peer import Peer

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contract_page as written
 
 from docs.pages import ROOT, prose
+from mahovik.laws import LAWS
 
 PACKAGE = ROOT / "generator" / "mahovik"
 
@@ -19,6 +20,11 @@ def test_every_stage_is_on_the_page() -> None:
     for wing in ("core", "proof", "use", "out"):
         for stage in (path.parent.name for path in (PACKAGE / wing).glob("*/__init__.py")):
             assert f"`{wing}/{stage}`" in text, (wing, stage)
+
+
+def test_every_law_is_on_the_page() -> None:
+    text = prose(written.PAGE.path)
+    assert [law for law in LAWS if f"`laws/{law}`" not in text] == []
 
 
 def test_the_page_is_short() -> None:

@@ -28,7 +28,7 @@ def test_the_file_is_read_and_all_keys_are_told() -> None:
     assert found.number == (1, 2)
     assert found.ties[0].mirror == "y"
     assert keys("key of `[[free]]`") == set(PARTS)
-    assert keys("other key") | {"schema", "free"} == set(read.TOP)
+    assert keys("other key") | {"free"} == set(read.FreedomTable.model_fields)
 
 
 def test_the_table_has_the_rows_of_the_campaign() -> None:

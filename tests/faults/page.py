@@ -63,7 +63,7 @@ def text(how: Mapping[str, Sequence[str]]) -> str:
     parts += [f"| {cell(name)} | {where} | {', '.join(found)} |\n" for name, (where, found) in DERIVED.items()]
     parts.append("\n## The second derivation\n\nCaught by the comparison with the reference, in ")
     parts.append("`tests/second/test_mutations.py`.\n\n| fault | planted in |\n|---|---|\n")
-    parts += [f"| {name} | `proof/second/{module}.py` |\n" for name, (module, _, _) in MUTATIONS.items()]
+    parts += [f"| {name} | `{_place(module)}` |\n" for name, (module, _, _) in MUTATIONS.items()]
     parts.append("\n## Seen by Frama-C Eva\n\nPlanted in the C of demo3, in `tests/toolchain/test_eva.py`.\n\n")
     parts.append("| fault | driver that sees it |\n|---|---|\n")
     parts += [f"| {name} | `{driver}` |\n" for name, (driver, _, _) in EVA.items()]
@@ -73,6 +73,12 @@ def text(how: Mapping[str, Sequence[str]]) -> str:
     parts.append("\n## The checks\n\n| check | what it does | where the project runs it |\n|---|---|---|\n")
     parts += [f"| {c.name} | {c.meaning} | {c.where} |\n" for c in CHECKS.values()]
     return "".join(parts)
+
+
+def _place(module: str) -> str:
+    """The file of a module of the second derivation, `chart`, or of a law's part in it, `laws.leg`."""
+    stem, _, law = module.partition(".")
+    return f"laws/{law}/second.py" if law else f"proof/second/{stem}.py"
 
 
 def cell(words: str) -> str:

@@ -1,4 +1,4 @@
-"""The derivation's formulas as plain data, in an order of operations of our own, and their cache on disk.
+"""The derivation's formulas as plain data, in a fixed order of operations, and their cache on disk.
 
 Nothing here imports SymPy unless a formula has to be derived: a command whose formulas are all in the cache never does.
 """

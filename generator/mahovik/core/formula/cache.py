@@ -26,7 +26,7 @@ _PACKAGE = Path(__file__).resolve().parents[2]
 class Cache:
     """Formulas by call, as JSON. Read at the first question, so that a command that asks none pays nothing.
 
-    `warn` is told in a line where the file is damaged; it is then made anew.
+    `warn` gets one line if the file is damaged, which is then rebuilt.
     """
 
     def __init__(self, warn: Callable[[str], None]) -> None:
@@ -63,7 +63,7 @@ class Cache:
         except OSError:
             return {}
         except ValueError as error:
-            self._warn(f"{path}: the cache of formulas is damaged ({error}): it is made anew")
+            self._warn(f"{path}: the cache of formulas is damaged ({error}): it is rebuilt")
             return {}
 
 

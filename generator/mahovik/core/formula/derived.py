@@ -3,7 +3,7 @@
 `carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` with its operations in the order of
 formula/ordered. Type checkers and editors see the module of derive/ itself, so that names and arguments are checked and
 a definition is found. Arguments are names and flags, so that a call is a key of the cache. Without `use_cache`
-everything is derived anew.
+everything is derived again.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ _state = _State()
 
 
 def use_cache(warn: Callable[[str], None]) -> None:
-    """From now on formulas come from the cache on disk; `warn` is told in a line where that is damaged."""
+    """From now on formulas come from the cache on disk; `warn` gets one line if that is damaged."""
     _state.cache = Cache(warn)
     _state.known.clear()
 

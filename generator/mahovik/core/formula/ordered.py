@@ -1,4 +1,4 @@
-"""SymPy expressions as formulas, with an order of operations of our own.
+"""SymPy expressions as formulas, with a fixed order of operations.
 
 SymPy sorts sums and products by rules that may change with its version; here terms are ordered by the names in
 them, positive ones first, so that the same derivation always gives the same operations, hence the same bits.

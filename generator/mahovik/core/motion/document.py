@@ -32,7 +32,7 @@ def text_of(path: Path, most: int, error: type[FileError]) -> str:
 
 
 def parse(text: str) -> Any:
-    """The value of a JSON text, floats as Decimal. Raises ValueError; a key that is there twice is an error."""
+    """The value of a JSON text, floats as Decimal. Raises ValueError; a repeated key is an error."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         found: dict[str, Any] = {}

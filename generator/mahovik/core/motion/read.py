@@ -77,7 +77,7 @@ def loads(
 
 
 def _known(problems: Problems, key: str, given: dict[str, Any], names: list[str], what: str) -> dict[str, Any]:
-    """Those of the tables that have a name of the stand; a problem is noted for each other."""
+    """Return the tables with a name of the stand; note a problem for every other table."""
     for name in given:
         if name not in names:
             problems.add(key, f"unknown {what} {show(name)}{meant(name, names, 'the stand has none')}")

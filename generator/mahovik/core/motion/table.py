@@ -21,7 +21,7 @@ _HEAD = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
 
 
 _ROUNDING = 4 * 2.0**-52
-"""Of the last time: what a unit such as ms may lose where it is converted."""
+"""Rounding of the last time, as a part of it, when a unit such as ms is converted."""
 
 
 class TableError(ValueError):

@@ -163,7 +163,7 @@ def _runtime(precision: Precision) -> dict[str, Any]:
         return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
     def divided(a: Any, b: Any) -> Any:
-        """Divide by IEEE 754, where Python refuses."""
+        """Quotient by IEEE 754, also where Python raises an error."""
         return a / b if b else number(scalar(a) / scalar(b))
 
     return {

@@ -1,4 +1,4 @@
-"""Results of internal functions that no caller lets overlap another argument: C may call them `restrict`.
+"""Results of internal functions that never overlap another argument in any call: C may call them `restrict`.
 
 Without that promise a compiler must assume that writing one result changes every input, and loads them all again.
 It is proved here from the calls, not assumed. Public functions promise nothing to the compiler; that their arguments

@@ -68,7 +68,7 @@ def unbranched(e: Expr) -> Expr:
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:
-    """Return a place with its root replaced (by `id` of the variable), or the place itself."""
+    """Replace the root of a place by its meaning (by `id` of the variable), keep the path; other places stay."""
 
     def leaf(place: Place) -> Expr:
         meant = meanings.get(id(place.root))

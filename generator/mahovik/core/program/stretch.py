@@ -103,7 +103,7 @@ class Stretches:
         return True
 
     def _count(self, items: list[_Item]) -> None:
-        """Stretches, calls and copies that use a variable."""
+        """Record the stretches, calls and copies that use each variable."""
         for item in items:
             if isinstance(item, _Stretch):
                 self._use(id(item), _roots(item.lanes) | {id(s.variable) for s in item.lanes if isinstance(s, Let)})

@@ -1,4 +1,4 @@
-"""Variables of a function that differ between states side by side (vary), and those that are the same for all."""
+"""Variables of a function that differ between states side by side (vary), or are the same for all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mathematical functions as program data, which firmware would otherwise take from libm.
+"""Elementary functions as program data, which firmware would otherwise take from libm.
 
 Every operation is an IEEE operation rounded to nearest, none is assumed to be fused with another, and the order
 is the order of the tree: so the results are the same bits on every machine.

@@ -59,7 +59,7 @@ def instrument(table: InstrumentTable, where: str, problems: Problems) -> Instru
 
 
 def flywheel(table: FlywheelTable, where: str, problems: Problems) -> Flywheel | None:
-    """One `[[flywheel]]`; None where its mounting or its inertia cannot be told."""
+    """One `[[flywheel]]`; None where its mounting or its inertia is unknown."""
     mounting = _mounting(table, where, problems)
     given = _inertia(table, where, problems)
     if mounting is None or given is None:

@@ -151,7 +151,7 @@ def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -
 
 
 def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTable | None:
-    """What is left without the keys that cannot be read, so that what is unphysical in it is told as well.
+    """Read the table without its unreadable keys, so that unphysical values in the rest are reported as well.
 
     None where a bad key says, or may be meant to say, what the checks of a body take.
     """

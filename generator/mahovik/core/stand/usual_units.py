@@ -9,7 +9,7 @@ import re
 from fractions import Fraction
 
 PI = Fraction(31415926535897932384626433832795028841971693993751, 10**49)
-"""As pint has it: 50 digits."""
+"""Pi with 50 digits, as in pint."""
 
 _KILO, _MILLI, _CENTI, _MICRO = Fraction(1000), Fraction(1, 1000), Fraction(1, 100), Fraction(1, 10**6)
 

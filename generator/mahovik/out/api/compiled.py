@@ -1,4 +1,4 @@
-"""A stand's C compiled for this machine, from the store or made anew, with the stand's numbers.
+"""A stand's C compiled for this machine, from the store or newly built, with the stand's numbers.
 
 The library is of the stand's structure. Its numbers are tables that every call takes, so that stands of one structure
 share a library.
@@ -66,7 +66,7 @@ def compiled(stand: Stand, real: str, element: np.dtype[Any], compiler: str | No
         try:
             numbers = store.find_numbers(numbers_key) or _kept(numbers_key, _numbers(stand, real))
             return _loaded(stand, *found, numbers, element, command, parallel)
-        except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is made anew
+        except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             pass
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from mahovik.core.stand.model import Stand
+    from mahovik.proof.verify.delivery import Delivered
 
 stand_argument = click.argument("stand_file", metavar="STAND.toml", type=click.Path())
 real_option = click.option(
@@ -59,3 +60,11 @@ def table(*columns: str, title: str | None = None) -> Table:
         right: Any = "right" if name.endswith(">") else "left"
         found.add_column(name.removesuffix(">"), justify=right, overflow="fold")
     return found
+
+
+def echo_delivery(done: Delivered) -> None:
+    """Print the paths of a delivered folder and its notes, a line each."""
+    for path in done.paths:
+        click.echo(click.format_filename(path))
+    for note in done.notes:
+        click.echo(note)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.out.cli.arguments import echo_delivery, load_stand, real_option, stand_argument
 from mahovik.out.cli.export_cmake import cmake
 from mahovik.out.cli.export_fmu import fmu
 from mahovik.out.cli.group import Commands
@@ -45,10 +45,7 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen)
     done = deliver(folder, stand, chosen, files, found.name)
-    for path in done.paths:
-        click.echo(click.format_filename(path))
-    for note in done.notes:
-        click.echo(note)
+    echo_delivery(done)
 
 
 @export.command()
@@ -67,10 +64,7 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
-    for path in done.paths:
-        click.echo(click.format_filename(path))
-    for note in done.notes:
-        click.echo(note)
+    echo_delivery(done)
 
 
 @export.command()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.out.cli.arguments import echo_delivery, load_stand, real_option, stand_argument
 
 
 @click.command()
@@ -26,7 +26,4 @@ def cmake(stand_file: str, output: str | None, real: str, batch: bool) -> None:
 
     stand = load_stand(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
-    for path in done.paths:
-        click.echo(click.format_filename(path))
-    for note in done.notes:
-        click.echo(note)
+    echo_delivery(done)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 _PRESENT = 1e-9
-"""Of the largest: a harmonic of a spline below this is not there."""
+"""Smallest harmonic of a spline that counts, as a part of the largest."""
 
 
 class Course(NamedTuple):
@@ -46,7 +46,7 @@ class Harmonics:
 
     @property
     def harmonics(self) -> tuple[int, ...]:
-        """Those with an amplitude, rising."""
+        """Numbers of the harmonics with an amplitude, rising."""
         there = np.any(self.cos != 0.0, axis=1) | np.any(self.sin != 0.0, axis=1)
         return tuple(sorted(k for k, yes in zip(self.k, there, strict=True) if yes))
 
@@ -80,7 +80,7 @@ class Sampled:
 
     @cached_property
     def harmonics(self) -> tuple[int, ...]:
-        """Those above 1e-9 of the largest, metres and radians each by their own; none of a finite course.
+        """Numbers of the harmonics above 1e-9 of the largest in metres or in radians; none for a finite course.
 
         Below half the number of samples: beyond it are images that the spline makes of lower ones.
         """

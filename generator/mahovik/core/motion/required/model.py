@@ -78,5 +78,5 @@ class RequiredMotion:
 
     @property
     def harmonics(self) -> tuple[int, ...]:
-        """Numbers k of the harmonics that are there, rising; none of a finite motion."""
+        """Numbers k of the harmonics, rising; none for a finite motion."""
         return self.course.harmonics

@@ -10,19 +10,19 @@ FEWEST = 12
 """Samples: every second one must still make a quintic spline."""
 
 JUMP = 0.2
-"""Of the range of a coordinate: what a spline through every second sample may miss the others by.
+"""Largest distance of the other samples from a spline through every second one, as a part of the coordinate's range.
 
 A harmonic sampled 8 times a period misses by 0.03, 6 times by 0.2; a step misses by about half.
 """
 
 MOVING = 0.02
-"""Of the greatest speed (acceleration): what is rest, at the ends of a finite motion."""
+"""Largest speed (acceleration) that counts as rest at the ends of a finite motion, as a part of the greatest."""
 
 GAP = 3.0
 """Longest steps that a periodic table may leave to the end of its period."""
 
 _SMALL = 1e-6
-"""Of the largest range of its kind: a coordinate that moves less is noise, or still."""
+"""Smallest range of a moving coordinate, as a part of the largest range of its kind: less is noise."""
 
 
 def problem(given: Sampled) -> tuple[str, str] | None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
-"""Of the carrier: O1 in E0, then the three angles of the stand's sequence."""
+"""Coordinates of the carrier: O1 in E0, then the three angles of the stand's sequence."""
 
 
 @dataclass(frozen=True)
