@@ -13,12 +13,8 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 
 PENDING: tuple[str, ...] = (
     "generator/mahovik/core/derive/",
-    "generator/mahovik/core/formula/",
-    "generator/mahovik/core/motion/",
-    "generator/mahovik/core/stand/",
     "generator/mahovik/proof/",
     "generator/mahovik/use/plan/residual/",
-    "generator/mahovik/out/api/",
     "generator/mahovik/out/report/",
     "tests/",
     "tools/",
