@@ -22,6 +22,7 @@ from unittest.mock import patch
 import numpy as np
 import sympy as sp
 
+import mahovik.laws
 import mahovik.proof.second
 from mahovik.core.derive import carrier, flywheel
 from mahovik.core.derive.symbols import vector
@@ -272,10 +273,8 @@ def renumbered(stand: Stand) -> Iterator[Plant]:
 
 # ---- the second derivation with a line replaced ----
 
-TURNED, STREAM = (
-    'self.inputs["C"].T @ ca.DM(stand.gravity)',
-    'self.inputs["C"].T @ ca.DM(stand.stream or (0.0, 0.0, 0.0))',
-)
+TURNED = 'self.inputs["C"].T @ ca.DM(stand.gravity)'
+STREAM = 'self.inputs["C"].T @ ca.DM(stand.stream or (0.0, 0.0, 0.0))'
 
 SECOND: dict[str, tuple[str, str, str]] = {
     "gravity not turned into E1": ("system", TURNED, "ca.DM(stand.gravity)"),
@@ -290,16 +289,16 @@ SECOND: dict[str, tuple[str, str, str]] = {
     "buoyancy missing": ("force", "weight - buoyancy", "weight"),
     "buoyancy at O1": ("force", "body.place(body.center)", "body.place(ca.SX.zeros(3))"),
     "stream ignored in damping": ("force", "ca.SX.zeros(3))) - stream", "ca.SX.zeros(3)))"),
-    "leg damping missing": ("force", " - ca.gradient(rayleigh, chart.q_dot)", ""),
-    "leg damping, sign": ("force", " - ca.gradient(rayleigh, chart.q_dot)", " + ca.gradient(rayleigh, chart.q_dot)"),
-    "unstretched length ignored": ("force", "(distance - unstretched)", "distance"),
+    "leg damping missing": ("leg/second", " - ca.gradient(rayleigh, chart.q_dot)", ""),
+    "leg damping, sign": ("leg/second", " - ca.gradient(rayleigh", " + ca.gradient(rayleigh"),
+    "unstretched length ignored": ("leg/second", "(distance - unstretched)", "distance"),
     "linear damping missing": ("laws", "P -= ca.DM(damping.linear)", "P -= 0 * ca.DM(damping.linear)"),
     "quadratic damping without |V|": ("laws", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
     "damping terms, sign": ("laws", "P += _unit", "P -= _unit"),
-    "suspension rotation, sign": ("laws", "equilibrium.T @ C", "C.T @ equilibrium"),
-    "suspension displacement in E0": ("laws", "C.T @ away", "away"),
-    "suspension damping missing": ("laws", " + ca.DM(law.damping) @ V)", ")"),
-    "equilibrium position ignored": ("laws", " - np.array(law.position)", ""),
+    "suspension rotation, sign": ("suspension/second", "(equilibrium.T @ C)", "(C.T @ equilibrium)"),
+    "suspension displacement in E0": ("suspension/second", "C.T @ away", "away"),
+    "suspension damping missing": ("suspension/second", ' + ca.DM(law.damping) @ inputs["V"])', ")"),
+    "equilibrium position ignored": ("suspension/second", " - np.array(law.position)", ""),
     "mount ignored": ("bodies", "found[s.mount]", "found['carrier']"),
     "flywheel position, sign": ("bodies", "(np.array(s.position), mounting", "(-np.array(s.position), mounting"),
     "inertia about the wrong point": ("bodies", '== "center_of_mass"', '!= ""'),
@@ -315,25 +314,28 @@ SECOND: dict[str, tuple[str, str, str]] = {
 
 
 def rewritten(stand: Stand) -> Iterator[Plant]:
-    """The second derivation, a copy with one place of its text replaced."""
-    source = Path(mahovik.proof.second.__file__).parent
+    """The second derivation and its part of the laws, copied with one place of their text replaced."""
+    source, laws = (Path(str(package.__file__)).parent for package in (mahovik.proof.second, mahovik.laws))
     for number, (name, (module, there, instead)) in enumerate(SECOND.items()):
         package = f"mutated_second_{number}"
         with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree(source, Path(folder) / package, ignore=shutil.ignore_patterns("__pycache__"))
-            for path in (Path(folder) / package).glob("*.py"):
+            root = Path(folder) / package
+            for original, copy in ((source, root), (laws, root / "of_laws")):
+                shutil.copytree(original, copy, ignore=shutil.ignore_patterns("__pycache__"))
+            changed = root / ("of_laws" if "/" in module else "") / f"{module}.py"
+            for path in root.rglob("*.py"):
                 text = path.read_text(encoding="utf-8").replace("mahovik.proof.second", package)
-                if path.stem == module:
+                text = text.replace("from mahovik import laws", f"from {package} import of_laws as laws")
+                text = text.replace('f"mahovik.laws.', f'f"{package}.of_laws.')
+                if path == changed:
                     if text.count(there) != 1:
-                        raise SystemExit(f"{name}: {there!r} is not once in second/{module}.py")
+                        raise SystemExit(f"{name}: {there!r} is not once in {module}.py")
                     text = text.replace(there, instead)
                 path.write_text(text, encoding="utf-8")
-            sys.path.insert(0, folder)
-            try:
+            with patch.object(sys, "path", [folder, *sys.path]):
                 importlib.invalidate_caches()
                 found = importlib.import_module(package)
-            finally:
-                sys.path.remove(folder)
+                importlib.import_module(f"{package}.of_laws").parts("second")  # loaded while the folder exists
         yield Plant(name, "second derivation rewritten", answers_of(found.Second(stand)))
 
 

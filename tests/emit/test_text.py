@@ -170,7 +170,7 @@ def test_the_same_stand_gives_the_same_text(name):
 def test_everything_is_in_the_everything_stand():
     """Guard of this file: the general stand has all that a layout can have."""
     layout = generated("everything6").layout
-    assert [law.words for law in layout.law_tables] == ["suspension", "legs"]
+    assert [law.words for law in layout.law_tables] == ["suspension", "legs", "torquers"]
     assert layout.terms
     assert layout.own_turning
     assert layout.own_fixed

@@ -135,7 +135,7 @@ def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
     other = ["--stand", str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
     for arguments, words in (
         ([programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
-        ([programme, *WITH[:2], "-o", tmp_path / "a.svg"], "go together"),
+        ([programme, *WITH[:2], "-o", tmp_path / "a.svg"], "give both or neither"),
         ([tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
         ([tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
     ):

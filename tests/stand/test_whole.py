@@ -77,7 +77,7 @@ def test_a_name_of_several_lines_stays_in_one() -> None:
         loads(HEAD + '"a\\nb" = 1\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n' + WHEEL.replace("w1", "w\\n1"), "s.toml")
     assert list(caught.value.problems) == [
         's.toml: unknown key "a\\nb", expected one of schema, name, angles, gravity, stream, phase_input, carrier, '
-        "suspension, leg, instrument, flywheel, point",
+        "suspension, leg, torquer, magnetic_field, instrument, flywheel, point",
         's.toml: flywheel "w\\n1", name: "w\\n1" is not a C identifier (letters, digits, _; no digit first)',
     ]
 

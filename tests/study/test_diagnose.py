@@ -251,7 +251,7 @@ def test_what_a_stand_cannot_tell_apart_is_named_together() -> None:
     found = own.diagnose(Faulty(level, (Part(BY_NAME["phi'' not used"]),)).answer)
     assert {("phi'' not used", None)} in names(found)
     assert {("I phi'' missing", None)} in names(found)
-    assert "not to be told apart" in " ".join(sentences(found))
+    assert "with the same effect on this stand" in " ".join(sentences(found))
 
 
 # ---- numbers ----

@@ -10,7 +10,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
-LAWS = ("suspension", "leg")
+LAWS = ("suspension", "leg", "torquer")
 """Folders, in the order in which their wrenches are added."""
 
 

@@ -89,11 +89,12 @@ def test_every_flywheel_instrument_and_input_has_its_variables() -> None:
 
 def test_units_are_what_their_exponents_say() -> None:
     """Names of units are products of powers: each is multiplied out on its own."""
-    base = {"kg": (1, 0, 0, 0), "m": (0, 1, 0, 0), "s": (0, 0, 1, 0), "rad": (0, 0, 0, 1), "N": (1, 1, -2, 0)}
-    base |= {"J": (1, 2, -2, 0), "1": (0, 0, 0, 0)}
+    base = {"kg": (1, 0, 0, 0, 0), "m": (0, 1, 0, 0, 0), "s": (0, 0, 1, 0, 0), "rad": (0, 0, 0, 1, 0)}
+    base |= {"A": (0, 0, 0, 0, 1), "N": (1, 1, -2, 0, 0), "J": (1, 2, -2, 0, 0), "T": (1, 0, -2, 0, -1)}
+    base |= {"1": (0, 0, 0, 0, 0)}
 
     def powers(text: str, sign: int) -> list[int]:
-        total = [0, 0, 0, 0]
+        total = [0, 0, 0, 0, 0]
         for part in text.strip("()").split("."):
             matched = re.fullmatch(r"([A-Za-z]+|1)(\d?)", part)
             assert matched, text
@@ -111,7 +112,8 @@ def test_units_are_what_their_exponents_say() -> None:
                 expected = [a + b for a, b in zip(expected, powers(below, -1), strict=True)]
             exponents = unit.find("BaseUnit")
             assert exponents is not None
-            assert [int(exponents.attrib.get(b, 0)) for b in ("kg", "m", "s", "rad")] == expected, unit.attrib["name"]
+            found = [int(exponents.attrib.get(b, 0)) for b in ("kg", "m", "s", "rad", "A")]
+            assert found == expected, unit.attrib["name"]
             seen.add(unit.attrib["name"])
     assert {"N.m", "kg.m2", "N.s2/rad2", "rad/s2"} <= seen
     assert units.law(5, (1, 5)).name == "N.s2/rad"

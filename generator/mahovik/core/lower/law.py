@@ -23,17 +23,17 @@ class LawLowering(LawTable):
     def add_functions(self, lib: Library) -> None:
         """Adds the functions that `act` calls."""
 
-    def act(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, F: Place) -> None:
-        """Adds its wrench, in E1 about O1, to F. `stand`: the table; `x`: the state; `C`: the attitude (9)."""
+    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
+        """Adds its wrench, in E1 about O1, to F. `table`: the table; `x`: the state; `C`: the attitude (9)."""
         raise NotImplementedError
 
     def add_slopes(self, lib: Library) -> None:
         """Adds the functions that `slope` calls."""
 
-    def constant_slope(self, lib: Library, body: Body, stand: Place, out: Place) -> None:
+    def constant_slope(self, lib: Library, body: Body, table: Place, out: Place) -> None:
         """Adds the derivative by the twist, where it is a constant, to `out` (36, row by row)."""
 
-    def slope(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+    def slope(self, lib: Library, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of its wrench with a change of twist to F."""
 
 

@@ -69,19 +69,19 @@ class Legs(LawLowering):
         """The force of one leg."""
         lib.add(add_leg(lib))
 
-    def act(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the force of every leg."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
-            lib.check(body, "add_leg", stand.leg[k], x, C, F)
+            lib.check(body, "add_leg", table.leg[k], x, C, F)
 
     def add_slopes(self, lib: Library) -> None:
         """The change of one leg's force."""
         lib.add(add_leg_slope(lib))
 
-    def slope(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+    def slope(self, lib: Library, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of every leg's force."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
-            named = {"leg": stand.leg[k], "x": x, "C": C, "change": change, "F": F}
+            named = {"leg": table.leg[k], "x": x, "C": C, "change": change, "F": F}
             body.call(lib["add_leg_slope"], *lib.passed("add_leg_slope", **named))
 
 

@@ -83,14 +83,14 @@ class Suspension(LawLowering):
         lib.add(rotation_vector(lib))
         lib.add(suspend(lib))
 
-    def act(self, lib: Library, body: Body, stand: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the wrench."""
-        body.call(lib["suspend"], stand.suspension, x, C, F)
+        body.call(lib["suspend"], table.suspension, x, C, F)
 
-    def constant_slope(self, lib: Library, body: Body, stand: Place, out: Place) -> None:
+    def constant_slope(self, lib: Library, body: Body, table: Place, out: Place) -> None:
         """Subtracts the damping."""
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(out[i * integer(6) + j], -stand.suspension.damping[i][j])
+            body.add(out[i * integer(6) + j], -table.suspension.damping[i][j])
 
 
 LOWERING = Suspension()

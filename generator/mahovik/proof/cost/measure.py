@@ -32,8 +32,10 @@ _TIMEOUT = 300.0
 
 @dataclass(frozen=True)
 class FunctionCost:
-    """Of one call. `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the
-    call graph; `painted`: bytes found used on the emulator, 0 where there is no painted stack; `code`: bytes with what
+    """Cost of one call.
+
+    `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the call graph;
+    `painted`: bytes found used on the emulator, 0 where there is no painted stack; `code`: bytes with what
     it calls; `routines`: called routines of the compiler's library, which `stack` and `code` leave out and the others
     do not.
     """
@@ -48,7 +50,7 @@ class FunctionCost:
 
 @dataclass(frozen=True)
 class TargetCost:
-    """Of a stand's C on one target. `source`: SHA-256 of the measured .c; `text`: bytes of code of the whole file;
+    """Cost of a stand's C on one target. `source`: SHA-256 of the measured .c; `text`: bytes of code of the whole file;
     `symbols`, `constants`: bytes of each function, of each table; `unnamed`: bytes of constants without a symbol;
     `flywheel`: bytes that one flywheel adds, by table.
     """
@@ -70,7 +72,7 @@ class TargetCost:
 
 @dataclass(frozen=True)
 class Costs:
-    """Of a stand on several targets."""
+    """Cost of a stand's C on several targets."""
 
     stand: str
     structure: str

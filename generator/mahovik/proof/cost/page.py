@@ -105,7 +105,7 @@ def accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
     except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
         good = False
     if not good:
-        raise UsageError(f"{where}: no figures of `mahovik cost`: restore it, or move it away and accept anew")
+        raise UsageError(f"{where}: no figures of `mahovik cost`: restore it, or move it away and accept again")
     return list(found)
 
 

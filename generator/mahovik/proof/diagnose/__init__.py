@@ -1,1 +1,1 @@
-"""Which physical fault a foreign program has: its error against what each fault of a dictionary would give."""
+"""Diagnosis of a foreign program: its error is compared with the error that each fault of a dictionary would make."""

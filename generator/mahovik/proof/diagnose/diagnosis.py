@@ -30,7 +30,7 @@ class Cause:
     """What a program is found to have: one fault, or two at once.
 
     parts    faults, each with the flywheel it is in alone, or None
-    share    part of the fault's error that is there, 1.0 for a whole fault
+    share    part of the fault's error that was found, 1.0 for a whole fault
     score    0: it explains the error to rounding; 1: it explains nothing
     only_in  quantities in which the error is, where the fault would spoil others as well; else empty
     """

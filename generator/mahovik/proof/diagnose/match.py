@@ -15,7 +15,7 @@ ABSENT = 0.1
 
 @dataclass(frozen=True)
 class Match:
-    """Of a predicted error p and the error e that was found.
+    """Likeness of a predicted error p and the error e that was found.
 
     score   0: p is e to rounding; 1: it explains nothing of it
     rest    the same over the quantities that are wrong, without what is right and should not be

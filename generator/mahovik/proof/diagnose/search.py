@@ -37,13 +37,13 @@ WHOLE = 1e-3
 """A share that is as near to 1 is the whole."""
 
 ALIKE = 0.5
-"""Of the quantities that are wrong, a fault of one flywheel must spoil so many where all flywheels have it."""
+"""Part of the wrong quantities that a fault must spoil in all flywheels, to be tried in one flywheel."""
 
 SHORT_LIST = 5
-"""So many suspects are examined at all states."""
+"""Number of suspects that are examined at all states."""
 
 PAIRED = 40
-"""So many single faults are tried two at a time."""
+"""Number of single faults that are tried two at a time."""
 
 TWIN = 1e-3
 """Two faults whose predictions are as near as this are one as far as the stand can tell."""
@@ -112,11 +112,11 @@ class Search:
         return found
 
     def unseen(self) -> list[Suspect]:
-        """Faults that change nothing at the states that were asked: they cannot be told from a correct program."""
+        """Faults that change nothing at the states that were asked: with them a program looks correct."""
         return [each for each in singles(DICTIONARY) if not self._visible(each)]
 
     def twins(self, finding: Finding, others: Sequence[Finding]) -> list[Finding]:
-        """Of the others, those that no state tells apart from the finding."""
+        """Others that are the same as the finding at all states."""
         noise, block = self._rounding(True)
         own = finding.share * self._predicted(finding.suspect, True)
         return [

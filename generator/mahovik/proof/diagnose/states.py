@@ -14,10 +14,10 @@ from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 
 FIRST = 3
-"""So many states from the first have everything in them: they see all that can be seen, and suffice to search by."""
+"""Number of leading states with everything in them: they show all that can be seen, and suffice to search by."""
 
 ALONE = 4
-"""So many flywheels, at most, have a state in which they alone turn."""
+"""Largest number of flywheels that have a state in which they alone turn."""
 
 
 def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:

@@ -51,7 +51,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         lines.append(f"  not as a whole: the error is {_share(best.share)} of what that would give")
     if best.only_in:
         lines.append(f"  only in {', '.join(best.only_in)}: what else it would spoil is right")
-    lines += [f"  or, not to be told apart on this stand: {_sentence(each)}" for each in twins]
+    lines += [f"  or, with the same effect on this stand: {_sentence(each)}" for each in twins]
     lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_why(best, diagnosis)}")
     return lines + _unseen(diagnosis)
 

@@ -21,10 +21,10 @@ RECORD = "evidence.json"
 """The summary for programs."""
 
 SUMS = "SHA256SUMS"
-"""Of every other file, as `sha256sum -c` reads them."""
+"""Hashes of all other files, in the form that `sha256sum -c` reads."""
 
 FORMAT = 1
-"""Of `RECORD`; raised where the meaning of a key changes."""
+"""Version of `RECORD`, raised when the meaning of a key changes."""
 
 LARGEST = 256 << 20
 """Bytes of a file of a folder that is checked."""

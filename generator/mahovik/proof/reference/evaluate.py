@@ -23,7 +23,7 @@ ANSWERS: Mapping[str, Callable[..., Values]] = {
 
 
 def check_want(want: Sequence[str]) -> None:
-    """StateError where `want` is empty, names what is unknown, or asks for two values of one name."""
+    """StateError where `want` is empty, has an unknown name, or asks for two values of one name."""
     if not want:
         raise StateError("want: empty; name at least one of " + ", ".join(ANSWERS))
     for name in want:
@@ -46,7 +46,7 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
 
     `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.
 
-    StateError: `want` is empty, unknown or gives one name two values; a leg has no length; `generalized` with
+    StateError: `want` is empty, unknown or gives one name two values; a law is undefined; `generalized` with
     a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not finite.
     """
     check_want(want)

@@ -28,7 +28,7 @@ class Cuts:
 
 
 CUTS = Cuts()
-"""Those of stand.md for double."""
+"""Thresholds of stand.md for double."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -80,7 +80,7 @@ class Pieces:
 
 
 def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
-    """The pieces of `stand` at `state`. StateError where a leg has no length.
+    """The pieces of `stand` at `state`. StateError where a law is undefined.
 
     `bodies`: `bodies_of` the stand, where the caller has them already.
     """

@@ -56,7 +56,7 @@ class Pieces:
 
 
 def pieces(stand: Stand, state: State) -> Pieces:
-    """The pieces of `stand` at `state`, at the working precision. StateError where a leg has no length."""
+    """The pieces of `stand` at `state`, at the working precision. StateError where a law is undefined."""
     C = carrier_rotation(stand, state)
     u = C.transpose() * column(stand.stream or (0.0, 0.0, 0.0))
     V = column(state.V)

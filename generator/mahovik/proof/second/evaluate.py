@@ -66,7 +66,7 @@ class Second:
         """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
 
         Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
-        stand or the want, one where a law is undefined (a leg without length), and results that are not finite.
+        stand or the want, one where a law is undefined, and results that are not finite.
         """
         check_want(want)
         self._check_state(state)

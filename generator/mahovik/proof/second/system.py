@@ -51,7 +51,7 @@ class System:
         return T, Z, K, mass[:, [7 * body + 6 for body in range(self.fixed, self.count)]]
 
     def center_of_mass(self) -> Expr:
-        """Of all bodies (3; m), in E1. Not a number where there is no mass."""
+        """Centre of mass of all bodies (3; m), in E1. Not a number where there is no mass."""
         moments = self._mapped(lagrange.body_moment())(self.bodies, self.phi)
         return ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
 

@@ -82,7 +82,7 @@ class Row:
         return max(difference / accepted for difference, accepted, _ in self._pairs(three))
 
     def nearest(self) -> tuple[float, float, str]:
-        """Of the pair that is nearest to its bound: difference, what is accepted of it, and whose difference it is."""
+        """Difference of the pair that is nearest to its bound, the accepted difference, and the names of the pair."""
         three = Three(self.worst, self.second or 0.0, self.between or 0.0)
         return max(self._pairs(three), key=lambda pair: pair[0] / pair[1])
 
@@ -214,7 +214,7 @@ class Judge:
         return abs(float(np.linalg.norm(root @ left)) - bounds.cuts.reached * demand) < off
 
     def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
-        """What the second derivation gives: nothing where it has not the want; and the words of a refusal."""
+        """Values of the second derivation, none where it does not offer the want, and the words of a refusal."""
         if self._second is None or "second" not in FUNCTIONS[want].judges:
             return {}, ""
         try:
@@ -275,7 +275,7 @@ def difference(found: Any, expected: Any, natural: Any, floor: float = DOUBLE.fl
 
 
 def _of_parts(found: Any, expected: dict[str, Any], natural: Any, floor: float) -> tuple[float, str]:
-    """Of a nested object: the worst part, and its name in the words."""
+    """Difference of the worst part of a nested object, and its words with the name of the part."""
     if not isinstance(found, Mapping):
         return math.inf, "no object"
     worst, words = 0.0, ""

@@ -71,7 +71,7 @@ def deliver(
 def differences(
     folder: Path, stand: Stand, real: str, files: Mapping[str, str], lanes: int = 1, fast: bool = False
 ) -> list[str]:
-    """What in the folder is not as `deliver` would leave it, a line each; none: it is what the stand file gives.
+    """Lines on what differs in the folder from what `deliver` would leave; none: it is what the stand file gives.
 
     A folder of the other element type, of another number of lanes, or fast where that was not asked for, differs in
     every file: that is said in one line.

@@ -19,7 +19,7 @@ CUT = {"double": 1e-6, "float": 1e-5}
 """rad; nearer than this to a half turn, rounding decides which way a law turns it back."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
-"""Of tiny numbers: those below 1e-308, in float 1e-38, are subnormal."""
+"""Exponents of the tiniest numbers drawn; those below 1e-308, in float 1e-38, are subnormal."""
 
 
 def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:

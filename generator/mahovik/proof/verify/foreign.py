@@ -130,6 +130,6 @@ def _rows(
 
 
 def _left_out(want: str, requests: Sequence[Request], found: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
-    """Quantities that it may leave out and that are in no result; one that is there at times must always be."""
+    """Optional quantities that are in no result; one that is in some results must be in all."""
     results = [result for request, result in zip(requests, found, strict=True) if request.want[0] == want]
     return tuple(name for name in OPTIONAL.get(want, ()) if not any(name in result for result in results))

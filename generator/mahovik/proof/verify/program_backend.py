@@ -107,7 +107,7 @@ class ProgramBackend:
 
     @staticmethod
     def _options(count: int, largest: float) -> dict[str, Any]:
-        """Of inverse, as stand.md has it: weights 1, no damping, no limits."""
+        """Options of `inverse` by stand.md: weights 1, no damping, no limits."""
         return {"weight": [1.0] * count, "limit": [largest] * count, "near": NEAR_SINGULAR_BELOW, "damping": 0.0}
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:

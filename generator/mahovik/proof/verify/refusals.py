@@ -1,4 +1,4 @@
-"""What every function must refuse: inputs that are not finite or out of range, with its outputs untouched."""
+"""Inputs that every function must refuse, not finite or out of range, with its outputs untouched."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ class SelfTestLog:
 
 
 def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
-    """All runs in a log, in order: a board that is reset begins anew. Raises UsageError where there is none."""
+    """All runs in a log, in order: a board that is reset begins again. Raises UsageError where there is none."""
     runs: list[SelfTestLog] = []
     for line in re.split(r"\r\n|\r|\n", text):
         if head := _HEAD.search(line):
@@ -123,7 +123,7 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
     if absent := [name for name in wanted if name not in run.functions]:
         found.append(f"no line PASS or FAIL of: {', '.join(absent)}")
     if other := [name for name in run.functions if name not in wanted]:
-        found.append(f"functions that the stand has not: {', '.join(other)}")
+        found.append(f"unknown functions: {', '.join(other)}")
     if few := [name for name, line in run.functions.items() if line.cases != len(CASES) + 1]:
         found.append(f"not {len(CASES) + 1} cases, as this version has: {', '.join(few)}")
     if run.sweep is None:

@@ -18,7 +18,7 @@ from mahovik.errors import StateError
 from mahovik.nearest import meant
 
 ROUNDING = 4 * 2.0**-52
-"""Of four squares and a root: a quaternion that is off by no more is unit already, and a state replays bit for bit."""
+"""Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
 
 KEYS = ("id", "quaternion", *(row.symbol for row in QUANTITIES.values() if row.input), "want")
 

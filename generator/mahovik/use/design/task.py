@@ -63,7 +63,7 @@ class Task:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, freedom: Freedom) -> Task:
-        """Task for a stand with the wanted number of flywheels. Raises DesignError, StateError (leg without length)."""
+        """Task for a stand with the wanted number of flywheels. Raises DesignError, StateError (a law is undefined)."""
         problem = Problem.of(stand, motion)
         Omega = 2.0 * np.pi / motion.span * problem.highest
         torque = max(float(problem.mechanics.tables.Theta_ff.max(initial=0.0)) * Omega**2, 1e-12)

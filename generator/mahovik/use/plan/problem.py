@@ -48,7 +48,7 @@ class Problem:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion) -> Problem:
-        """The problem of a stand and a motion. StateError: a leg has no length on the way."""
+        """The problem of a stand and a motion. StateError: a law is undefined on the way."""
         mechanics = Mechanics.of(stand)
         M = max(256, 16 * max(motion.harmonics, default=1))
         demanded = prescribe(mechanics, motion.at(uniform(motion.span, M)))

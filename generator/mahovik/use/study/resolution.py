@@ -187,7 +187,7 @@ def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, floa
     try:
         at = reference.pieces(stand, state)
     except StateError:
-        return  # a leg without length: not a state of the stand
+        return  # a law is undefined: not a state of the stand
     values = {want: _value(stand, state, want, at) for want in QUANTITIES}
     terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
     for number in range(len(stand.flywheels)):

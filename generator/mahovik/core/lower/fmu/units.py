@@ -16,11 +16,12 @@ class Unit:
     s: int = 0
     rad: int = 0
     quantity: str = ""
+    A: int = 0
 
     @property
     def exponents(self) -> dict[str, int]:
         """Exponents of the base units that are not zero."""
-        found = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad}
+        found = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad, "A": self.A}
         return {name: exponent for name, exponent in found.items() if exponent}
 
 
@@ -43,6 +44,8 @@ ENERGY = Unit("J", kg=1, m=2, s=-2, quantity="Energy")
 RATE = Unit("1/s", s=-1, quantity="Rate")
 STIFFNESS = Unit("N/m", kg=1, s=-2, quantity="Stiffness")
 DAMPING = Unit("N.s/m", kg=1, s=-1, quantity="Damping")
+FLUX_DENSITY = Unit("T", kg=1, s=-2, A=-1, quantity="MagneticFluxDensity")
+MAGNETIC_MOMENT = Unit("A.m2", m=2, A=1, quantity="MagneticMoment")
 
 DISPLAY = {
     "rad": (("deg", 180 / math.pi),),
@@ -67,6 +70,8 @@ _BY_NAME = {
     "J": ENERGY,
     "N/m": STIFFNESS,
     "N s/m": DAMPING,
+    "T": FLUX_DENSITY,
+    "A m2": MAGNETIC_MOMENT,
 }
 
 

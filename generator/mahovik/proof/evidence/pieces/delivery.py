@@ -18,7 +18,7 @@ def _command(subject: Subject) -> str:
 def _run(subject: Subject, tell: Tell) -> Outcome:
     from mahovik.core.emit.manifest import digest
 
-    tell("generate anew")
+    tell("generate again")
     words = _command(subject).split()
     package = str(Path(mahovik.__file__).resolve().parent.parent)
     path = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH"))))
@@ -42,7 +42,7 @@ PIECE = Piece(
     title="The C is what the stand file gives",
     shows=(
         "The folder `c/` was generated from the stand file beside it, and again by another process that derived every "
-        "formula anew: the same bytes. All other pieces are about these files."
+        "formula again: the same bytes. All other pieces are about these files."
     ),
     limits="That the stand file describes the real machine: masses, mountings, unbalances are taken as it has them.",
     command=_command,

@@ -25,11 +25,11 @@ STEP = 10_000_000
 """ns from one call of its integrator to the next, which keeps the attitude off its singularity."""
 
 TOLERANCE = 1e-14
-"""Of a step of its integrator, relative and absolute; it measures the length of a whole state."""
+"""Tolerance of a step of its integrator, relative and absolute; it measures the length of a whole state."""
 
 
 class BasiliskJudge:
-    """See MovingJudge. Raises UsageError where the stand has what Basilisk has not.
+    """See MovingJudge. Raises UsageError where the stand has what Basilisk lacks.
 
     `model`: of the wheels; JitterSimple puts their unbalance on the carrier as a force, and is exact for balanced ones.
     `asymmetric`: take wheels of two transverse moments, for which JitterFullyCoupled is not exact.
@@ -41,7 +41,7 @@ class BasiliskJudge:
     def __init__(self, stand: Stand, model: Model = "JitterFullyCoupled", asymmetric: bool = False) -> None:
         found = unlike(stand, asymmetric)
         if found:
-            raise UsageError(f"--judges: Basilisk's free spacecraft has not {', '.join(found)}")
+            raise UsageError(f"--judges: Basilisk's free spacecraft has no {', '.join(found)}")
         self.stand = stand
         self._wheels = [_payload(wheel, model) for wheel in wheels(stand)]
         self._effector = reactionWheelStateEffector.ReactionWheelStateEffector()

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Flywheel, Mat3, Stand
 from mahovik.proof.verify.judges.rigid import Array, RigidBody, about_first, missing, tree
 
 ROUNDING = 1e-14
-"""Of the moment about the spin axis; smaller entries come from turning the tensor."""
+"""Part of the moment about the spin axis below which entries are rounding, from turning the tensor."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +67,7 @@ def hub(stand: Stand, bearing_wheels: bool = False) -> tuple[float, Array, Array
 
 
 def unlike(stand: Stand, asymmetric: bool = False) -> list[str]:
-    """What of the stand Basilisk has not. `asymmetric`: let Jt differ from Jg, which it takes but gets wrong."""
+    """Features of the stand that Basilisk lacks. `asymmetric`: let Jt differ from Jg, which it takes but gets wrong."""
     found = missing(stand)
     found += ["gravity that is the same everywhere"] * any(stand.gravity)
     found += ["a carrier without mass"] * (hub(stand)[0] <= 0.0)

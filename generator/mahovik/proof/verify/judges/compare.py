@@ -69,7 +69,7 @@ MOTION = motion_of(UNTIL)
 
 
 def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judge]:
-    """The judges with the model of the stand. UsageError: not installed, or the stand has what they have not."""
+    """The judges with the model of the stand. UsageError: not installed, or the stand has what they lack."""
     found = missing(stand)
     if found:
         raise UsageError(

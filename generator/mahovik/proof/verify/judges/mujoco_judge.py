@@ -184,7 +184,7 @@ def _text(numbers: Array | tuple[float, ...] | list[float]) -> str:
 
 
 def _quaternion(axes: Array) -> Array:
-    """Of a rotation (3x3), w first."""
+    """Quaternion of a rotation (3x3), w first."""
     found = np.zeros(4)
     mujoco.mju_mat2Quat(found, np.ascontiguousarray(axes).ravel())
     return found

@@ -29,7 +29,7 @@ class StateJudge(Protocol):
     def evaluate(self, state: State) -> Values:
         """K, I, bias (6), V_dot_forward, V_dot, phi_ddot of `tau`, base_wrench, tau, mount_wrench, points.
 
-        What the program has not is left out.
+        Quantities that the program lacks are left out.
         """
 
 

@@ -39,7 +39,7 @@ def pieces_at(stand: Stand, q: Array, V: Array, phi: Array, phi_dot: Array) -> P
 
 @lru_cache(maxsize=4)
 def _bodies(stand: Stand) -> Bodies:
-    """Those of a stand, once for the thousands of its states."""
+    """Bodies of a stand, made once for the thousands of its states."""
     return bodies_of(stand)
 
 

@@ -31,7 +31,7 @@ class Finding:
         return self.passed and not self.value <= self.limit
 
     def as_item(self) -> dict[str, Any]:
-        """As JSON has it, `multipliers` apart; a value that is not finite is null."""
+        """The finding for JSON, without `multipliers`; a value that is not finite is null."""
         value = self.value if math.isfinite(self.value) else None
         return {"name": self.name, "value": value, "limit": self.limit, "passed": self.passed, "words": self.words}
 

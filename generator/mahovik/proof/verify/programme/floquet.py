@@ -20,7 +20,7 @@ Ten to a period leave the multipliers of the example stands right to 1e-5.
 """
 
 STEP = 1e-6
-"""Of a difference, of 1 + the number itself: multipliers are right to about five digits."""
+"""Step of a difference, over 1 + the number itself: multipliers are right to about five digits."""
 
 
 def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:

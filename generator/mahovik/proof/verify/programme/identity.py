@@ -1,4 +1,4 @@
-"""Whose programme it is: identities of the stand, names of flywheels and motion, period."""
+"""Identity of a programme: identities of its stand, names of flywheels and motion, period."""
 
 from __future__ import annotations
 

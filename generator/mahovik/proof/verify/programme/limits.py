@@ -10,7 +10,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.finding import Finding, judged
 
 EXCEEDED = 1 + 1e-9
-"""Of a bound: rounding of the one who kept it is no fault."""
+"""Value over its bound that counts as exceeded: rounding of the program that kept it does not."""
 
 UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m", "angle": "rad"}
 

@@ -18,7 +18,7 @@ FINER = 20
 """Times a node of the programme."""
 
 OFFSET = 0.382
-"""Of a step of the grid: no node repeats."""
+"""Offset of the grid, in steps, so that no node repeats."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class Along:
 
 
 def nodes(programme: Programme, motion: RequiredMotion) -> int:
-    """Points a span that the programme is told by; no fewer than the fastest of flywheels and motion needs."""
+    """Points of the grid in a span; no fewer than the fastest of flywheels and motion needs."""
     own = 2 * len(programme.course.cos) + 1 if isinstance(programme.course, Fourier) else len(programme.course.t)
     fastest = max([*motion.harmonics, *(abs(n) for n in programme.winding), 1])
     return max(own, 2 * fastest + 1)

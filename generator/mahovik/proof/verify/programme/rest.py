@@ -13,7 +13,7 @@ from mahovik.proof.verify.programme.along import twist
 from mahovik.proof.verify.programme.simulation import rate
 
 FREE = 1e-6
-"""Of the largest stiffness: a direction in which the stand does not care where it is."""
+"""Part of the largest stiffness below which the stand is free to move in a direction."""
 
 TURN = 1e-10
 """rad and m: a last step."""

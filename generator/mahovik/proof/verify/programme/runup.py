@@ -21,7 +21,7 @@ from mahovik.proof.verify.programme.scale import Scale
 from mahovik.proof.verify.programme.simulation import simulate_rows
 
 STEP_ERROR = 1e-8
-"""Of the amplitude, a step: what is asked of the end is coarser than of a programme."""
+"""Error of a step, over the amplitude: the end of a run-up is held less closely than a programme."""
 
 STEPS = 24
 """A period at least, and one a row."""
@@ -30,7 +30,7 @@ STEPS = 24
 def findings(
     stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, tolerance: Tolerance
 ) -> list[Finding]:
-    """Of each table: rows, joint with the programme, rest at the other end, where the carrier ends, bounds."""
+    """Findings for each table: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
     found = []
     for name, given in (("run-up", programme.runup), ("run-down", programme.rundown)):
         if given is None:

@@ -23,7 +23,7 @@ Course = Callable[[Array], Angles]
 
 RTOL = 1e-12
 STEP_ERROR = 1e-9
-"""Of the amplitude, a step."""
+"""Error of a step, over the amplitude."""
 
 STEPS = 32
 """A span at least: at the rows of a table the third derivative of phi jumps, to which a step's estimate is blind."""
@@ -64,7 +64,7 @@ def simulate(
         away = np.abs(y[:6] - start[:6])
         return float(furthest - max(away[:3].max() / m, away[3:].max() / rad))
 
-    left.terminal = True  # type: ignore[attr-defined]  # how SciPy is told that the event ends the run
+    left.terminal = True  # type: ignore[attr-defined]  # for SciPy: the event ends the run
     events = left if np.isfinite(furthest) else None
     span = (t[0], t[-1])
     first = float(min(longest, t[-1] - t[0]))

@@ -10,7 +10,7 @@ from mahovik.proof.verify.programme.finding import Finding, judged
 
 
 def findings(programme: Programme, limit: float) -> list[Finding]:
-    """Of a Fourier series by differences of its values; of a table row by row."""
+    """Findings for a Fourier series, by differences of its values, or for a table, row by row."""
     if isinstance(programme.course, Fourier):
         return [_series(programme, limit), _period(programme, limit)]
     if not programme.periodic:

@@ -28,7 +28,7 @@ SCREW_COLUMNS = ("K", "K_dot", "M", *SCREWS)
 
 @dataclass(frozen=True)
 class Error:
-    """Of one quantity at one state, the worst component of each.
+    """Errors of one quantity at one state, the worst component of each.
 
     ulps   in units of the last place of its natural scale
     scale  over the natural scale

@@ -29,7 +29,7 @@ def conclusion(found: RoundingReport) -> str:
 
 
 def as_json(found: RoundingReport) -> str:
-    """What `verify` gives as JSON, with the errors of each row; null where an error is not finite."""
+    """JSON of `verify`, with the errors of each row; null where an error is not finite."""
     table: dict[str, Any] = json.loads(report_json(found.report))
     table["real"] = found.real
     table["conclusion"] = conclusion(found)

@@ -59,6 +59,6 @@ def inverse(m: Magnitudes) -> dict[str, Any]:
 
 
 def _demand(m: Magnitudes) -> Any:
-    """Of F - K V_r* - M V_r - J phi'."""
+    """Scale of F - K V_r* - M V_r - J phi' (6)."""
     V_r_dot = np.abs(np.array(m.state.V_dot)) + m.stream_rate
     return m.S_bias + m.S_K @ V_r_dot

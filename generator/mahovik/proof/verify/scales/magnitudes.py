@@ -65,7 +65,7 @@ class Magnitudes:
 
     @cached_property
     def S_V(self) -> Array:
-        """Of V and of V_r = V - (C^T u, 0), which turns the stream."""
+        """Scale of V and of V_r = V - (C^T u, 0) (6)."""
         return np.abs(self.at.V) + screw(self.stream, 0.0)
 
     @cached_property
@@ -120,10 +120,10 @@ class Magnitudes:
 
     @cached_property
     def S_bias(self) -> Array:
-        """Of F - M V - J phi'."""
+        """Scale of F - M V - J phi' (6)."""
         return np.asarray(self.S_F + self.S_M @ self.S_V + self.S_J @ self.speed)
 
     @cached_property
     def stream_rate(self) -> Array:
-        """Of (omega x C^T u, 0)."""
+        """Scale of (omega x C^T u, 0) (6)."""
         return screw(length(self.at.V[3:]) * self.stream, 0.0)

@@ -13,7 +13,7 @@ from mahovik.proof.verify.scales.wrenches import own_scale
 
 
 def flywheel_wrenches(m: Magnitudes, V_dot: Array, phi_ddot: Array) -> Array:
-    """Of Theta_s V_s* + Phi(V_s) Z_s - P_s (Nx6): force and moment by their lengths."""
+    """Scale of Theta_s V_s* + Phi(V_s) Z_s - P_s (Nx6): force and moment by their lengths."""
     v, omega = length(m.S_V[:3]), length(m.S_V[3:])
     a, alpha = length(V_dot[:3]), length(V_dot[3:])
     found = np.zeros((len(m.speed), 6))

@@ -30,7 +30,7 @@ def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:
 
 
 def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
-    """Of P_k (6; N, N m) in the body's own frame: weight, buoyancy, damping, run-time wrench."""
+    """Scale of P_k (6; N, N m) in the body's own frame: weight, buoyancy, damping, run-time wrench."""
     body = next(b for b in stand.bodies if b.name == name)
     gravity = length(stand.gravity)
     total = np.abs(np.array(state.wrench.get(name, (0.0,) * 6), dtype=np.float64))
@@ -43,7 +43,7 @@ def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
 
 
 def twist_scale(stand: Stand, at: Pieces, body: Body) -> Array:
-    """Of a body's twist (6), relative to E0 or to the fluid, in its own frame."""
+    """Scale of a body's twist (6), relative to E0 or to the fluid, in its own frame."""
     stream = length(at.u)
     if body is stand.carrier:
         return np.asarray(np.abs(at.V) + np.repeat([stream, 0.0], 3))

@@ -39,8 +39,8 @@ class ByCarrier:
 def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> ByCarrier:
     """ByCarrier at M twists of the carrier and flywheel motions phi, phi' (M, N each; rad, s).
 
-    Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a leg has no
-    length.
+    Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a law is
+    undefined.
     """
     own = _housing(mechanics.housing, at)
     wheels = _flywheels(mechanics.tables, at, phi, phi_dot)

@@ -78,7 +78,7 @@ class Prescribed:
 
 
 def prescribe(mechanics: Mechanics, course: Coordinates, bias: Array | float = 0.0) -> Prescribed:
-    """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a leg has no length."""
+    """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a law is undefined."""
     at = twists(mechanics.stand, Shifted(course.q + bias, course.q_dot, course.q_ddot))
     return prescribed_at(mechanics, at)
 
@@ -93,7 +93,7 @@ class Shifted:
 
 
 def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
-    """Prescribed at M twists of the carrier. StateError: a leg has no length."""
+    """Prescribed at M twists of the carrier. StateError: a law is undefined."""
     tables = mechanics.tables
     found = harmonics_at(mechanics.stand, at, tables.Theta, tables.weight, tables.coupling)
     A, C = (_with_torque(x, tables) for x in found)

@@ -68,7 +68,7 @@ def linear_model(
 
     Flywheels have the accelerations `state.phi_ddot`; V* follows from (8), and their drive torques from both, so
     `V_dot` and `tau` of the state are ignored. `locked`: the flywheels' motion is prescribed, 12 states are left.
-    Raises UsageError for an unknown point, StateError if a leg has no length or a number is not finite.
+    Raises UsageError for an unknown point, StateError if a law is undefined or a number is not finite.
     """
     seen = places(stand, points)
     found = _Equations.at(stand, state)

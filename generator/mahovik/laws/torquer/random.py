@@ -1,0 +1,17 @@
+"""Random magnetic torquers, for verification and tests."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from mahovik.core.stand.draw import Draw
+from mahovik.laws.torquer.data import Torquer, Torquers
+
+
+def drawn(draw: Draw, count: int | None, mounts: Sequence[str]) -> Torquers | None:
+    """The given number of torquers; none unless asked for. Drawn apart, so that the rest of a stand stays as it is."""
+    own = Draw(draw.rng.spawn(1)[0])
+    torquers = tuple(
+        Torquer(f"m{k + 1}", mounts[int(own.rng.integers(len(mounts)))], own.vec3(3.0)) for k in range(count or 0)
+    )
+    return Torquers(own.vec3(0.5), torquers) if torquers else None

@@ -1,0 +1,25 @@
+"""Moment of the torquers, literally: d x B."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.laws.torquer.data import Torquers, mount_of
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.pose import Pose
+from mahovik.proof.reference.rotation import fixed_rotation
+
+
+def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
+    """Wrench (6; N, N m) of every torquer on the carrier about O1 in E1, by its name in (7)."""
+    law = stand.law(Torquers)
+    found: dict[str, Array] = {}
+    for torquer in law.torquers if law else ():
+        mount = mount_of(stand, torquer)
+        C_mount = np.eye(3) if mount is None else fixed_rotation(*mount.angles)
+        dipole = C_mount @ np.array(torquer.dipole)  # in E1
+        moment = np.cross(dipole, at.C.T @ np.array(law.magnetic_field if law else ()))
+        found[f"torquer {torquer.name}"] = np.concatenate([np.zeros(3), moment])
+    return found

@@ -1,0 +1,51 @@
+"""Force of the torquers by their potential: U = -sum d . B."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.laws.torquer.data import Torquers, mount_of
+from mahovik.proof.second.chart import Chart, Expr, turn
+from mahovik.proof.second.rotation import Array, fixed
+
+
+def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
+    """None of its own."""
+    return {}
+
+
+def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
+    """Generalized force (6) of all torquers on the carrier."""
+    law = stand.law(Torquers)
+    if law is None:
+        return ca.MX.zeros(6)
+    total = np.zeros(3)  # the dipoles of rigid parts add up
+    for torquer in law.torquers:
+        mount = mount_of(stand, torquer)
+        total += np.array(torquer.dipole) if mount is None else fixed(mount.angles) @ np.array(torquer.dipole)
+    return _force()(total, inputs["C"].T @ ca.DM(law.magnetic_field))
+
+
+@cache
+def _force() -> Expr:
+    """(dipole, field) -> generalized force (6): -dU/dq of U = -(E(xi) dipole) . field, both in E1 as it is now."""
+    chart = Chart()
+    dipole, field = ca.SX.sym("dipole", 3), ca.SX.sym("field", 3)
+    potential = -ca.dot(turn(chart.xi) @ dipole, field)
+    return ca.Function("torquer_force", [dipole, field], [chart.here(-ca.gradient(potential, chart.q))[:6]])
+
+
+def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
+    """None of its own."""
+    return {}
+
+
+def arguments_near(stand: Stand, C0: Array, place: Expr, C: Expr) -> dict[str, Expr]:
+    """None of its own."""
+    return {}
