@@ -13,8 +13,6 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 
 PENDING: tuple[str, ...] = (
     "generator/mahovik/core/derive/",
-    "generator/mahovik/use/plan/residual/",
-    "generator/mahovik/out/report/",
     "tests/",
     "tools/",
     "templates/",

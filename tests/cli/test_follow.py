@@ -48,7 +48,7 @@ def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monke
     said = run(*given, "--periods", "11")
     assert said.exit_code == 130
     assert "error of the carrier" in said.stdout
-    assert said.stderr == "interrupted: the run is whole, what limits it is not told\n"
+    assert said.stderr == "interrupted: the run is complete, but its limits were not determined\n"
 
 
 @pytest.mark.slow

@@ -115,7 +115,7 @@ def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     result = run("plan", SHAKER, "--motion", SPIN, "-o", str(folder / "p.json"), "--keep", "3", "--json")
     assert result.exit_code == 0
     assert "warning: 1 of 3 programmes found" in result.stderr
-    assert "p.2.json is removed: it was of an earlier run" in result.stderr
+    assert "p.2.json was removed: it was from an earlier run" in result.stderr
     assert sorted(path.name for path in folder.iterdir()) == ["p.4.json", "p.json"]
     found = json.loads(result.stdout)
     assert (found["status"], [Path(each["file"]).name for each in found["programmes"]]) == ("OK", ["p.json"])

@@ -75,7 +75,7 @@ def test_a_failed_verdict_stands_where_its_files_cannot_be_written(tmp_path: Pat
         (("--with", "no-such-program {stand}"), "cannot be started"),
         (("--states", "0"), "--states"),
         (("--seed", "-1"), "--seed"),
-        (("--real", "float", "--judges"), "of the generated C"),
+        (("--real", "float", "--judges"), "for the generated C"),
     ],
 )
 def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:

@@ -175,7 +175,7 @@ REFUSED = {
     ),
     "nested": (
         BASE + WHEEL + LINK.format("x", 1) + TURNS + joint("continuous", "", "k", "w", "x"),
-        'joint "k": turns on link "w", which turns itself: a flywheel is on the carrier',
+        'joint "k": turns on link "w", which turns itself: a flywheel must be on the carrier',
     ),
     "nested on a fixed one": (
         BASE + WHEEL + LINK.format("x", 1) + LINK.format("y", 1) + TURNS
@@ -203,7 +203,7 @@ REFUSED = {
     "no link": ("", "has no link"),
     "fixed on the world": (
         '<link name="world"/>' + BASE + WHEEL + TURNS + joint("fixed", "", "k", "world", "base"),
-        'link "base": is fixed on the world, a carrier moves: give --carrier base to have it free',
+        'link "base": is fixed on the world, but a carrier moves: give --carrier base to make it free',
     ),
     "xacro": (
         '<xacro:macro xmlns:xacro="http://www.ros.org/wiki/xacro" name="m"/>' + BASE,
@@ -271,7 +271,7 @@ def test_a_carrier_that_is_none() -> None:
         ForeignError, match='--carrier wheel2: turns, expected "base_link" or a link that is fixed to it'
     ):
         imported(carrier="wheel2")
-    with pytest.raises(ForeignError, match=r'--carrier panle: is none of the file, did you mean "panel"\?'):
+    with pytest.raises(ForeignError, match=r'--carrier panle: is not in the file, did you mean "panel"\?'):
         imported(carrier="panle")
 
 

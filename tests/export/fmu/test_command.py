@@ -24,7 +24,7 @@ def test_file_and_what_is_said(tmp_path: Path) -> None:
     lines = result.stdout.splitlines()
     assert lines[0] == str(target)
     assert lines[1].startswith("FMI 3.0, co-simulation; {")
-    assert lines[2] == "no binary, sources alone"
+    assert lines[2] == "no binary, only sources"
     with zipfile.ZipFile(target) as file:
         assert file.testzip() is None
         names = file.namelist()
@@ -48,7 +48,7 @@ def test_file_and_what_is_said(tmp_path: Path) -> None:
         ((*DRY, "--start", "none.json"), 2, "none.json: cannot be read"),
         ((*DRY, "--version", "1.0"), 2, "1.0"),
         (("export", "fmu", "none.toml"), 2, "none.toml"),
-        (("export", "fmu", str(stands.path("remus6")), "--no-binary"), 1, "give a state to begin with by --start"),
+        (("export", "fmu", str(stands.path("remus6")), "--no-binary"), 1, "give an initial state by --start"),
     ],
 )
 def test_refusals(
@@ -75,7 +75,7 @@ def test_without_a_compiler_there_are_sources(tmp_path: Path, monkeypatch: pytes
     target = tmp_path / "b.fmu"
     result = run("export", "fmu", BENCH8, "-o", str(target))
     assert result.exit_code == 0, result.output
-    assert "no binary, sources alone: no C compiler found" in result.stdout
+    assert "no binary, only sources: no C compiler found" in result.stdout
     with zipfile.ZipFile(target) as file:
         assert not [n for n in file.namelist() if n.startswith("binaries/")]
     monkeypatch.setenv("CC", "none-such")

@@ -170,7 +170,7 @@ def _power(e: sp.Pow) -> Node:
 
 
 def _key(e: sp.Expr) -> tuple[object, ...]:
-    """By the names in it, in natural order; weights and rates last."""
+    """Sort key: the names in a term, in natural order; weights and rates last."""
     text = str(e)
     names = sorted(re.sub(r"\d+", lambda m: m[0].zfill(4), n) for n in re.findall(r"[A-Za-z_]\w*(?:\[\d+\])?", text))
     rank = min((_RANKS.get(s.name, 0) for s in e.free_symbols), default=0)

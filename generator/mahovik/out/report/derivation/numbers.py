@@ -76,7 +76,7 @@ class StandNumbers:
 
 KG_M, KG_M2 = '`"kg m"`', '`"kg m"^2`'
 ROUNDING = 1e-14
-"""Of the natural size of its kind: below this a number is rounding."""
+"""Part of the natural size of its kind below which a number is rounding."""
 
 
 def numbers(stand: Stand) -> StandNumbers:

@@ -12,10 +12,10 @@ from mahovik.out.report.plot.panel import Line
 Array = NDArray[np.float64]
 
 MOST = 12
-"""Lines that are told apart in one frame."""
+"""Most lines that a reader can distinguish in one frame."""
 
 NAMED = 6
-"""Of more than these: so many that reach furthest up or down."""
+"""Lines named if there are more: those that reach furthest up or down."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,7 @@ class Band:
 
 
 def condensed(lines: tuple[Line, ...]) -> tuple[Band | None, tuple[Line, ...]]:
-    """Lines that can be told apart; of more than MOST over the same abscissa a band with the furthest of them."""
+    """Distinguishable lines; for more than MOST over the same abscissa, a band and the furthest of them."""
     own = [line for line in lines if line.name and not line.dashed and line.colour is not None]
     if len(own) <= MOST or any(not np.array_equal(line.x, own[0].x) for line in own):
         return None, lines

@@ -22,7 +22,7 @@ ORDERS = 8
 
 
 def panels(found: Sweep) -> list[Panel]:
-    """What there is to see; of one speed alone its spectrum."""
+    """All panels of a sweep; for a single speed its spectrum."""
     what = f"{found.quantity} of {found.point}, {found.unit}"
     steps = [step for step in found.steps if step.problem is None and step.turning.base]
     largest = max((float(step.sizes[1:].max(initial=0.0)) for step in steps), default=0.0)
@@ -46,7 +46,7 @@ def _swept(found: Sweep) -> str:
 
 
 def _span(found: Sweep) -> tuple[float, float]:
-    """Of the speeds, rpm."""
+    """Range of the speeds, rpm."""
     return RPM * float(found.values.min()), RPM * float(found.values.max())
 
 
@@ -68,7 +68,7 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
 
 
 def _first(name: str) -> str:
-    """Of the names of an order the first: "2 x w1" of "2 x w1, w2 = 1 x w3"."""
+    """The first name of an order: "2 x w1" of "2 x w1, w2 = 1 x w3"."""
     return re.split(" = |, ", name, maxsplit=1)[0]
 
 
@@ -99,7 +99,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
 
 
 def _above(values: Array, floor: float) -> Array:
-    """What is below the floor is not drawn."""
+    """Values with NaN below the floor, which are not drawn."""
     return np.where(values > floor, values, np.nan)
 
 

@@ -43,7 +43,7 @@ def read(path: Path) -> dict[str, Array]:
 
 
 def identity(path: Path) -> dict[str, str] | None:
-    """Whose run a file says it is: name, structure and physics of the stand; None where it does not say.
+    """Stand of a run file: its name, structure and physics; None if the file does not have them.
 
     Raises UsageError.
     """
@@ -61,7 +61,7 @@ def _csv(path: Path) -> dict[str, Array]:
     with path.open(encoding="utf-8", newline="") as file:
         head, *rows = list(csv.reader(file)) or [[]]
     if any(len(row) != len(head) for row in rows):
-        raise ValueError(f"a row has not as many numbers as there are names, {len(head)}")
+        raise ValueError(f"a row does not have as many numbers as there are names, {len(head)}")
     data = np.array(rows, dtype=np.float64).reshape(len(rows), len(head))
     return {name: data[:, i] for i, name in enumerate(head)}
 

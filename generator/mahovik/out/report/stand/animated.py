@@ -14,13 +14,13 @@ from mahovik.proof.reference.rotation import attitude
 Array = NDArray[np.float64]
 
 PERIOD_ROWS = 1200
-"""Of a periodic programme."""
+"""Rows for a periodic programme."""
 
 ROWS = 6000
-"""Of one that is not."""
+"""Rows for a finite programme."""
 
 TURNS = 60
-"""Of flywheels at constant speed, until the animation begins anew."""
+"""Turns of flywheels at constant speed before the animation starts again."""
 
 STRAIGHT = 0.1
 """A motion may be thinned where straight lines between the rows left keep to this share of its range,"""

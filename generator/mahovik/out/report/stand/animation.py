@@ -18,13 +18,13 @@ from mahovik.out.report.stand.shape import Shape, Solid, shape_of
 from mahovik.out.report.stand.views import axis_length, names
 
 BYTES = 900_000
-"""Of the rows of a motion, before base64 makes four of three."""
+"""Size of a motion's rows: bytes before base64 (which adds a third)."""
 
 SLOW = 0.6
-"""Turns a second of the fastest flywheel, as the animation begins."""
+"""Turns per second of the fastest flywheel when the animation begins."""
 
 LONGEST = 120.0
-"""s that it takes at most to see the whole, as the animation begins."""
+"""s: longest duration of the whole when the animation begins."""
 
 SHOWN, TURNED = 0.08, 0.25
 """Share of the stand's size, and rad, to which small motion is magnified as the animation begins."""
@@ -67,7 +67,7 @@ def section(material: Material) -> Section | None:
 
 
 def scene(shape: Shape) -> dict[str, Any]:
-    """What does not move in E1, for the canvas; m."""
+    """The fixed part of the scene in E1, for the canvas; m."""
 
     def solid(of: Solid) -> dict[str, Any]:
         return {"name": of.name, "center": _short(of.center), "axes": _short(of.axes.T)}

@@ -25,10 +25,10 @@ NEAR, FAR = 1.6, 2.0
 """The near diagram ends at so many times the last crossing; there is one where the limit is so many times that."""
 
 TOP = 1.15
-"""Of the highest natural frequency: where the ordinate ends."""
+"""End of the ordinate, in units of the highest natural frequency."""
 
 ROOM = 0.15
-"""Of the abscissa."""
+"""Fraction of the axis kept free for labels."""
 
 ANCHOR, TITLE = "campbell", "Campbell diagram: natural frequencies against speed"
 
@@ -89,7 +89,7 @@ def panel(found: Campbell, where: str, absent: int) -> Panel:
 
 
 def _order(n: int, speed: Array, top: float) -> Line:
-    """n times the speed, up to where it leaves the frame; told by its number where there is room."""
+    """n times the speed, up to where it leaves the frame; labelled by its number if there is room."""
     x = np.minimum(np.array([0.0, 1.0]) * speed[-1], 60.0 * top / n)
     tag = f"{n}×" if x[1] > ROOM * speed[-1] else ""
     return Line("", x, n * x / 60.0, None, dashed=True, tag=tag)

@@ -1,4 +1,4 @@
-"""What the C of the stand costs: operations of its program; code, stack and instructions on processors."""
+"""Cost of the C of the stand: operations of its program; code, stack and instructions on processors."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ COMPILED = (("m7", "double"),)
 
 @dataclass(frozen=True)
 class Figures:
-    """Of one target and element type, a function each; `words`: processor, compiler, flags. `instructions` may be {}.
+    """Figures by function for a target and element type; `words`: processor, compiler, flags. `instructions`: or {}.
 
     `text`: bytes of code of the whole file; `source`: SHA-256 of the C.
     """
@@ -126,7 +126,7 @@ def _source(stand: Stand, real: str) -> str:
 
 
 def _accepted(given: Mapping[str, Any]) -> Figures:
-    """Of a target in cost.json."""
+    """Figures of a target in cost.json."""
     by = {each["function"]: each for each in given["functions"]}
     counter = f"; instructions counted by {given['emulator']}" if given.get("emulator") else ""
     return Figures(

@@ -23,10 +23,10 @@ from mahovik.use.plan.residual.prescribed import prescribed_at
 Rows = NDArray[np.intp]
 
 ROWS = 1500
-"""Of a run, at which the equations are evaluated again."""
+"""Rows of a run at which the equations are evaluated again."""
 
 LEAST = 1e-17
-"""What is drawn of a residual that is zero."""
+"""Value drawn for a residual of zero."""
 
 
 def section(material: Material) -> Section | None:
@@ -54,7 +54,7 @@ def section(material: Material) -> Section | None:
 
 
 def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
-    """Of (8) in the K0^-1/2 norm over its largest term, and of torques over the largest; None where nothing to judge.
+    """Residual of (8) in the K0^-1/2 norm over its largest term, and of torques over the largest; None without data.
 
     A run that follows a programme has no accelerations.
     """
@@ -62,7 +62,7 @@ def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
         return None
     own = Mechanics.of(stand)
     at = prescribed_at(own, twists(stand, run, rows))
-    with np.errstate(all="ignore"):  # of a carrier that is thrown off: not finite is not drawn
+    with np.errstate(all="ignore"):  # not finite if the carrier moves too violently: not drawn
         W = flywheel_wrenches(at, run.phi[rows], run.phi_dot[rows], run.phi_ddot[rows])
         root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
         sum_W = W[:6].sum(axis=2).T

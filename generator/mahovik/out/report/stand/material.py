@@ -1,4 +1,4 @@
-"""What all sections of a report are made from."""
+"""Common input of all sections of a report."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from mahovik.out.report.stand.run import Run
 
 @dataclass(frozen=True, eq=False)
 class Material:
-    """A stand with what was given beside it. Files are named without their folders: `..._file`, "" where not given.
+    """A stand with the other inputs of the report. Files are named without folders: `..._file`, "" if not given.
 
     state, state_words   at which matrices are shown, and which state that is, in words
     run          of this stand; None: none was given

@@ -1,4 +1,4 @@
-"""Matrices of (8)-(11) at a state, with numbers, and what balances what in (8) there."""
+"""Matrices of (8)-(11) at a state, with numbers, and the balance of (8) there."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ EQUATIONS = (
     ("10", 'V = A dot(q), "   "V* = A ddot(q) + D dot(q), "   "A = {C^T, 0; 0, B}'),
     ("11", 'I_0 ddot(q) + J_0 dot(q) + I ddot(phi) + J dot(phi) = F, "   "I_0 = K A, "   "J_0 = K D + M A'),
 )
-"""As docs/model.md has them."""
+"""Equations in the notation of docs/model.md."""
 
 _THREE = ("1", "2", "3")
 _ANGLES = ("ψ", "θ", "φ")

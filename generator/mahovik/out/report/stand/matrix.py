@@ -24,12 +24,12 @@ DECADES = 3.0
 """Below the largest of its block by as many powers of ten, an element has the lightest shade."""
 
 ROUNDING = 1e-13
-"""Of the natural scale: what is smaller is rounding, and shown as such."""
+"""Part of the natural scale below which a number is rounding, and shown as such."""
 
 
 @dataclass(frozen=True)
 class Side:
-    """What the rows or the columns of a matrix are: groups with a heading, each with the names of its lines."""
+    """Meaning of the rows or columns of a matrix: groups with a heading, each with the names of its lines."""
 
     groups: tuple[tuple[Cell, tuple[str, ...]], ...]
 
@@ -43,15 +43,15 @@ class Side:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of all lines."""
+        """Names of all lines."""
         return tuple(name for _, names in self.groups for name in names)
 
 
 def matrix(caption: Cell, values: Array, scale: Array, rows: Side, columns: Side) -> Markup:
     """A figure with the matrix `values`; `scale`, of its shape: the natural scale, which tells rounding from numbers.
 
-    A dot is a zero, "≈0" rounding. Blocks are those of the groups of rows and columns; each has shades of its own, as
-    its unit is its own.
+    A dot is a zero, "≈0" rounding. Blocks are those of the groups of rows and columns; each has its own shades, since
+    it has its own unit.
     """
     assert values.shape == scale.shape == (len(rows.names), len(columns.names))
     top = [Markup('<tr><td colspan="2"></td>')]
@@ -92,7 +92,7 @@ def shade(value: float, largest: float) -> int:
 
 
 def _starts(side: Side, index: int) -> bool:
-    """Does a line begin a group that is not the first?"""
+    """Whether a line begins a group other than the first."""
     return index > 0 and index in side.starts
 
 
@@ -101,7 +101,7 @@ def _edge(begins: int, first: int) -> str:
 
 
 def _largest(values: Array, rows: Side, columns: Side, i: int, j: int) -> float:
-    """Of the block in which an element lies."""
+    """Largest element of the block in which an element lies."""
     (top, bottom), (left, right) = _span(rows.starts, i), _span(columns.starts, j)
     return float(np.abs(values[top:bottom, left:right]).max())
 

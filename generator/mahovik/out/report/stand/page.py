@@ -31,7 +31,7 @@ ORDER = (
 """Modules of this folder, each with a function `section`: in the order of the page."""
 
 BESIDE = ("verification", "cost")
-"""Those that wait for compilers: they are made beside the others."""
+"""Sections that wait for compilers, made in parallel with the others."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def page(material: Material, made: Callable[[int], None] = lambda count: None) -
 
 
 def _sections(material: Material, tell: Callable[[int], None]) -> list[Section]:
-    """Those that have something to show, in their order."""
+    """Sections with content, in their order."""
     done: list[str] = []
 
     def section(name: str) -> Section | None:
@@ -81,7 +81,7 @@ def _sections(material: Material, tell: Callable[[int], None]) -> list[Section]:
 
 
 def _files(material: Material) -> list[tuple[str, str]]:
-    """What the report was made from: kind and name of each file."""
+    """Sources of the report: kind and name of each file."""
     run = "" if material.run is None else material.run.source
     given = (
         ("stand", material.stand_file),

@@ -19,7 +19,7 @@ from mahovik.use.study.reach import Reach, reach
 RPM = 30.0 / math.pi
 
 BEYOND = 1.1
-"""Of the limit of speed: how far the abscissa goes."""
+"""End of the abscissa, in units of the speed limit."""
 
 POINTS = 60
 
@@ -27,7 +27,7 @@ LONG = 16
 """Rows of a table beyond which it is closed until it is asked for."""
 
 NOTHING = 1e-9
-"""Of the largest: a wrench along an axis below this is rounding."""
+"""Part of the largest below which a wrench along an axis is rounding."""
 
 AXES = ("x", "y", "z")
 

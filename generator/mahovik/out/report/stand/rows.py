@@ -1,4 +1,4 @@
-"""Which rows of a long run are evaluated again."""
+"""Choice of rows of a long run to evaluate again."""
 
 from __future__ import annotations
 

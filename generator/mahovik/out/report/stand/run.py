@@ -34,7 +34,7 @@ class Run:
 
     @cached_property
     def position(self) -> Array:
-        """Of O1 in E0 (M, 3), m."""
+        """Position of O1 in E0 (M, 3), m."""
         return self._stack([f"{a} [m]" for a in "xyz"])
 
     @cached_property
@@ -51,7 +51,7 @@ class Run:
 
     @cached_property
     def V_dot(self) -> Array | None:
-        """Derivative of its components (M, 6); m/s2, rad/s2. None: a run that follows a programme has it not."""
+        """Derivative of its components (M, 6); m/s2, rad/s2. None: a run that follows a programme does not have it."""
         names = [*(f"v_dot_{a} [m/s2]" for a in "xyz"), *(f"omega_dot_{a} [rad/s2]" for a in "xyz")]
         return self._stack(names) if names[0] in self.columns else None
 
@@ -67,7 +67,7 @@ class Run:
 
     @cached_property
     def phi_ddot(self) -> Array | None:
-        """Accelerations of the flywheels (M, N), rad/s2. None: a run that follows a programme has them not."""
+        """Accelerations of the flywheels (M, N), rad/s2. None: a run that follows a programme does not have them."""
         there = all(f"phi_ddot {name} [rad/s2]" in self.columns for name in self.flywheels)
         return self._flywheels("phi_ddot", "rad/s2") if there else None
 

@@ -1,4 +1,4 @@
-"""Is a run one of this stand? By the identities it carries, by its columns, and by the equations themselves."""
+"""Check that a run belongs to a stand: by its identities, by its columns, and by the equations themselves."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from mahovik.proof.verify.scales import scales
 from mahovik.use.simulate.columns import column_names
 
 AGREES = 1e-6
-"""Of the natural scale; numbers of a run are good to more digits, those of another stand are not as near."""
+"""Part of the natural scale: numbers of a run agree better, those of another stand worse."""
 
 UNIT = 1e-6
-"""How far from 1 the length of a quaternion may be."""
+"""Largest deviation of a quaternion's length from 1."""
 
 _FLYWHEEL, _POINT = re.compile(r"phi_dot (\w+) \[rad/s\]"), re.compile(r"force_x (\w+) \[m/s2\]")
 _POSE_AND_TWIST = 14

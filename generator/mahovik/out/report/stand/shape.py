@@ -1,4 +1,4 @@
-"""What a stand looks like as far as its file says: equivalent ellipsoids and discs, axes, unbalance, ties; all in E1.
+"""Shape of a stand for drawings: equivalent ellipsoids and discs, axes, unbalance, ties; all in E1.
 
 The file gives no shapes. A carrier or an instrument is drawn as the homogeneous ellipsoid of its mass, centre of mass
 and inertia; a flywheel as the homogeneous cylinder of its mass and of its inertia along and across its axis.
@@ -21,7 +21,7 @@ from mahovik.out.report.stand.tie import Tie
 Array = NDArray[np.float64]
 
 BARE = 0.04
-"""Radius of what has no mass of its own, as a share of the distance of the farthest body."""
+"""Radius of bodies without mass, as a share of the distance of the farthest body."""
 
 
 @dataclass(frozen=True, eq=False)

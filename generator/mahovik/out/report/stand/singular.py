@@ -20,13 +20,13 @@ MOST = 3000
 """Times or angles looked at."""
 
 POINTS = 720
-"""Of a turn or a programme."""
+"""Points along a turn or a programme."""
 
 NEAR = 1e-2
-"""Of the largest singular value: a least one below this is shaded."""
+"""Part of the largest singular value below which the least one is shaded."""
 
 LEAST = 1e-12
-"""What is drawn of a singular value that is zero."""
+"""Value drawn for a singular value of zero."""
 
 
 def section(material: Material) -> Section | None:
@@ -90,7 +90,7 @@ def condition(sigma: Array) -> Array:
 
 
 def stretches(x: Array, flags: NDArray[np.bool_]) -> tuple[tuple[float, float], ...]:
-    """From where to where flags (M) stand, to the middle of the neighbours."""
+    """Intervals where flags (M) are set, up to the middle of the neighbours."""
     if not len(x):
         return ()
     edges = np.concatenate([x[:1], (x[1:] + x[:-1]) / 2.0, x[-1:]])

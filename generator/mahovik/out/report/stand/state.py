@@ -34,7 +34,7 @@ def state_shown(stand: Stand, run: Run | None) -> tuple[State, str]:
 
 
 def chosen_state(stand: Stand) -> State:
-    """The same for the same stand: attitude away from the singularity of every sequence, flywheels at speed."""
+    """A fixed state for a stand: attitude away from the singularity of every sequence, flywheels at speed."""
     rows = summarize(stand).unbalance
     return State(
         position=(0.0, 0.0, 0.0),

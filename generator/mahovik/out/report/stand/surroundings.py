@@ -1,4 +1,4 @@
-"""What acts on a stand, in words: gravity, fluid, laws of `laws/`, wrenches given at run time; places of interest."""
+"""All that acts on a stand, in words: gravity, fluid, laws of `laws/`, run-time wrenches; places."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def derivations_table(found: Report) -> Markup:
 
 
 def judges_table(stand: Stand, outside: Mapping[str, Report]) -> Markup:
-    """One table of all judges; a quantity that one of them has not is blank there."""
+    """One table of all judges; quantities that a judge does not have are blank."""
     left = missing(stand)
     words = (
         "Programs of others that know nothing of this one, against the literal reference, with which the C was "
@@ -112,7 +112,7 @@ def _verdict_line(found: Report, by: str = "") -> Markup:
 
 
 def failures_of(found: Report, by: str) -> list[str]:
-    """What a page says of a comparison that did not pass, a line each; `by`: who compared."""
+    """Messages about a comparison that did not pass, one line each; `by`: the judge."""
     if found.error:
         return [f"{by}: {found.error}"]
     lines = [f"{by}: {row.quantity}: {row.disagreement or row.reason or 'FAILED'}" for row in found.failures]

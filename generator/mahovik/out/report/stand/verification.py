@@ -1,4 +1,4 @@
-"""What judged the equations of the stand, now, and how it came out; and what was not run, with its command."""
+"""Verification of the stand, run now, with results; and the checks that were not run, with their commands."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def _introduction() -> Markup:
 
 
 def _three(stand: Stand) -> tuple[Report, str]:
-    """Compiled C, reference and second derivation; without a compiler the C's program, interpreted, and why."""
+    """Compiled C, reference and second derivation; without a compiler, the interpreted program and the reason."""
     try:
         find_compiler()
     except ToolchainError as error:

@@ -16,7 +16,7 @@ CROWD = 12
 """Flywheels from which on they are named by their number."""
 
 COLOURS = 8
-"""Of the page: c1 to c8."""
+"""Number of colours of the page: c1 to c8."""
 
 FAR = 2.5
 """Times the stand's size: a tie to a ground point beyond is cut off."""
@@ -33,24 +33,24 @@ class Magnified:
 
 
 def colour(index: int) -> str:
-    """Of a flywheel."""
+    """Colour of a flywheel."""
     return f"var(--c{index % COLOURS + 1})"
 
 
 def names(shape: Shape) -> list[str]:
-    """How flywheels are named in the drawing: by their number from 1 where they are many or a name is long."""
+    """Names of flywheels in the drawing: numbers from 1 if they are many or a name is long."""
     given = [disc.name for disc in shape.flywheels]
     by_number = len(given) > CROWD or any(len(name) > 10 for name in given)
     return [str(i + 1) for i in range(len(given))] if by_number else given
 
 
 def spin_length(disc: Disc) -> float:
-    """From the centre of a disc to the tip of its spin axis, m."""
+    """Length from the centre of a disc to the tip of its spin axis, m."""
     return disc.thickness / 2 + 0.75 * disc.radius
 
 
 def axis_length(shape: Shape) -> float:
-    """Of the axes of E1 in the drawing, m."""
+    """Length of the axes of E1 in the drawing, m."""
     middle = float(np.sort(np.linalg.norm(shape.carrier.axes, axis=0))[1])
     return min(0.32 * shape.size, 0.7 * middle) if middle else 0.32 * shape.size
 

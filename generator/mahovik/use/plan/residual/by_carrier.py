@@ -53,7 +53,7 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
 
 
 def _housing(housing: Housing, at: Twists) -> tuple[Array, Array, Array]:
-    """Of carrier and instruments without their ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
+    """Derivatives for carrier and instruments, without ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
     momentum = at.V_r @ housing.K
     by_V_r = -motor_cross(at.V_r) @ housing.K - momentum_cross(momentum)
     for L, damping in housing.damped:
@@ -63,7 +63,7 @@ def _housing(housing: Housing, at: Twists) -> tuple[Array, Array, Array]:
 
 
 def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:
-    """Of W_s (M, N, 6, 6): by V_r, V_r*, and gravity in E1 (M, N, 6, 3)."""
+    """Derivatives of W_s (M, N, 6, 6): by V_r, V_r*, and gravity in E1 (M, N, 6, 3)."""
     h, slopes = waves(phi)
     Theta = np.einsum("hms,hsij->msij", h, tables.Theta)
     Theta_dot = np.einsum("hms,hsij->msij", slopes * phi_dot, tables.Theta)
@@ -87,7 +87,7 @@ def momentum_cross(Z: Array) -> Array:
 
 
 def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Array, by_g: Array) -> Slopes:
-    """By pose and V of what depends on V_r = V - (u, 0), V_r* = V* + (omega x u, 0) and g, u and g fixed in E0."""
+    """Derivatives by pose and V, from those by V_r = V - (u, 0), V_r* = V* + (omega x u, 0) and g; u, g fixed in E0."""
     M = len(at.V)
     among = (M,) + (1,) * (by_g.ndim - 3) + (3, 3)  # flywheels, where there are any, share the carrier's pose
     gravity, u = (

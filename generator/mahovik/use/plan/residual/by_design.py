@@ -33,7 +33,7 @@ PARAMETERS = (
     "position 1", "position 2", "position 3", "turn 1", "turn 2", "turn 3", "mass",
     "center 1", "center 2", "center 3", "J11", "J22", "J33", "J12", "J13", "J23",
 )  # fmt: skip
-"""Of each flywheel, in this order:
+"""Parameters of each flywheel, in this order:
 
 position  Os in the mount's frame, m
 turn      small rotation of its axes at phi = 0 about its own axes, rad: 1 shifts the phase, 2 and 3 tilt the axis
@@ -96,7 +96,7 @@ def motors(stand: Stand, wheel: Flywheel) -> Array:
 
 
 def mass_rates(wheel: Flywheel) -> tuple[Array, Array, Array]:
-    """Of each of MASSES: derivatives of mass (10), first moment (10, 3) and inertia about the origin (10, 3, 3)."""
+    """Derivatives by MASSES: of mass (10), first moment (10, 3) and inertia about the origin (10, 3, 3)."""
     m, center = wheel.mass, np.array(wheel.center_of_mass)
     mass, moment, J = np.zeros(MASSES), np.zeros((MASSES, 3)), np.zeros((MASSES, 3, 3))
     mass[0], moment[0], moment[1:4] = 1.0, center, m * np.eye(3)

@@ -30,7 +30,7 @@ f = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class Tables:
-    """Of N flywheels, harmonics h = 1, cos, sin, cos 2, sin 2 first; in E1 about O1.
+    """Tables of N flywheels, harmonics h = 1, cos, sin, cos 2, sin 2 first; in E1 about O1.
 
     Theta    (5, N, 6, 6): Ls Theta_s Ls^T
     weight   (5, N, 6, 3): wrench of weight and buoyancy by gravity in E1
