@@ -82,7 +82,7 @@ def test_faults_leave_the_right_answers_as_they_are() -> None:
     first = own.whole.head(FIRST)
     known = own.predictions._pieces
     assert known
-    found = first.filled(Faulty(stand(), (), known).answer)
+    found = first.fill(Faulty(stand(), (), known).answer)
     assert np.array_equal(found, first.expected)
 
 

@@ -182,7 +182,7 @@ class _SelfTest:
             yield f"{INDENT}if (status < 0) {{"
             for name, _, _ in out:
                 place = f"results.{f.name}.{name}"
-                yield f"{INDENT * 2}untouched(sum, &{place}, sizeof {place});"
+                yield from wrapped(f"untouched(sum, &{place}, sizeof {place});", INDENT * 2)
             yield f"{INDENT * 2}return;"
             yield f"{INDENT}}}"
         for name, type_, shape in out:

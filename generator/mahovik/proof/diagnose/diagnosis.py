@@ -87,20 +87,20 @@ class Clinic:
 
     def diagnose(self, answers: Answers) -> Diagnosis:
         """The diagnosis of a program by its answers to `requests`."""
-        found = self.whole.filled(answers)
+        found = self.whole.fill(answers)
         if not np.isfinite(found).any():
             return Diagnosis("nothing")
         fine, coarse = (self._evidence(found, real) for real in ("double", "float"))
         if not self._wrong(fine):
             return Diagnosis("equal")
         if not self._wrong(coarse):  # no larger than rounding of float: only a perfect likeness is a fault
-            strict = self._searched(fine, freely=False)
+            strict = self._search(fine, freely=False)
             exact = strict.outcome == "named" and strict.causes[0].score <= EXACT
             return strict if exact else replace(strict, outcome="rounding", causes=(), others=(), confidence=0.0)
-        double = self._searched(fine)
+        double = self._search(fine)
         if double.outcome == "named" and double.causes[0].score <= EXACT:
             return double
-        single = self._searched(coarse)
+        single = self._search(coarse)
         return max((double, single), key=lambda each: (each.outcome == "named", -_score(each)))
 
     def _evidence(self, found: Array, real: str) -> Evidence:
@@ -113,7 +113,7 @@ class Clinic:
         blocks = sorted({int(i) for i in evidence.block[there]})
         return tuple(f"{want}: {quantity}" for want, quantity in (self.whole.quantities[i] for i in blocks))
 
-    def _searched(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
+    def _search(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
         wrong = self._wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
         ranked = search.ranked(freely)

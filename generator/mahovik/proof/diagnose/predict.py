@@ -68,17 +68,17 @@ class Faulty:
         stand, state = self._stand, given
         for part in self._suspect:
             case = Case(stand, state, want, part.wrong)
-            stand = _changed("stand", stand, part, case)
-            state = _changed("state", state, part, replace(case, stand=stand))
+            stand = _apply("stand", stand, part, case)
+            state = _apply("state", state, part, replace(case, stand=stand))
         if id(given) not in self._known:
             self._known[id(given)] = given, self._pieces(stand, state, want)
         _, at = self._known[id(given)]
         cases = [(part, Case(stand, state, want, part.wrong)) for part in self._suspect]
         for part, case in cases:
-            at = _changed("pieces", at, part, case)
+            at = _apply("pieces", at, part, case)
         values = reference.evaluate(stand, state, (want,), at)
         for part, case in cases:
-            values = _changed("values", values, part, case, at)
+            values = _apply("values", values, part, case, at)
         return {name: value for name, value in values.items() if name not in NOT_COMPARED}
 
     def _pieces(self, stand: Stand, state: State, want: str) -> Pieces:
@@ -86,20 +86,20 @@ class Faulty:
         bodies, C = bodies_of(stand), carrier_rotation(stand, state)
         for part in self._suspect:
             case = Case(stand, state, want, part.wrong)
-            bodies = _changed("bodies", bodies, part, case)
-            turned = _changed("attitude", C, part, case)
+            bodies = _apply("bodies", bodies, part, case)
+            turned = _apply("attitude", C, part, case)
             if turned is not C:
-                C, state = turned, _turned(state, turned)
+                C, state = turned, _with_attitude(state, turned)
         return reference.pieces(stand, state, bodies)
 
 
-def _turned(state: State, C: Array) -> State:
+def _with_attitude(state: State, C: Array) -> State:
     """The state with the attitude C (3x3)."""
     x, y, z, w = Rotation.from_matrix(C).as_quat()
     return replace(state, angles=None, quaternion=cast(Quaternion, (w, x, y, z)))
 
 
-def _changed(stage: Stage, right: Any, part: Part, case: Case, *more: object) -> Any:
+def _apply(stage: Stage, right: Any, part: Part, case: Case, *more: object) -> Any:
     """What a stage gives, after the changes of one fault."""
     for edit in part.fault.edits:
         if edit.stage == stage:
@@ -135,7 +135,7 @@ class Predictions:
         return self._errors[key]
 
     def _answers(self, sheet: Sheet, suspect: Suspect) -> Array:
-        return sheet.filled(Faulty(self._stand, suspect, self._pieces).answer)
+        return sheet.fill(Faulty(self._stand, suspect, self._pieces).answer)
 
 
 def singles(faults: Sequence[Fault]) -> list[Suspect]:

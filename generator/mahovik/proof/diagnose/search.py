@@ -106,7 +106,7 @@ class Search:
         """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
         found: list[Finding] = []
         for stage in (self._of_all, self._of_one, *((self._parts, self._pairs) if freely else ())):
-            found = self._confirmed([*found, *stage(found)])
+            found = self._confirm([*found, *stage(found)])
             if found and found[0].match.score <= EXACT:
                 break
         return found
@@ -118,11 +118,11 @@ class Search:
     def twins(self, finding: Finding, others: Sequence[Finding]) -> list[Finding]:
         """Others that are the same as the finding at all states."""
         noise, block = self._rounding(True)
-        own = finding.share * self._predicted(finding.suspect, True)
+        own = finding.share * self._prediction(finding.suspect, True)
         return [
             other
             for other in others
-            if match(own, other.share * self._predicted(other.suspect, True), noise, block).score <= TWIN
+            if match(own, other.share * self._prediction(other.suspect, True), noise, block).score <= TWIN
         ]
 
     def _of_all(self, found: Sequence[Finding]) -> Iterator[Finding]:
@@ -130,7 +130,7 @@ class Search:
         for each in singles(DICTIONARY):
             if self._visible(each):
                 self._tried.append(each)
-                yield self._examined(each, False)
+                yield self._examine(each, False)
 
     def _of_one(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Every fault of flywheels that spoils much the same quantities, in one flywheel alone.
@@ -139,53 +139,53 @@ class Search:
         """
         if len(self._stand.flywheels) < 2:
             return
-        spoiled = self._spoiled(self._e(False))
+        spoiled = self._spoiled_quantities(self._e(False))
         for (part,) in singles([fault for fault in DICTIONARY if fault.of_flywheels]):
-            like = self._spoiled(self._predicted((part,), False))
+            like = self._spoiled_quantities(self._prediction((part,), False))
             if len(spoiled & like) >= ALIKE * len(spoiled):
                 for wheel in self._stand.flywheels:
                     self._tried.append((Part(part.fault, wheel.name),))
-                    yield self._examined(self._tried[-1], False)
+                    yield self._examine(self._tried[-1], False)
 
     def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Shares of the faults tried so far."""
         e = self._e(False)
         noise, _ = self._rounding(False)
         for each in list(self._tried):
-            a = share(e, self._predicted(each, False), noise)
+            a = share(e, self._prediction(each, False), noise)
             if LEAST_SHARE <= abs(a) <= LARGEST_SHARE and abs(a - 1.0) > WHOLE:
-                yield self._examined(each, False, a)
+                yield self._examine(each, False, a)
 
     def _pairs(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Two at once: those whose errors add up to what was found, then as one program that has both."""
         e = self._e(False)
         noise, block = self._rounding(False)
-        alone = [(self._examined(each, False).match.rest, each) for each in self._tried]
+        alone = [(self._examine(each, False).match.rest, each) for each in self._tried]
         alone.sort(key=lambda pair: pair[0])
         likely = [each for rest, each in alone[:PAIRED] if rest < 1.0]
         sums = []
         for a, b in combinations(likely, 2):
             if a[0].fault is not b[0].fault:
-                p = self._predicted(a, False) + self._predicted(b, False)
+                p = self._prediction(a, False) + self._prediction(b, False)
                 sums.append((match(e, p, noise, block).score, (*a, *b)))
         sums.sort(key=lambda pair: pair[0])
-        yield from (self._examined(both, False) for _, both in sums[:SHORT_LIST])
+        yield from (self._examine(both, False) for _, both in sums[:SHORT_LIST])
 
-    def _confirmed(self, found: Sequence[Finding]) -> list[Finding]:
+    def _confirm(self, found: Sequence[Finding]) -> list[Finding]:
         """The best of them at all states, then the best first."""
         best = {(each.suspect, each.share): each for each in sorted(found, key=lambda each: each.cost)[:SHORT_LIST]}
         return sorted(
-            (self._examined(each.suspect, True, each.share) for each in best.values()), key=lambda each: each.cost
+            (self._examine(each.suspect, True, each.share) for each in best.values()), key=lambda each: each.cost
         )
 
-    def _examined(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
+    def _examine(self, suspect: Suspect, whole: bool, a: float = 1.0) -> Finding:
         noise, block = self._rounding(whole)
-        return Finding(suspect, a, match(self._e(whole), a * self._predicted(suspect, whole), noise, block))
+        return Finding(suspect, a, match(self._e(whole), a * self._prediction(suspect, whole), noise, block))
 
     def _e(self, whole: bool) -> Array:
         return self._e_whole if whole else self._e_first
 
-    def _predicted(self, suspect: Suspect, whole: bool) -> Array:
+    def _prediction(self, suspect: Suspect, whole: bool) -> Array:
         return self._predictions.error(suspect, whole)[self._asked[whole]]
 
     def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
@@ -193,9 +193,9 @@ class Search:
         return self._noise_whole if whole else self._noise_first, self._blocks[whole]
 
     def _visible(self, suspect: Suspect) -> bool:
-        return not np.all(np.abs(self._predicted(suspect, False)) <= self._noise_first)
+        return not np.all(np.abs(self._prediction(suspect, False)) <= self._noise_first)
 
-    def _spoiled(self, error: Array) -> set[int]:
+    def _spoiled_quantities(self, error: Array) -> set[int]:
         """Quantities that an error of the first states is in."""
         noise, block = self._rounding(False)
         return set(np.unique(block[~(np.abs(error) <= noise)]).tolist())

@@ -42,7 +42,7 @@ class Sheet:
     scale: Array
     parts: tuple[tuple[tuple[tuple[str, ...], tuple[int, ...], int], ...], ...]
 
-    def filled(self, answers: Callable[[Request], Mapping[str, Any]]) -> Array:
+    def fill(self, answers: Callable[[Request], Mapping[str, Any]]) -> Array:
         """The same numbers of somebody else; NaN where there is none, or none of the right shape."""
         found = np.full(self.expected.size, np.nan)
         for request, parts in zip(self.requests, self.parts, strict=True):

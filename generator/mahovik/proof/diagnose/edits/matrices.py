@@ -33,7 +33,7 @@ def minus(right: Array, *_: object) -> Array:
 # ---- bodies ----
 
 
-def placed(change: Callable[[Any], Any]) -> Edit:
+def place(change: Callable[[Any], Any]) -> Edit:
     """The inertia and the place of a body: `Mounted` of a flywheel, else `Fixed`."""
 
     def edit(bodies: Bodies, case: Case) -> Bodies:
@@ -47,7 +47,7 @@ def placed(change: Callable[[Any], Any]) -> Edit:
 
 def theta(change: Callable[[Array, Body], Array]) -> Edit:
     """Theta (6x6) about the body's origin, in its axes."""
-    return placed(lambda k: replace(k, Theta=change(k.Theta, k.body)))
+    return place(lambda k: replace(k, Theta=change(k.Theta, k.body)))
 
 
 def tensor(change: Callable[[Array, Body], Array]) -> Edit:
@@ -63,12 +63,12 @@ def tensor(change: Callable[[Array, Body], Array]) -> Edit:
 
 def mounting(change: Callable[[Mounted], Array]) -> Edit:
     """C (3x3), the flywheel's axes in its mount at phase zero."""
-    return placed(lambda s: replace(s, C=change(s)))
+    return place(lambda s: replace(s, C=change(s)))
 
 
 def added_mass(change: Callable[[Array, Fixed], Array]) -> Edit:
     """Lambda (6x6) of the carrier or an instrument."""
-    return placed(lambda k: replace(k, Lambda=change(k.Lambda, k)))
+    return place(lambda k: replace(k, Lambda=change(k.Lambda, k)))
 
 
 # ---- pieces ----

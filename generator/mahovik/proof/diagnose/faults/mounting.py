@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, MountingAxes
-from mahovik.proof.diagnose.edits.matrices import mounting, placed
+from mahovik.proof.diagnose.edits.matrices import mounting, place
 from mahovik.proof.diagnose.edits.reading import body, wheel
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
@@ -75,17 +75,17 @@ FAULTS = (
     Fault("phase in degrees", "(2): Ls", "flywheels", [wheel("phi", math.radians)],
           "The phase of the flywheels is taken in degrees",
           "phi is in rad"),
-    Fault("mount ignored", "(2): Ls = Lp L", "flywheels", [placed(lambda s: replace(s, L_mount=np.eye(6)))],
+    Fault("mount ignored", "(2): Ls = Lp L", "flywheels", [place(lambda s: replace(s, L_mount=np.eye(6)))],
           "Flywheels on an instrument are placed as if on the carrier: the instrument's place and axes are left out",
           "`mount` of each flywheel"),
-    Fault("flywheel position ignored", "(2): Ls", "flywheels", [placed(lambda s: replace(s, T=np.eye(6)))],
+    Fault("flywheel position ignored", "(2): Ls", "flywheels", [place(lambda s: replace(s, T=np.eye(6)))],
           "The place of the flywheels is ignored: Os is taken at the origin of the mount",
           "<Os> in T of Ls = T [C]"),
     Fault("flywheel position, sign", "(2): Ls", "flywheels",
-          [placed(lambda s: replace(s, T=T(-np.array(s.body.position))))],
+          [place(lambda s: replace(s, T=T(-np.array(s.body.position))))],
           "The place of the flywheels has the wrong sign: from Os to the mount",
           "Os is the flywheel's origin in its mount; <O> b = O x b"),
-    Fault("instrument rotation transposed", "(2): Lp", "fixed", [placed(transposed)],
+    Fault("instrument rotation transposed", "(2): Lp", "fixed", [place(transposed)],
           "The rotation of the instruments is transposed, for themselves; flywheels and points on them are right",
           "columns of Cp are the instrument's axes in E1"),
     Fault("axis of any length not normalised", "(2): Ls", "flywheels", [mounting(not_normalised)],

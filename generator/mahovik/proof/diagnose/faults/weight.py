@@ -25,13 +25,13 @@ def at_mass_center(P: Array, k: Placed, at: Pieces) -> Array:
     return np.concatenate([P[:3], P[3:] + np.cross(np.array(k.body.center_of_mass), P[:3])])
 
 
-def not_turned(P: Array, k: Placed, at: Pieces) -> Array:
+def in_axes_at_zero(P: Array, k: Placed, at: Pieces) -> Array:
     """A wrench (6) of the flywheel's axes at phase zero, in Es."""
     assert isinstance(k, Spinning)
     return block_diagonal(C1(k.phi)).T @ P
 
 
-def turned(P: Array, k: Placed) -> Array:
+def rotated_wrench(P: Array, k: Placed) -> Array:
     """A wrench (6) in the axes of E1, about the body's own origin."""
     return block_diagonal(k.L[:3, :3]) @ P
 
@@ -78,13 +78,13 @@ FAULTS = (
     Fault("buoyancy missing", "(7)", "all", [wrench(zero, "buoyancy")],
           "Buoyancy is missing",
           "`buoyancy` of carrier, instruments, flywheels"),
-    Fault("wrench about the wrong point", "(7)", "all", [carried(turned)],
+    Fault("wrench about the wrong point", "(7)", "all", [carried(rotated_wrench)],
           "Wrenches of instruments and flywheels act without the arm of their place: moments about their own origins",
           "Lp P_p, Ls P_s: the force's moment about O1"),
-    Fault("arm of wrenches, sign", "(7)", "all", [carried(lambda P, k: 2 * turned(P, k) - k.L @ P)],
+    Fault("arm of wrenches, sign", "(7)", "all", [carried(lambda P, k: 2 * rotated_wrench(P, k) - k.L @ P)],
           "The arm of wrenches of instruments and flywheels has the wrong sign",
           "<O> in T: O x force"),
-    Fault("run-time wrench does not turn", "(7)", "flywheels", [wrench(not_turned, "run-time")],
+    Fault("run-time wrench does not turn", "(7)", "flywheels", [wrench(in_axes_at_zero, "run-time")],
           "The run-time wrench of a flywheel does not turn with it: it is taken in the axes of phase zero",
           "a run-time wrench of a flywheel is in Es, which turns with phi"),
     Fault("run-time wrench ignored", "(7)", "all", [wrench(zero, "run-time")],
