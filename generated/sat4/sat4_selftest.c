@@ -678,7 +678,8 @@ static sat4_status call_center_of_mass_velocity(void)
 static void take_center_of_mass_velocity_results(tally *sum, sat4_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
+            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
         return;
     }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);

@@ -673,7 +673,8 @@ static shaker2_status call_center_of_mass_velocity(void)
 static void take_center_of_mass_velocity_results(tally *sum, shaker2_status status)
 {
     if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity, sizeof results.center_of_mass_velocity.center_of_mass_velocity);
+        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
+            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
         return;
     }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);

@@ -81,7 +81,7 @@ def test_modes_for_people() -> None:
     assert said.startswith("bench8 at rest, flywheels locked")
     assert "1.45265         0.06115   rz 1  ry 0.03 at -7 deg" in said
     free = run("modes", AUV6).stdout
-    assert "without a frequency: free" in free
+    assert "without a frequency: a free" in free
     assert "phi left 1  phi right 1" in run("modes", SHAKER2, "--flywheels", "free").stdout
 
 
@@ -106,12 +106,12 @@ def test_an_unstable_pose_is_named(tmp_path: Path) -> None:
 
 
 def test_a_moment_of_a_motion_is_not_called_unstable(tmp_path: Path) -> None:
-    """Unbalance that turns shakes the carrier: the eigenvalues of a moment do not tell stability."""
+    """Unbalance that turns shakes the carrier: the eigenvalues of a moment do not show stability."""
     state = tmp_path / "state.json"
     state.write_text('{"phi_dot": [314, 0, 0, 0]}', encoding="utf-8")
     said = run("modes", SAT4, "--at", str(state)).stdout
     assert "growth" in said
-    assert "of one moment" in said
+    assert "valid for one moment" in said
     assert "unstable" not in said
     assert json.loads(run("modes", SAT4, "--at", str(state), "--json").stdout)["steady"] is False
     assert json.loads(run("modes", SAT4, "--json").stdout)["steady"] is True

@@ -48,7 +48,7 @@ def test_json_can_be_evaluated() -> None:
 def test_no_equilibrium_is_status_1_with_direction_and_size() -> None:
     said = refused("rest", str(path("remus6")), status=1)
     assert "nothing carries a force of 6.99" in said
-    assert "along (0, 0, -1) of E0" in said
+    assert "along (0, 0, -1) in E0" in said
     assert len(said.splitlines()) == 1
 
 

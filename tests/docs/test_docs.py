@@ -172,7 +172,7 @@ def test_harmonics_are_those_of_the_derivation() -> None:
 
 @pytest.mark.parametrize("block", [b for b in blocks(STAND_FILE) if b.language == "toml"], ids=lambda b: b.name)
 def test_stand_files_load(block: Block) -> None:
-    assert loads(block.text).flywheels
+    assert loads(block.text).bodies
 
 
 def test_units_are_known() -> None:

@@ -125,7 +125,7 @@ class _SelfTest:
         return found
 
     def _function(self, f: Function) -> dict[str, Any]:
-        """How a function is called, and how its results are taken."""
+        """Lines that call a function, and lines that take its results."""
         begins = [
             line for a in f.arguments if a.direction == "inout" for line in self._begin(a, f"results.{f.name}.{a.name}")
         ]
@@ -182,7 +182,7 @@ class _SelfTest:
             yield f"{INDENT}if (status < 0) {{"
             for name, _, _ in out:
                 place = f"results.{f.name}.{name}"
-                yield f"{INDENT * 2}untouched(sum, &{place}, sizeof {place});"
+                yield from wrapped(f"untouched(sum, &{place}, sizeof {place});", INDENT * 2)
             yield f"{INDENT * 2}return;"
             yield f"{INDENT}}}"
         for name, type_, shape in out:
