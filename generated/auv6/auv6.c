@@ -1355,7 +1355,7 @@ auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_r
     return AUV6_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 AUV6_CODE
 auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_real *phi_dot)
 {
@@ -3491,7 +3491,7 @@ auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mountin
     return AUV6_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 AUV6_CODE
 auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting)
 {

@@ -104,7 +104,7 @@ typedef struct auv6_flywheel {
     int mount;              /* number of the instrument that bears it; -1: the carrier */
 } auv6_flywheel;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct auv6_parameters {
     auv6_body carrier;
     auv6_real added_mass[6][6];      /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
@@ -186,7 +186,7 @@ typedef struct auv6_generalized_result {
     auv6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } auv6_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct auv6_mount {
     auv6_real mass;             /* kg */
     auv6_real first_moment[3];  /* kg m; m rc, in Es */
@@ -195,7 +195,7 @@ typedef struct auv6_mount {
     auv6_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } auv6_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct auv6_mount_table {
     auv6_mount flywheel[AUV6_N];
 } auv6_mount_table;
@@ -373,7 +373,7 @@ auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -523,7 +523,7 @@ auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mountin
                         const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N],
                         auv6_real mount_wrench[36]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

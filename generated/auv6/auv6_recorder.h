@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 1u           /* of the log */
-#define AUV6_RECORDER_SOURCE 0x6999a1c7u  /* of the texts of auv6.h and auv6.c: FNV-1a */
+#define AUV6_RECORDER_SOURCE 0x3ca4d9c6u  /* of the texts of auv6.h and auv6.c: FNV-1a */
 #define AUV6_RECORDER_TABLE  0x7c3dd86du  /* hash of the default table */
 #define AUV6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 #define AUV6_RECORD_MEMBERS  5  /* of a state */

@@ -1333,7 +1333,7 @@ bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, 
     return BENCH8_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 BENCH8_CODE
 bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot)
 {
@@ -3047,7 +3047,7 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
     return BENCH8_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 BENCH8_CODE
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting)
 {

@@ -84,7 +84,7 @@ typedef struct bench8_flywheel {
     bench8_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
 } bench8_flywheel;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct bench8_parameters {
     bench8_body carrier;
     bench8_flywheel flywheel[BENCH8_N];
@@ -152,7 +152,7 @@ typedef struct bench8_generalized_result {
     bench8_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } bench8_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct bench8_mount {
     bench8_real mass;             /* kg */
     bench8_real first_moment[3];  /* kg m; m rc, in Es */
@@ -161,7 +161,7 @@ typedef struct bench8_mount {
     bench8_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } bench8_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct bench8_mount_table {
     bench8_mount flywheel[BENCH8_N];
 } bench8_mount_table;
@@ -331,7 +331,7 @@ bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -475,7 +475,7 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
                             const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

@@ -1167,7 +1167,7 @@ demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, dem
     return DEMO3_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 DEMO3_CODE
 demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot)
 {
@@ -2841,7 +2841,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
     return DEMO3_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 DEMO3_CODE
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting)
 {

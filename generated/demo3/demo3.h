@@ -84,7 +84,7 @@ typedef struct demo3_flywheel {
     demo3_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
 } demo3_flywheel;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct demo3_parameters {
     demo3_body carrier;
     demo3_flywheel flywheel[DEMO3_N];
@@ -142,7 +142,7 @@ typedef struct demo3_generalized_result {
     demo3_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } demo3_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct demo3_mount {
     demo3_real mass;             /* kg */
     demo3_real first_moment[3];  /* kg m; m rc, in Es */
@@ -151,7 +151,7 @@ typedef struct demo3_mount {
     demo3_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } demo3_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct demo3_mount_table {
     demo3_mount flywheel[DEMO3_N];
 } demo3_mount_table;
@@ -312,7 +312,7 @@ demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -451,7 +451,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

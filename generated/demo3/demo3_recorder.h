@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define DEMO3_RECORDER_FORMAT 1u           /* of the log */
-#define DEMO3_RECORDER_SOURCE 0xf71466bcu  /* of the texts of demo3.h and demo3.c: FNV-1a */
+#define DEMO3_RECORDER_SOURCE 0x3828eb27u  /* of the texts of demo3.h and demo3.c: FNV-1a */
 #define DEMO3_RECORDER_TABLE  0x69c75902u  /* hash of the default table */
 #define DEMO3_RECORD_BYTES    205  /* longest record of a step; most have 40 */
 #define DEMO3_RECORD_MEMBERS  5  /* of a state */

@@ -1363,7 +1363,7 @@ remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, 
     return REMUS6_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 REMUS6_CODE
 remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, remus6_real *phi_dot)
 {
@@ -3562,7 +3562,7 @@ remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table 
     return REMUS6_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 REMUS6_CODE
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting)
 {

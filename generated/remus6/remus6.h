@@ -112,7 +112,7 @@ typedef struct remus6_point {
     int mount;                /* number of the instrument that bears it; -1: the carrier */
 } remus6_point;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct remus6_parameters {
     remus6_body carrier;
     remus6_real added_mass[6][6];        /* kg, kg m, kg m2; Lambda of all bodies, about O1 in E1 */
@@ -204,7 +204,7 @@ typedef struct remus6_generalized_result {
     remus6_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } remus6_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct remus6_mount {
     remus6_real mass;             /* kg */
     remus6_real first_moment[3];  /* kg m; m rc, in Es */
@@ -213,7 +213,7 @@ typedef struct remus6_mount {
     remus6_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } remus6_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct remus6_mount_table {
     remus6_mount flywheel[REMUS6_N];
 } remus6_mount_table;
@@ -393,7 +393,7 @@ remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, remus6_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -547,7 +547,7 @@ remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table 
                             const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real mount_wrench[36]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 1u           /* of the log */
-#define REMUS6_RECORDER_SOURCE 0x170d34a7u  /* of the texts of remus6.h and remus6.c: FNV-1a */
+#define REMUS6_RECORDER_SOURCE 0x2456b90cu  /* of the texts of remus6.h and remus6.c: FNV-1a */
 #define REMUS6_RECORDER_TABLE  0x98d9cff9u  /* hash of the default table */
 #define REMUS6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 #define REMUS6_RECORD_MEMBERS  5  /* of a state */

@@ -1165,7 +1165,7 @@ sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_r
     return SAT4_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 SAT4_CODE
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot)
 {
@@ -2929,7 +2929,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
     return SAT4_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 SAT4_CODE
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting)
 {

@@ -93,7 +93,7 @@ typedef struct sat4_point {
     sat4_real zero[3];      /* its part across the first axis is the second axis */
 } sat4_point;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct sat4_parameters {
     sat4_body carrier;
     sat4_flywheel flywheel[SAT4_N];
@@ -159,7 +159,7 @@ typedef struct sat4_generalized_result {
     sat4_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } sat4_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct sat4_mount {
     sat4_real mass;             /* kg */
     sat4_real first_moment[3];  /* kg m; m rc, in Es */
@@ -168,7 +168,7 @@ typedef struct sat4_mount {
     sat4_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } sat4_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct sat4_mount_table {
     sat4_mount flywheel[SAT4_N];
 } sat4_mount_table;
@@ -338,7 +338,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -486,7 +486,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 1u           /* of the log */
-#define SAT4_RECORDER_SOURCE 0x1e80c71au  /* of the texts of sat4.h and sat4.c: FNV-1a */
+#define SAT4_RECORDER_SOURCE 0x95e4d4bbu  /* of the texts of sat4.h and sat4.c: FNV-1a */
 #define SAT4_RECORDER_TABLE  0xca9f3637u  /* hash of the default table */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 #define SAT4_RECORD_MEMBERS  5  /* of a state */

@@ -1342,7 +1342,7 @@ shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zer
     return SHAKER2_OK;
 }
 
-/* Mean speed of a flywheel of the counts in a time. */
+/* Mean speed of a flywheel from the counts of one interval. */
 SHAKER2_CODE
 shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot)
 {
@@ -3059,7 +3059,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
     return SHAKER2_OK;
 }
 
-/* Makes the table that mounts needs beside the stand's. */
+/* Makes the second table that mounts needs. */
 SHAKER2_CODE
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting)
 {

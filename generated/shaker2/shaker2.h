@@ -84,7 +84,7 @@ typedef struct shaker2_flywheel {
     shaker2_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
 } shaker2_flywheel;
 
-/* What prepare makes the table of: masses, inertias and mountings. */
+/* Input of prepare: masses, inertias and mountings. */
 typedef struct shaker2_parameters {
     shaker2_body carrier;
     shaker2_flywheel flywheel[SHAKER2_N];
@@ -152,7 +152,7 @@ typedef struct shaker2_generalized_result {
     shaker2_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
 } shaker2_generalized_result;
 
-/* One flywheel and how it sits: for mounts only. */
+/* One flywheel and its mounting; used by mounts only. */
 typedef struct shaker2_mount {
     shaker2_real mass;             /* kg */
     shaker2_real first_moment[3];  /* kg m; m rc, in Es */
@@ -161,7 +161,7 @@ typedef struct shaker2_mount {
     shaker2_real axes[9];          /* of Es in E1 at phi = 0, row by row */
 } shaker2_mount;
 
-/* What mounts needs beside the table. Made by prepare_mounts. */
+/* Second table that mounts needs. Made by prepare_mounts. */
 typedef struct shaker2_mount_table {
     shaker2_mount flywheel[SHAKER2_N];
 } shaker2_mount_table;
@@ -335,7 +335,7 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
  * At most 20 operations on reals, 1 of them a division. */
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi);
 
-/* speed_of_counts: mean speed of a flywheel of the counts in a time.
+/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
  *   moved     counts in the time dt: `moved` of accumulate
  *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
  *   dt        s; greater than 0
@@ -480,7 +480,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
                               const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12]);
 
-/* prepare_mounts: makes the table that mounts needs beside the stand's.
+/* prepare_mounts: makes the second table that mounts needs.
  *   parameters  masses, inertias, mountings
  *   mounting    out: what mounts needs
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status

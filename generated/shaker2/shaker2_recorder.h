@@ -35,7 +35,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 1u           /* of the log */
-#define SHAKER2_RECORDER_SOURCE 0x173239f7u  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
+#define SHAKER2_RECORDER_SOURCE 0xabb92baau  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
 #define SHAKER2_RECORDER_TABLE  0x787eab23u  /* hash of the default table */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
 #define SHAKER2_RECORD_MEMBERS  5  /* of a state */

@@ -13,6 +13,7 @@ import pytest
 from emit.compiled import bits
 from lower.refusals import FILL
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
 from mahovik.core.toolchain.library import filled
@@ -126,3 +127,13 @@ def test_the_length_of_sine_and_cosine_is_one_within_a_thousandth(length: float,
             assert run(c, "forward_at", inputs | given)[0] == 0
         else:
             refused(c, "forward_at", inputs | given, "RANGE")
+
+
+def test_a_run_time_wrench_on_the_carrier_alone_leaves_torque_without_it() -> None:
+    """It does not act on the drives: the function that `torque` and `torque_at` share then takes no wrench."""
+    count, features = STANDS["turned1"]
+    stand = random_stand(np.random.default_rng(5), count, features, "pushed")
+    stand = replace(stand, phase_input="sincos", carrier=replace(stand.carrier, wrench_input=True))
+    program = generate_all(stand).program
+    assert "wrench" in {a.name for a in program.function("torque").arguments}
+    assert "wrench" not in {a.name for a in program.function("balance").arguments}

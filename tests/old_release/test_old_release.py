@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from mahovik.core.toolchain.workload import LONG_CALL
 from mahovik.proof.verify.selftest_log import read_log
 from old_release.renames import FUNCTIONS, shim
 from toolchain.tools import compile_c
@@ -57,14 +58,19 @@ def test_another_rounding_is_noticed(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_instruction_counts_are_those_of_the_old_release(name: str) -> None:
-    """Recorded costs by processor, element type and function: only names have changed."""
+    """Recorded costs by processor, element type and function: only names have changed, and functions were added."""
     old = json.loads((FOLDER / "instructions.json").read_text(encoding="utf-8"))[name]
     recorded = json.loads((GENERATED / name / "cost.json").read_text(encoding="utf-8"))
     new = {
         f"{target['target']} {target['real']}": {f["function"]: f["instructions"] for f in target["functions"]}
         for target in recorded["targets"]
     }
-    assert new == {
-        target: {re.sub(r"^\w+", lambda m: FUNCTIONS.get(m[0], m[0]), f): count for f, count in counts.items()}
-        for target, counts in old.items()
-    }
+    assert set(new) == set(old)
+    for target, counts in old.items():
+        renamed = {re.sub(r"^\w+", lambda m: FUNCTIONS.get(m[0], m[0]), f): count for f, count in counts.items()}
+        assert all(abs(new[target][f] - count) <= counter_error(count) for f, count in renamed.items()), target
+
+
+def counter_error(count: int) -> int:
+    """Instructions: the counter is good to 50; a long call is counted once, of others the mean of many is taken."""
+    return 50 if count >= LONG_CALL else 1

@@ -114,6 +114,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     "whole system": ("coupled", "solve_coupled", "eliminate", "solve_schur", "coupled_jacobian"),
     "motion in time": ("advance", "finish", "rate", "step", "rate_driven", "step_driven"),
     "points": ("sense", "points", "place_point"),
+    "mass centre": ("center_of_mass_velocity",),
     "rotations and placement": (
         "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
     ),

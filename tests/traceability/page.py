@@ -31,7 +31,7 @@ derivation; (13) is not emitted.
 """
 
 
-NOT_YET: tuple[str, ...] = ()
+NOT_YET: tuple[str, ...] = ("center_of_mass_velocity",)
 """Functions whose mutants have not been run yet; `make traceability` examines them, and then they go from here."""
 
 

@@ -25,7 +25,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
 TABLES = ("table", "mounting")
-"""Those that hold the numbers of a stand; all else is of its structure."""
+"""Arguments that hold the numbers of a stand; all others depend on its structure alone."""
 
 
 def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:

@@ -92,7 +92,7 @@ class _Printer:
         return "\n".join(wrapped(text, ""))
 
     def _program_structs(self) -> list[Struct]:
-        """Those of the header of the stand."""
+        """Structs of the header of the stand."""
         return [s for s in self._generated.program.structs if not internal(self._generated.layout, s)]
 
     def _common(self) -> dict[str, Any]:

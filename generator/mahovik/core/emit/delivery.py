@@ -21,7 +21,7 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
 
 
 def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> dict[str, str]:
-    """Of these files those that are compiled for a board, and the README. Raises UsageError, StandError."""
+    """Return the files that are compiled for a board, and the README. Raises UsageError, StandError."""
     return _firmware(stand, generate_all(stand, precision_name, lanes))
 
 

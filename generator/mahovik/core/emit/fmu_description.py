@@ -18,7 +18,7 @@ from mahovik.core.stand.model import Stand
 KINDS = {"cs": "CoSimulation", "me": "ModelExchange"}
 
 OPTIONS = "-std=c99 -O2 -ffp-contract=off"
-"""Of the compiler: then every processor gives the same bits."""
+"""Compiler options with which every processor gives the same bits."""
 
 
 @dataclass(frozen=True)

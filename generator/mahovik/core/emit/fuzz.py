@@ -132,7 +132,7 @@ class _Harness:
     # ---- calls ----
 
     def _function(self, f: Function) -> dict[str, Any]:
-        """How one function is called twice and judged."""
+        """Return what the template needs to call one function twice and judge it."""
         if f.returns is not Kind.STATUS:
             raise ValueError(f"{f.name}: the fuzz harness judges functions that return a status")
         pointers = pointed(f)

@@ -63,7 +63,7 @@ def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast:
 
 
 def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> Generated:
-    """As `generate`, with the program and the numbers it was printed from. `fast` changes what the header says."""
+    """Return the files of `generate`, with the program and its numbers. `fast` changes what the header says."""
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     if lanes not in LANES:

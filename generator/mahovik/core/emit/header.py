@@ -9,8 +9,10 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Header:
-    """Of a stand's header. `real`, `structure`, `physics`: None where it does not say; `lanes`: 1 where it is older
-    than these; `fast`: its bits are not reproducible.
+    """Facts of a stand's header.
+
+    `real`, `structure`, `physics`: None where the header does not name them; `lanes`: 1 where it is older than lanes;
+    `fast`: its bits are not reproducible.
     """
 
     real: str | None

@@ -32,7 +32,7 @@ def manifest(
 
 
 def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:
-    """The same of any files of a stand, with what else is to be told of them."""
+    """Manifest of any files of a stand, with more facts about them."""
     found = identities(stand)
     return as_text(
         {

@@ -1,4 +1,4 @@
-"""How things are called in C: everything begins with the stand's name."""
+"""Names in C: each begins with the name of the stand."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ def programme_files(stand: Stand, made: ProgrammeProgram, golden: Golden, facts:
 
 
 class _Names(Names):
-    """As the stand's, but for the word: its header has none, and this one has its own."""
+    """Names of the stand, with a word type of its own: the stand's header declares none."""
 
     def type(self, type_: Kind | Struct) -> str:
         return f"{self.prefix}_programme_word" if type_ is Kind.WORD else super().type(type_)
@@ -133,7 +133,7 @@ class _Printer:
         )
 
     def manifest(self, files: Mapping[str, str]) -> str:
-        """Whose it is and the hash of every file; no dates."""
+        """Manifest: identity of the stand and hash of every file, without dates."""
         facts = self._facts
         tables = [dict(each) for each in facts.measured]
         more = {"programme": facts.motion, "tables": tables, "limit": facts.limit}

@@ -26,7 +26,7 @@ from mahovik.core.stand.model import Stand
 
 
 def source_hash(files: dict[str, str], name: str) -> int:
-    """Which text of header and source flew: their hash."""
+    """Hash of the header and source that flew."""
     return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
 
 

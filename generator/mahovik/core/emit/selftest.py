@@ -125,7 +125,7 @@ class _SelfTest:
         return found
 
     def _function(self, f: Function) -> dict[str, Any]:
-        """How a function is called, and how its results are taken."""
+        """Lines that call a function, and lines that take its results."""
         begins = [
             line for a in f.arguments if a.direction == "inout" for line in self._begin(a, f"results.{f.name}.{a.name}")
         ]

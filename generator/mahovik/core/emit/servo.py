@@ -81,7 +81,7 @@ def servo_program_text(
 
 
 class _Names(Names):
-    """As the stand's, but for the word: its header has none."""
+    """Names of the stand, with a word type of its own: the stand's header declares none."""
 
     def type(self, type_: Kind | Struct) -> str:
         return f"{self.prefix}_servo_word" if type_ is Kind.WORD else super().type(type_)
@@ -145,7 +145,7 @@ class _Printer:
         return self.rendered("servo.md.j2", functions=[(self._names.function(f.name), f.purpose) for f in self._public])
 
     def manifest(self, files: Mapping[str, str], what: str) -> str:
-        """Whose it is and the hash of every file; no dates."""
+        """Manifest: identity of the stand and hash of every file, without dates."""
         return manifest_with(self._stand, self._precision.name, files, {"servo": what})
 
     def rendered(self, name: str, **more: Any) -> str:

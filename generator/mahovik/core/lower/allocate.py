@@ -196,7 +196,7 @@ def _rows(body: Body, w: Place, rank: Place, turn: Place, row: Place) -> None:
 
 
 def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Place) -> None:
-    """What the flywheels do not give yet."""
+    """Compute the demand that the flywheels do not meet yet."""
     with body.loop("i", 6) as i:
         left = body.local("left")
         body.set(left, w.r[i])

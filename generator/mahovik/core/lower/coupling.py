@@ -149,7 +149,7 @@ def couple_flywheel(lib: Library, body: Body, table: Place, s: Place, seen: Scen
 def couple_blocks(
     lib: Library, body: Body, table: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
 ) -> None:
-    """Those of block b."""
+    """Couplings of block b."""
     sine, cosine = seen.turns
     named: dict[str, Any] = {"block": table.block[b], "first": first, "sine": sine, "cosine": cosine}
     named |= {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g, "out": out}

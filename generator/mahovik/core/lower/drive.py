@@ -33,13 +33,14 @@ def torque(lib: Library, at: bool = False) -> Function:
     layout = lib.layout
     arguments = _torque_arguments(lib, lib.given_turns() if at else ())
     table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
-    tau, wrench = arguments[-1], tuple(a for a in arguments if a.name == "wrench")
+    wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
     check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
-        inputs = [*all_turns(lib, body, x.place, tuple(turns)), *places_of((V_dot, phi_ddot, *wrench))]
-        body.call(lib["balance"], table.place, x.place, *inputs, tau.place)
+        sine, cosine = all_turns(lib, body, x.place, tuple(turns))
+        given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
+        body.call(lib["balance"], *lib.passed("balance", **given))
     else:
         _balance(lib, body, arguments)
     body.ret(Status("OK"))
@@ -64,7 +65,7 @@ def balance(lib: Library) -> Function:
 
 
 def _torque_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """stand, x, sines and cosines, V_dot, phi_ddot, run-time wrenches, tau."""
+    """table, x, sines and cosines, V_dot, phi_ddot, run-time wrenches, tau."""
     purpose = "drive torques, mount on flywheel, about the spin axis"
     return (
         lib.table_argument(),
@@ -120,7 +121,7 @@ def _balance_blocks(
 
 
 def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """stand, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
+    """table, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
     count = lib.layout.count
     return (
         lib.table_argument(),

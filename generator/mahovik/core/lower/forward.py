@@ -61,7 +61,7 @@ def check_inputs(
 def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
     """Attitude, twist relative to the stream, gravity, and places for sums.
 
-    `attitude`: C even where (8) needs none. `turns`: sines and cosines that are there already.
+    `attitude`: C even where (8) needs none. `turns`: sines and cosines that are known already.
     """
     layout = lib.layout
     C = stream = g = own = None
@@ -127,7 +127,7 @@ def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> P
 
 
 def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -> Turns:
-    """Sines and cosines as functions of our own take them: those given, or of the phases of x."""
+    """Sines and cosines as internal functions take them: those given, or of the phases of x."""
     if not given:
         return turns_of(lib, body, x)
     sine, cosine = places_of(given)

@@ -1,4 +1,4 @@
-"""The structs of a stand's program. What a stand has not is not there."""
+"""The structs of a stand's program. Fields that the stand does not use are omitted."""
 
 from __future__ import annotations
 
@@ -67,12 +67,12 @@ class Layout(Tables):
         if self.flywheel_buoyancy:
             fields.append(Field("displaced_mass", REAL, (), "kg", "of fluid"))
             fields.append(Field("displaced_moment", REAL, (3,), "kg m", "its first moment, in Es"))
-        return Struct("mount", "One flywheel and how it sits: for mounts only.", tuple(fields))
+        return Struct("mount", "One flywheel and its mounting; used by mounts only.", tuple(fields))
 
     @cached_property
     def mount_table(self) -> Struct:
         fields = (Field("flywheel", self.mount, (self.count,)),)
-        return Struct("mount_table", "What mounts needs beside the table. Made by prepare_mounts.", fields)
+        return Struct("mount_table", "Second table that mounts needs. Made by prepare_mounts.", fields)
 
     @cached_property
     def schur(self) -> Struct:

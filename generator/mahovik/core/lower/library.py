@@ -24,7 +24,7 @@ class Library:
         self._status: Place
 
     def add(self, function: Function) -> Function:
-        """Adds a function; later ones may call it. A function of our own loses arguments it has no use for."""
+        """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""
         assert function.name not in self._functions
         function = pruned(function)
         self._functions[function.name] = function
@@ -57,7 +57,7 @@ class Library:
         return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
 
     def turn_arguments(self) -> tuple[Argument, ...]:
-        """Sines and cosines of the phases, as functions of our own take them; nothing without flywheels."""
+        """Sines and cosines of the phases, as internal functions take them; none without flywheels."""
         if not self.layout.flywheels:
             return ()
         return (
@@ -74,7 +74,7 @@ class Library:
         )
 
     def locked_argument(self) -> Argument:
-        """Which flywheels a lock holds."""
+        """Argument: flywheels that a lock holds."""
         purpose = "not 0: a lock holds phi'' = 0, whatever its tau"
         return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose)
 
@@ -102,7 +102,7 @@ class Library:
         """The arguments of a function in its order, by name; what it has no use for is left out."""
         found = [named[a.name] for a in self[function].arguments]
         if any(value is None for value in found):
-            raise TypeError(f"{function} needs what the caller has not")
+            raise TypeError(f"{function} needs an argument that the caller does not give")
         return [value for value in found if value is not None]
 
     def begin(self, body: Body) -> None:

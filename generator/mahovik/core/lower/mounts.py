@@ -169,7 +169,7 @@ def prepare_mounts(lib: Library) -> Function:
     body.ret(Status("OK"))
     return Function(
         "prepare_mounts",
-        "Makes the table that mounts needs beside the stand's.",
+        "Makes the second table that mounts needs.",
         (parameters, mounting),
         body.statements,
         returns=Kind.STATUS,

@@ -126,7 +126,7 @@ def speed_of_counts(lib: Library) -> Function:
     body.ret(Status("OK"))
     return Function(
         "speed_of_counts",
-        "Mean speed of a flywheel of the counts in a time.",
+        "Mean speed of a flywheel from the counts of one interval.",
         (moved, per_turn, dt, phi_dot),
         body.statements,
         returns=Kind.STATUS,

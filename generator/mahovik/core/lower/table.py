@@ -12,7 +12,7 @@ REAL, INT = Kind.REAL, Kind.INT
 
 
 class Tables(Features):
-    """State, parameters and table: which members the kinds of a stand need. What it has not is not there."""
+    """State, parameters and table: with the members that the features of a stand need; the others are omitted."""
 
     @cached_property
     def state(self) -> Struct:
@@ -116,7 +116,7 @@ class Tables(Features):
             fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
         if self.structure.points:
             fields.append(Field("point", self.point_parameters, (len(self.structure.points),)))
-        return Struct("parameters", "What prepare makes the table of: masses, inertias and mountings.", tuple(fields))
+        return Struct("parameters", "Input of prepare: masses, inertias and mountings.", tuple(fields))
 
     @cached_property
     def row(self) -> Struct:

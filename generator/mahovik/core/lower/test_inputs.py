@@ -17,13 +17,13 @@ from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
 SEED = 0x6D61686F
-"""Of the first state of a sweep; a state begins where the one before has stopped."""
+"""Seed of the first state of a sweep; each further state goes on from the one before."""
 
 FAST_EVERY, FAST = 4, 32
-"""Each fourth state of a sweep has phases and speeds 32 times as large."""
+"""Every fourth state of a sweep has phases and speeds 32 times as large."""
 
 REFUSED_EVERY = 16
-"""Each sixteenth has an attitude of twice the unit length, which is out of range."""
+"""Every sixteenth has an attitude of twice the unit length, which is out of range."""
 
 FAST_INPUTS = ("phi", "phi_dot")
 

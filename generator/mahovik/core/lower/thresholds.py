@@ -1,7 +1,7 @@
 """Thresholds of decisions in the emitted C: where a number counts as zero. One place, by precision, with the reason.
 
 Ranges of inputs are in `limits`. A threshold stands well above what rounding leaves of a zero (epsilon is 2.2e-16 in
-double, 1.2e-7 in float) and well below what a caller would want to be told of.
+double, 1.2e-7 in float) and well below what a caller would want to know of.
 """
 
 from __future__ import annotations
@@ -86,5 +86,5 @@ THRESHOLDS = {
 
 
 def thresholds(precision: Precision) -> Thresholds:
-    """Those of an element type."""
+    """Return the thresholds of an element type."""
     return THRESHOLDS[precision.name]

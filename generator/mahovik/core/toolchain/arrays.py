@@ -40,7 +40,7 @@ if hasattr(os, "register_at_fork"):
 
 @lru_cache
 def machine(compiler: tuple[str, ...]) -> str:
-    """What the compiler says of itself and of this processor: where it is the same, so is the code it makes."""
+    """Macros that the compiler predefines on this processor: where they are equal, so is the code it makes."""
     return run_compiler(["-march=native", "-dM", "-E", "-x", "c", os.devnull], "no file at all", compiler)
 
 

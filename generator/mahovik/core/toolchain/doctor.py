@@ -73,7 +73,7 @@ def _checkers() -> Iterator[Finding]:
 
 
 def _extras() -> Iterator[Finding]:
-    """Of each extra of the installed package, its packages; nothing is imported."""
+    """Packages of each extra of the installed package; nothing is imported."""
     try:
         required = metadata.requires("mahovik") or []
     except metadata.PackageNotFoundError:
@@ -95,7 +95,7 @@ def _distribution(name: str) -> str:
 
 
 def _version(command: list[str]) -> str:
-    """What the tool says of itself in its first line; "" where it is missing or does not start."""
+    """First line of the tool's version; "" where it is missing or does not start."""
     if not command or shutil.which(command[0]) is None:
         return ""
     asked = "-version" if command[0] == "frama-c" else "--version"

@@ -55,7 +55,7 @@ def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, lo
 def proved(
     script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None
 ) -> Iterator[Proof]:
-    """As `prove`, each driver as soon as it is through."""
+    """Prove like `prove`, and yield results as drivers finish."""
     version()
     environment = dict(os.environ)
     if limit is not None:

@@ -21,8 +21,10 @@ _FRAME = re.compile(r"\\n(\d+) bytes \(([^)]*)\)")
 
 @dataclass(frozen=True)
 class Footprint:
-    """Of one object. `code`, `constants`: bytes by symbol; `frames`: bytes of stack by function; `calls`: whom each
-    function calls; `routines`: called functions that the object does not have, such as `memcpy`; their code and stack
+    """Footprint of one object.
+
+    `code`, `constants`: bytes by symbol; `frames`: bytes of stack by function; `calls`: the functions
+    that each calls; `routines`: called functions that the object does not have, such as `memcpy`; their code and stack
     are not in the sums below. `text`, `data`: bytes of whole sections, with constants and padding that have no name.
     """
 
@@ -74,7 +76,7 @@ class Footprint:
 
 
 def footprint(compiler: str, compiled: Path) -> Footprint:
-    """Of an object that `compiler`, a gcc, made with STACK_FLAGS. Raises ToolchainError."""
+    """Measure an object that `compiler`, a gcc, made with STACK_FLAGS. Raises ToolchainError."""
     binutils = compiler.removesuffix("gcc")
     code, constants = {}, {}
     for size, kind, name in _symbols(_output(f"{binutils}nm", "-S", compiled.name, folder=compiled.parent)):

@@ -30,7 +30,7 @@ def platform_folder(version: str) -> str:
 
 
 def module_suffix() -> str:
-    """Of modules of this machine."""
+    """Suffix of extension modules on this machine."""
     return _SUFFIX.get(sys.platform, ".so")
 
 

@@ -18,17 +18,17 @@ from pathlib import Path
 from mahovik.errors import ToolchainError
 
 PATIENCE = 5.0
-"""s in which a program that was told to end must do so."""
+"""s in which a program must end after a signal to do so."""
 
 Stops = tuple[threading.Event, ...]
-"""Of the pools that a thread belongs to, the outermost first: one that is set says that nothing is begun any more."""
+"""Stop flags of the pools that a thread belongs to, the outermost first: where one is set, nothing more is begun."""
 
 _running: dict[subprocess.Popen[bytes], Stops] = {}
 _of_thread = threading.local()
 
 
 def _stops() -> Stops:
-    """Those of the running thread."""
+    """Return the stop flags of the running thread."""
     found: Stops = getattr(_of_thread, "stops", ())
     return found
 

@@ -28,7 +28,7 @@ WARNINGS = (
     "-Wfloat-equal",
     "-Werror",
 )
-"""Of both compilers: a warning is an error."""
+"""Options of both compilers: a warning is an error."""
 
 COMPILERS = ("gcc", "clang")
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from mahovik.core.stand.model import Stand
@@ -32,13 +34,16 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
 
 
 def scale(at: Pieces, stand: Stand, state: State) -> Values:
-    """The same sum of lengths: v, omega times the distances, and the flywheels' own turning."""
+    """The same sum of lengths: v, omega times the distances, and the flywheels' own turning.
+
+    `math.hypot` keeps lengths of 1e-200 that a root of squares would lose.
+    """
     v, omega = np.split(at.V, 2)
     total = mass = 0.0
     for k, _ in moving_parts(at):
-        arm = float(np.linalg.norm(k.body.center_of_mass))
+        arm = math.hypot(*k.body.center_of_mass)
         place = float(np.linalg.norm(k.L[3:, :3]))
-        speed = float(np.linalg.norm(v) + np.linalg.norm(omega) * (place + arm)) + abs(getattr(k, "phi_dot", 0.0)) * arm
+        speed = math.hypot(*v) + math.hypot(*omega) * (place + arm) + abs(getattr(k, "phi_dot", 0.0)) * arm
         mass += k.body.mass
         total += k.body.mass * speed
     return {"center_of_mass_velocity": np.full(3, total / mass if mass else 0.0)}

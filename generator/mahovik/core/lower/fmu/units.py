@@ -20,7 +20,7 @@ class Unit:
 
     @property
     def exponents(self) -> dict[str, int]:
-        """Those of the base units that are not zero."""
+        """Exponents of the base units that are not zero."""
         found = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad, "A": self.A}
         return {name: exponent for name, exponent in found.items() if exponent}
 
@@ -81,32 +81,32 @@ def of_member(unit: str) -> Unit:
 
 
 def twist(component: int) -> Unit:
-    """Of component 0..5 of a twist."""
+    """Unit of component 0..5 of a twist."""
     return VELOCITY if component < 3 else ANGULAR_VELOCITY
 
 
 def twist_rate(component: int) -> Unit:
-    """Of component 0..5 of a twist's derivative."""
+    """Unit of component 0..5 of a twist's derivative."""
     return ACCELERATION if component < 3 else ANGULAR_ACCELERATION
 
 
 def wrench(component: int) -> Unit:
-    """Of component 0..5 of a wrench."""
+    """Unit of component 0..5 of a wrench."""
     return FORCE if component < 3 else TORQUE
 
 
 def momentum(component: int) -> Unit:
-    """Of component 0..5 of a momentum screw."""
+    """Unit of component 0..5 of a momentum screw."""
     return MOMENTUM if component < 3 else ANGULAR_MOMENTUM
 
 
 def added_mass(row: int, column: int) -> Unit:
-    """Of an element of Lambda."""
+    """Unit of an element of Lambda."""
     return (KILOGRAM, FIRST_MOMENT, INERTIA)[(row >= 3) + (column >= 3)]
 
 
 def law(row: int, factors: tuple[int, ...], rate: bool = True) -> Unit:
-    """Of the coefficient of a wrench's component: wrench by the product of components of a twist (0..5).
+    """Unit of the coefficient of a wrench's component: wrench by the product of components of a twist (0..5).
 
     Without `rate` of displacements: a stiffness.
     """

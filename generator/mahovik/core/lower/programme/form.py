@@ -1,4 +1,4 @@
-"""Tables of a flywheel programme: their structs. What a table has not is not there."""
+"""Structs of the tables of a flywheel programme. Fields that a table does not use are omitted."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class GoldenCourse:
 
 @dataclass(frozen=True)
 class Golden:
-    """Of every table its answers, and the hash of what the control loop of the self-test gets."""
+    """Answers of every table, and the hash of what the control loop of the self-test gets."""
 
     courses: tuple[GoldenCourse, ...]
     hash: int

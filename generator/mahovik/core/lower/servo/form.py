@@ -1,4 +1,4 @@
-"""What decides the text of the C of a servo, and its structs. What a servo has not is not there."""
+"""Features that decide the text of a servo's C, and its structs. Fields that a servo does not use are omitted."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ REAL, INT = Kind.REAL, Kind.INT
 
 @dataclass(frozen=True)
 class TrimForm:
-    """Which of x, y, z, psi, theta, phi of the carrier are measured, by number, and the highest harmonic, 1 or more."""
+    """Measured coordinates among x, y, z, psi, theta, phi, by number, and the highest harmonic, 1 or more."""
 
     coordinates: tuple[int, ...]
     harmonics: int

@@ -28,7 +28,7 @@ LARGEST = {"phi_ref": 4.0, "phi_dot_ref": 64.0, "tau_ff": 4.0, "angle_error": 0.
 """Magnitudes of what is drawn: powers of two, so that scaling is exact."""
 
 SETTLING, WINDOW = 3, 20
-"""Of the trim in the test, in samples: several rounds fit into the run."""
+"""Period of the trim in the test, in samples: several rounds fit into the run."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Drawn:
         return self._scalar(self._next() >> 8) * self._scalar(2.0**-24)
 
     def reals(self, count: int, largest: float) -> list[Any]:
-        """As many numbers."""
+        """Return this many numbers."""
         return [self.real(largest) for _ in range(count)]
 
     def _next(self) -> int:

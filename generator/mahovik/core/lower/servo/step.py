@@ -17,7 +17,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 REACHED = 3.0
-"""Of speed / coulomb_speed: from there on dry friction is whole."""
+"""Ratio speed / coulomb_speed from which dry friction is whole."""
 
 
 def reset(form: ServoForm) -> Function:
