@@ -9,7 +9,11 @@ import numpy as np
 
 from mahovik import stands as examples
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.values import Values
+from mahovik.core.program.function import Program
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
@@ -51,13 +55,13 @@ def generated(name: str):
     return generate_all(stand(name))
 
 
-def float_texts(given):
+def float_texts(given: Stand) -> tuple[Layout, Program, Values, dict[str, str]]:
     """Layout, program, numbers and C of a stand with float as element type."""
     made = generate_all(given, "float")
     return made.layout, made.program, made.values, made.files
 
 
-def write(files: dict[str, str], folder: Path):
+def write(files: dict[str, str], folder: Path) -> Path:
     """Writes files by name into a folder; returns the path of the source."""
     for name, text in files.items():
         (folder / name).write_text(text, encoding="ascii", newline="\n")

@@ -1,6 +1,7 @@
 """Random general stands with every kind of wrench, moderate states of them, and stands with parts taken away."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -9,11 +10,13 @@ from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import State
 
 
-def rows(matrix: np.ndarray):
+def rows(matrix: np.ndarray) -> tuple[Any, ...]:
     return tuple(tuple(float(x) for x in row) for row in matrix)
 
 
-def draw(seed: int, flywheels: int = 4, *, instruments=2, added=True, stream: bool = False):
+def draw(
+    seed: int, flywheels: int = 4, *, instruments: int = 2, added: bool = True, stream: bool = False
+) -> tuple[Stand, State]:
     """A random general stand and a state of it, with a run-time wrench on every body.
 
     Speeds near 20 rad/s, so that differences over a millisecond resolve them; angles well off their singularity.
@@ -23,7 +26,7 @@ def draw(seed: int, flywheels: int = 4, *, instruments=2, added=True, stream: bo
     if not added:
         stand = without_added_mass(stand)
 
-    def numbers(n, size):
+    def numbers(n: int, size: float) -> tuple[Any, ...]:
         return tuple(float(x) for x in rng.uniform(-size, size, n))
 
     state = replace(
@@ -37,10 +40,10 @@ def draw(seed: int, flywheels: int = 4, *, instruments=2, added=True, stream: bo
     return stand, state
 
 
-def isolated(stand: Stand):
+def isolated(stand: Stand) -> Stand:
     """The stand without any external wrench: no gravity, fluid wrenches, suspension nor legs. Added mass stays."""
 
-    def bare(body: Body):
+    def bare(body: Body) -> Body:
         return replace(body, buoyancy=None, damping=None)
 
     return replace(
@@ -53,7 +56,7 @@ def isolated(stand: Stand):
     )
 
 
-def without_added_mass(stand: Stand):
+def without_added_mass(stand: Stand) -> Stand:
     return replace(
         stand,
         carrier=replace(stand.carrier, added_mass=None),
@@ -61,6 +64,6 @@ def without_added_mass(stand: Stand):
     )
 
 
-def without_wrench(state: State):
+def without_wrench(state: State) -> State:
     """The state without run-time wrenches."""
     return replace(state, wrench={})

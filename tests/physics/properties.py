@@ -6,6 +6,7 @@ Cases are drawn by `strategies`, so that they shrink; each test gives its case t
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from hypothesis import HealthCheck, settings
@@ -30,28 +31,28 @@ ROUNDING = 1e-11
 
 
 @st.composite
-def cases(draw, low=0, high=5, **has):
+def cases(draw: st.DrawFn, low: int = 0, high: int = 5, **has: Any) -> tuple[Stand, State]:
     """A stand and an ordinary state of it."""
     stand = draw(stands(low, high, **has))
     return stand, draw(states(stand))
 
 
-def near(found, expected, scale, times=1.0) -> None:
+def near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
     """Within rounding of the scale, element by element."""
     off = np.abs(np.asarray(found, dtype=float) - np.asarray(expected, dtype=float))
     allowed = times * ROUNDING * np.maximum(np.asarray(scale, dtype=float), 1e-280)
     assert np.all(off <= allowed), (off / allowed).max()
 
 
-def scale(stand: Stand, state: State, want: str):
+def scale(stand: Stand, state: State, want: str) -> Any:
     return scales(stand, state, pieces(stand, state), want)
 
 
-def value(stand: Stand, state: State, want: str, name: str):
+def value(stand: Stand, state: State, want: str, name: str) -> Any:
     return evaluate(stand, state, [want])[name]
 
 
-def of_a_motion(stand: Stand, state: State):
+def of_a_motion(stand: Stand, state: State) -> State:
     """The state with V* by (8) and tau of it."""
     state = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
     return replace(state, tau=vec(value(stand, state, "torque", "tau")))

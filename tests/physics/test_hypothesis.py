@@ -15,6 +15,7 @@ from mahovik.core.stand.model import Body, Buoyancy, Damping, Instrument, Mounti
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.torque import flywheel_acceleration
+from physics.conftest import Shown
 from physics.general import isolated, without_added_mass, without_wrench
 from physics.motions import vec
 from physics.properties import PROPERTY, cases, near, of_a_motion, scale, value
@@ -23,7 +24,7 @@ from physics.test_invariance import balance, redescribed, redescribed_state, tra
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_power_is_the_rate_of_energy(case: tuple[Stand, State], shown) -> None:
+def test_power_is_the_rate_of_energy(case: tuple[Stand, State], shown: Shown) -> None:
     """tau^T phi' + sum P_k . V_k = dT/dt, body by body."""
     stand, state = case
     shown(stand, state)
@@ -46,7 +47,7 @@ def test_power_is_the_rate_of_energy(case: tuple[Stand, State], shown) -> None:
 
 @PROPERTY
 @given(case=cases(low=1), factor=st.sampled_from([0.5, 2.0, 8.0]))
-def test_equations_are_linear_in_mass_and_inertia(case: tuple[Stand, State], factor: float, shown) -> None:
+def test_equations_are_linear_in_mass_and_inertia(case: tuple[Stand, State], factor: float, shown: Shown) -> None:
     """All masses and inertias times a factor: so are K, M, I, J; without wrenches nothing moves otherwise."""
     stand, state = case
     shown(stand, state)
@@ -71,7 +72,7 @@ def test_equations_are_linear_in_mass_and_inertia(case: tuple[Stand, State], fac
 @PROPERTY
 @given(case=cases(low=1), which=st.sampled_from(["carrier", "instruments", "flywheels"]), seed=st.integers(0, 2**16))
 def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(
-    case: tuple[Stand, State], which: str, seed: int, shown
+    case: tuple[Stand, State], which: str, seed: int, shown: Shown
 ) -> None:
     """f(a + b) + f(0) = f(a) + f(b) for mass, first moment and inertia of one body; so for each of them alone."""
     stand, state = case
@@ -109,7 +110,7 @@ def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(
 
 @PROPERTY
 @given(case=cases(low=1), factor=st.sampled_from([-1.0, 0.5, 4.0]))
-def test_free_motion_is_quadratic_in_velocities(case: tuple[Stand, State], factor: float, shown) -> None:
+def test_free_motion_is_quadratic_in_velocities(case: tuple[Stand, State], factor: float, shown: Shown) -> None:
     stand, state = case
     shown(stand, state)
     stand, state = isolated(replace(stand, stream=None)), without_wrench(state)
@@ -121,7 +122,7 @@ def test_free_motion_is_quadratic_in_velocities(case: tuple[Stand, State], facto
 
 @PROPERTY
 @given(case=cases(laws={"suspension": 0}), seed=st.integers(0, 2**16))
-def test_origin_and_axes_are_a_matter_of_choice(case: tuple[Stand, State], seed: int, shown) -> None:
+def test_origin_and_axes_are_a_matter_of_choice(case: tuple[Stand, State], seed: int, shown: Shown) -> None:
     """But for laws that are tied to them: a suspension, and quadratic damping of the carrier."""
     stand, state = case
     shown(stand, state)
@@ -155,7 +156,7 @@ def with_plain_fluid(carrier):
 
 @PROPERTY
 @given(case=cases(low=2))
-def test_the_order_of_flywheels_is_a_matter_of_choice(case: tuple[Stand, State], shown) -> None:
+def test_the_order_of_flywheels_is_a_matter_of_choice(case: tuple[Stand, State], shown: Shown) -> None:
     stand, state = case
     shown(stand, state)
     turned = replace(stand, flywheels=stand.flywheels[::-1])
@@ -169,7 +170,7 @@ def test_the_order_of_flywheels_is_a_matter_of_choice(case: tuple[Stand, State],
 
 @PROPERTY
 @given(case=cases(low=1))
-def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State], shown) -> None:
+def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State], shown: Shown) -> None:
     stand, state = case
     shown(stand, state)
     *others, last = stand.flywheels
@@ -189,7 +190,7 @@ def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State], shown) -> 
 
 @PROPERTY
 @given(case=cases())
-def test_both_forms_give_one_acceleration(case: tuple[Stand, State], shown) -> None:
+def test_both_forms_give_one_acceleration(case: tuple[Stand, State], shown: Shown) -> None:
     """(8) and (11)."""
     stand, state = case
     shown(stand, state)
@@ -201,7 +202,7 @@ def test_both_forms_give_one_acceleration(case: tuple[Stand, State], shown) -> N
 
 @PROPERTY
 @given(case=cases(low=1, high=9))
-def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State], shown) -> None:
+def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State], shown: Shown) -> None:
     """(12) inverts (8) in V*; where I has full column rank, in phi'' as well."""
     stand, state = case
     shown(stand, state)
@@ -218,7 +219,7 @@ def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State], shown
 
 @PROPERTY
 @given(case=cases(low=6, high=9))
-def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State], shown) -> None:
+def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State], shown: Shown) -> None:
     """Six flywheels and more reach every V*."""
     stand, state = case
     shown(stand, state)
@@ -232,7 +233,7 @@ def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State], s
 
 @PROPERTY
 @given(case=cases(low=1))
-def test_coupled_form_returns_the_motion_of_its_torque(case: tuple[Stand, State], shown) -> None:
+def test_coupled_form_returns_the_motion_of_its_torque(case: tuple[Stand, State], shown: Shown) -> None:
     stand, state = case
     shown(stand, state)
     state = of_a_motion(stand, state)
@@ -241,7 +242,7 @@ def test_coupled_form_returns_the_motion_of_its_torque(case: tuple[Stand, State]
     near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"])
 
 
-def test_a_failure_shows_the_smallest_stand(shown, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_a_failure_shows_the_smallest_stand(shown: Shown, tmp_path_factory: pytest.TempPathFactory) -> None:
     """Shrunk: what a property does not need is gone, and what is written reads back as that stand."""
 
     @settings(PROPERTY, phases=(Phase.generate, Phase.shrink))  # not `explain`, which takes longer than all the rest

@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Instrument, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
+from physics.conftest import Shown
 from physics.general import isolated, rows, without_added_mass
 from physics.motions import cross, rotation, vec
 from physics.properties import PROPERTY, cases, near, scale, value
@@ -20,7 +21,7 @@ from physics.test_limits import about_center_of_mass, balanced
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_gyrostat_splits_into_translation_and_eulers_equation(case: tuple[Stand, State], shown) -> None:
+def test_gyrostat_splits_into_translation_and_eulers_equation(case: tuple[Stand, State], shown: Shown) -> None:
     """Balanced, symmetric flywheels, no added mass, O1 at the centre of mass; run-time wrenches act."""
     stand, state = case
     shown(stand, state)
@@ -68,7 +69,7 @@ def solid(seed: int):
 @PROPERTY
 @given(case=cases(stream=False), seed=st.integers(0, 2**16), on_instrument=st.booleans())
 def test_added_mass_of_the_form_of_a_body_acts_as_that_body(
-    case: tuple[Stand, State], seed: int, on_instrument, shown
+    case: tuple[Stand, State], seed: int, on_instrument, shown: Shown
 ) -> None:
     """The body's weight is taken off by a wrench. An instrument's added mass is about O1 in E1 as well."""
     stand, state = case

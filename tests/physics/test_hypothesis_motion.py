@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
+from physics.conftest import Shown
 from physics.general import isolated, without_wrench
 from physics.motions import motion, rate, vec
 from physics.properties import PROPERTY, cases, near, of_a_motion, scale
@@ -41,7 +42,7 @@ def changes(stand: Stand, state: State):
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[Stand, State], shown) -> None:
+def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[Stand, State], shown: Shown) -> None:
     """Flywheels of given phi(t) on a free stand."""
     shown(*case)
     stand, state = free(case)
@@ -54,7 +55,7 @@ def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stand, State], shown) -> None:
+def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stand, State], shown: Shown) -> None:
     """tau = 0: V* and phi'' of the coupled form."""
     shown(*case)
     stand, state = isolated(case[0]), without_wrench(case[1])
@@ -69,7 +70,7 @@ def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stan
 
 @settings(PROPERTY, max_examples=5)
 @given(case=cases(high=4, stream=False))
-def test_free_flywheels_keep_momentum_and_energy_in_time(case: tuple[Stand, State], shown) -> None:
+def test_free_flywheels_keep_momentum_and_energy_in_time(case: tuple[Stand, State], shown: Shown) -> None:
     """Integrated for two radians of the fastest."""
     shown(*case)
     stand, state = isolated(case[0]), without_wrench(case[1])

@@ -1,11 +1,18 @@
 """What the builder and the expressions refuse: kinds, structs and lengths that do not fit."""
 
+from collections.abc import Callable
+from typing import Any
+
 import pytest
 
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.expression import (
+    Binary,
     BitCast,
+    Compare,
+    Const,
     Convert,
+    Expr,
     Variable,
     as_expr,
     compare,
@@ -16,6 +23,7 @@ from mahovik.core.program.expression import (
     unequal,
     word,
 )
+from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from program.small import argument, function
 
@@ -34,7 +42,9 @@ n3 = Variable("n3", I, (3,)).place
 pair, other = Variable("pair", PAIR).place, Variable("other", OTHER).place
 
 
-def callee(kind=R, shape=(), direction="in", returns=R):
+def callee(
+    kind: Kind | Struct = R, shape: tuple[int | NamedCount, ...] = (), direction: str = "in", returns: Kind | None = R
+) -> Function:
     """A function of one argument."""
     return function("callee", [argument("x", kind, shape, direction)], lambda body, x: body.ret(real(1)), returns)
 
@@ -51,13 +61,13 @@ def callee(kind=R, shape=(), direction="in", returns=R):
         lambda: equal(n, w),
     ],
 )
-def test_kinds_do_not_mix(mix) -> None:
+def test_kinds_do_not_mix(mix: Callable[[], object]) -> None:
     with pytest.raises(TypeError, match="kinds differ"):
         mix()
 
 
 @pytest.mark.parametrize("test", [equal, unequal])
-def test_reals_are_not_compared_for_equality(test) -> None:
+def test_reals_are_not_compared_for_equality(test: Callable[[Any, Any], object]) -> None:
     with pytest.raises(TypeError, match="not compared for equality"):
         test(a, b)
     with pytest.raises(TypeError, match="not compared for equality"):
@@ -65,13 +75,13 @@ def test_reals_are_not_compared_for_equality(test) -> None:
 
 
 @pytest.mark.parametrize("kind", [I, W])
-def test_a_real_is_never_converted_by_value(kind) -> None:
+def test_a_real_is_never_converted_by_value(kind: Kind) -> None:
     with pytest.raises(TypeError, match="use the bits"):
         Convert(a, kind)
 
 
 @pytest.mark.parametrize(("operand", "kind"), [(a, I), (a, R), (n, R), (w, W), (w, I)])
-def test_bits_are_of_reals_and_words(operand, kind) -> None:
+def test_bits_are_of_reals_and_words(operand: Expr, kind: Kind) -> None:
     with pytest.raises(TypeError, match="between real and word"):
         BitCast(operand, kind)
 
@@ -91,10 +101,15 @@ def test_a_fraction_is_no_integer() -> None:
 
 
 def test_a_literal_takes_the_kind_of_its_partner() -> None:
-    assert (a + 1).right.kind is R
-    assert (1 + w).left.kind is W
-    assert (n < 3).right.kind is I
-    assert integer(N).name == "N"
+    more, sooner, less, named = a + 1, 1 + w, n < 3, integer(N)
+    assert isinstance(more, Binary)
+    assert more.right.kind is R
+    assert isinstance(sooner, Binary)
+    assert sooner.left.kind is W
+    assert isinstance(less, Compare)
+    assert less.right.kind is I
+    assert isinstance(named, Const)
+    assert named.name == "N"
 
 
 def test_places_are_what_their_variable_is() -> None:
@@ -143,7 +158,7 @@ def test_arrays_of_other_lengths_are_not_copied() -> None:
         (callee(W), n, "int given, word expected"),
     ],
 )
-def test_arguments_that_do_not_fit(function, value, message: str) -> None:
+def test_arguments_that_do_not_fit(function: Function, value: Expr, message: str) -> None:
     with pytest.raises(TypeError, match=message):
         call(function, value)
     with pytest.raises(TypeError, match=message):
@@ -164,7 +179,7 @@ def test_arguments_that_do_not_fit(function, value, message: str) -> None:
         (callee(R, (), "out"), a),
     ],
 )
-def test_arguments_that_fit(function, value) -> None:
+def test_arguments_that_fit(function: Function, value: Expr) -> None:
     assert call(function, value).kind is R
 
 

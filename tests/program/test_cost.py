@@ -1,14 +1,16 @@
 """Operation counts."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from emit.stands import generated, stand
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.program.build import call
+from mahovik.core.program.build import Body, call
 from mahovik.core.program.cost import Cost, cost
-from mahovik.core.program.expression import Convert, bits_of, real, real_of_bits, select
+from mahovik.core.program.expression import Convert, Place, bits_of, real, real_of_bits, select
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind
 from program.small import argument, function, value_of
@@ -33,7 +35,7 @@ def operations(program: Program, name: str) -> Cost:
         (lambda a, b: real(3), Cost()),
     ],
 )
-def test_expressions(tree, expected) -> None:
+def test_expressions(tree: Callable[..., Any], expected: Cost) -> None:
     assert cost(value_of((R, R), tree)) == expected
 
 
@@ -42,7 +44,7 @@ def test_integers_cost_nothing() -> None:
 
 
 def test_loops_multiply_and_the_dearer_branch_counts() -> None:
-    def write(body, x) -> None:
+    def write(body: Body, x: Place) -> None:
         with body.loop("i", 4, start=1) as i:
             body.add(x[i], x[0] * 2)
             with body.when(x[0] < 0):
@@ -55,13 +57,13 @@ def test_loops_multiply_and_the_dearer_branch_counts() -> None:
 
 
 def test_calls_count_with_the_length_that_they_get() -> None:
-    def scale(body, x, count: int) -> None:
+    def scale(body: Body, x: Place, count: int) -> None:
         with body.loop("i", count) as i:
             body.set(x[i], x[i] * 2)
 
     scaled = function("scaled", [argument("x", R, (0,), "inout"), argument("count", I)], scale)
 
-    def twice(body, x) -> None:
+    def twice(body: Body, x: Place) -> None:
         with body.loop("k", 2):
             body.call(scaled, x, 5)
 

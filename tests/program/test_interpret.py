@@ -1,6 +1,8 @@
 """What the statements and expressions of a program mean."""
 
 import struct
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,10 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.program.build import call
+from mahovik.core.program.build import Body, call
 from mahovik.core.program.expression import (
     Convert,
     Not,
+    Place,
     Status,
     and_,
     bits_of,
@@ -35,7 +38,7 @@ PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p:
 
 
 @given(SINGLE, SINGLE, SINGLE)
-def test_each_operation_of_a_float_program_is_rounded(a, b, c) -> None:
+def test_each_operation_of_a_float_program_is_rounded(a: float, b: Any, c: float) -> None:
     """a*b + c in float is two roundings: a double in between would give one, another number."""
     found = evaluate((R, R, R), lambda x, y, z: x * y + z, a, b, c, precision=FLOAT)
     with np.errstate(all="ignore"):
@@ -72,11 +75,11 @@ def test_the_tree_is_the_order_of_operations() -> None:
 
 @PRECISIONS
 @given(st.integers(0, 2**64 - 1), st.integers(0, 2**64 - 1))
-def test_words_wrap_around(precision: Precision, a, b) -> None:
+def test_words_wrap_around(precision: Precision, a: int, b: Any) -> None:
     modulus = 1 << precision.width
     a, b = a % modulus, b % modulus
 
-    def value(tree):
+    def value(tree: Callable[..., Any]) -> int:
         found = evaluate((W, W), lambda u, v: real_of_bits(tree(u, v)), a, b, precision=precision)
         return int(precision.scalar(found).view(precision.word))
 
@@ -94,7 +97,7 @@ def test_words_wrap_around(precision: Precision, a, b) -> None:
 
 @PRECISIONS
 @given(SINGLE)
-def test_bits_there_and_back(precision: Precision, x) -> None:
+def test_bits_there_and_back(precision: Precision, x: float) -> None:
     same = evaluate((R,), lambda a: real_of_bits(bits_of(a)), x, precision=precision)
     assert precision.scalar(same).tobytes() == precision.scalar(x).tobytes()
     sign = 1 << (precision.width - 1)
@@ -109,7 +112,7 @@ def test_bits_are_those_of_ieee_754() -> None:
 
 
 @pytest.mark.parametrize(("a", "b"), [(7, 2), (-7, 2), (7, -2), (-7, -2), (6, -3), (0, -5)])
-def test_int_division_is_towards_zero(a, b) -> None:
+def test_int_division_is_towards_zero(a: int, b: Any) -> None:
     assert evaluate((I,), lambda n: Convert(n / integer(b), R), a) == int(a / b)
 
 
@@ -125,7 +128,7 @@ def test_conversions() -> None:
 
 
 @pytest.mark.parametrize("x", [-0.0, 0.0, 1.5, -1.5, float("-inf"), float("nan")])
-def test_select_and_conditions(x) -> None:
+def test_select_and_conditions(x: float) -> None:
     absolute = evaluate((R,), magnitude, x)
     assert str(absolute) == str(-x if x < 0 else x)  # -0 < 0 is false: -0 stays
     assert evaluate((R,), lambda a: select(a < 0, 1, 2), x) == (1 if x < 0 else 2)
@@ -148,7 +151,7 @@ def test_division_by_zero_and_overflow_are_ieee_and_silent() -> None:
 
 
 def test_when_otherwise_and_early_return() -> None:
-    def write(body, a, out) -> None:
+    def write(body: Body, a: Place, out: Place) -> None:
         with body.when(a < 0):
             body.set(out[0], 1)
             with body.when(a < -10):
@@ -166,8 +169,8 @@ def test_when_otherwise_and_early_return() -> None:
 
 
 @pytest.mark.parametrize(("start", "stop"), [(0, 4), (1, 3), (2, 2), (3, 1)])
-def test_loops(start, stop) -> None:
-    def write(body, x, n, out) -> None:
+def test_loops(start: int, stop: int) -> None:
+    def write(body: Body, x: Place, n: Place, out: Place) -> None:
         with body.loop("i", n, start=start) as i:
             body.set(out[i], x[i] * 2)
 
@@ -177,7 +180,7 @@ def test_loops(start, stop) -> None:
 
 
 def test_add_reads_the_target_first() -> None:
-    def write(body, x) -> None:
+    def write(body: Body, x: Place) -> None:
         body.add(x[0], x[0])
         body.add(x[0], -x[1])
 
@@ -190,7 +193,7 @@ OUTER = Struct("outer", "A struct in a struct.", (Field("pair", PAIR), Field("pa
 
 
 def test_a_struct_copy_shares_nothing() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         y = body.local("y", (), OUTER)
         body.copy(y, x)
         body.set(y.pair.b[0], 100)
@@ -218,11 +221,11 @@ def test_a_struct_copy_shares_nothing() -> None:
 
 
 def test_calls_write_scalars_and_elements_of_structs() -> None:
-    def split(body, x, whole, rest) -> None:
+    def split(body: Body, x: Place, whole: Place, rest: Place) -> None:
         body.set(whole, x * 2)
         body.set(rest[0], x + 1)
 
-    def use(body, x, out) -> None:
+    def use(body: Body, x: Place, out: Place) -> None:
         a = body.local("a")
         body.call(inner, x, a, out.b)
         body.set(out.a, a + out.b[0])

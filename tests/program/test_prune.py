@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 import pytest
@@ -10,11 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Place, integer, select
+from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.expression import Expr, Place, integer, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.prune import pruned
-from mahovik.core.program.statement import Declare, Do, Let, Loop, Set, When
+from mahovik.core.program.statement import Declare, Do, Let, Loop, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
 from program.small import argument, function, program
@@ -22,7 +24,7 @@ from program.small import argument, function, program
 R, I = Kind.REAL, Kind.INT
 
 
-def names(body):
+def names(body: Sequence[Statement]) -> Iterator[str]:
     """Names of the locals of a body, in order."""
     for s in body:
         match s:
@@ -33,7 +35,7 @@ def names(body):
                 yield from names(getattr(s, "otherwise", ()))
 
 
-def cut(write, arguments=None, public=True):
+def cut(write: Callable[..., None], arguments: Sequence[Argument] | None = None, public: bool = True) -> Function:
     """A pruned function of (x, out[2]), or of other arguments."""
     arguments = arguments or (argument("x"), argument("out", R, (2,), "out"))
     return pruned(function("f", arguments, write, public=public))
@@ -44,7 +46,7 @@ STATUS = function("status", [argument("a", R, (2,), "out")], lambda body, a: bod
 
 
 def test_what_is_only_written_goes() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         dead = body.local("dead", (2,))
         chain = body.let("chain", x * 2)
         body.set(dead[0], chain)
@@ -58,7 +60,7 @@ def test_what_is_only_written_goes() -> None:
 
 
 def test_calls_that_only_write_the_dead_go() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         dead = body.local("dead", (2,))
         body.call(FILL, x, dead)
         body.set(out[0], x)
@@ -67,7 +69,7 @@ def test_calls_that_only_write_the_dead_go() -> None:
 
 
 def test_calls_whose_result_is_read_stay() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         alive = body.local("alive", (2,))
         body.call(FILL, x, alive)
         body.set(out[0], alive[0])
@@ -76,7 +78,7 @@ def test_calls_whose_result_is_read_stay() -> None:
 
 
 def test_calls_with_a_status_stay() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         a = body.local("a", (2,))
         body.call(STATUS, a)
         body.set(out[0], x)
@@ -85,7 +87,7 @@ def test_calls_with_a_status_stay() -> None:
 
 
 def test_a_variable_that_is_an_index_lives() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         k = body.local("k", (), I)
         body.set(k, 1)
         body.set(out[k], x)
@@ -94,7 +96,7 @@ def test_a_variable_that_is_an_index_lives() -> None:
 
 
 def test_a_variable_that_a_condition_or_bound_reads_lives() -> None:
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         sign = body.let("sign", x < 0)
         count = body.local("count", (), I)
         body.set(count, 2)
@@ -107,7 +109,7 @@ def test_a_variable_that_a_condition_or_bound_reads_lives() -> None:
 def test_arguments_without_use_are_dropped() -> None:
     arguments = (argument("x"), argument("unused"), argument("out", R, (2,), "out"))
 
-    def write(body, x, unused, out) -> None:
+    def write(body: Body, x: Place, unused: Place, out: Place) -> None:
         dead = body.local("dead")
         body.set(dead, unused)
         body.set(out[0], x)
@@ -123,13 +125,13 @@ class Writer:
         self.rng = random.Random(seed)
         self.count = 0
 
-    def write(self, body, x, out) -> None:
+    def write(self, body: Body, x: Place, out: Place) -> None:
         """The body of f(x[3], out[4])."""
         self.out = out
         self._block(body, [*x], [], 2)
         body.set(out[3], x[0])
 
-    def _block(self, body, readable, arrays, depth: int) -> None:
+    def _block(self, body: Body, readable: list[Place], arrays: list[Place], depth: int) -> None:
         readable, arrays = list(readable), list(arrays)
         for _ in range(self.rng.randint(2, 6)):
             self.count += 1
@@ -158,7 +160,7 @@ class Writer:
                 with body.otherwise():
                     self._block(body, readable, arrays, depth - 1)
 
-    def _tree(self, readable):
+    def _tree(self, readable: list[Place]) -> Expr:
         a, b, c = (self.rng.choice(readable) for _ in range(3))
         return self.rng.choice([a + b * c, a - b, select(a < b, b, c), -a])
 
@@ -194,11 +196,14 @@ def test_the_value_of_a_call_in_an_expression_lives() -> None:
     body.set(out.place[0], call(value, a))
     found = pruned(Function("f", "f.", (x, out), body.statements))
     assert any(isinstance(s, Do) for s in found.body)
-    assert isinstance(found.body[-1].value.arguments[0], Place)
+    last = found.body[-1]
+    assert isinstance(last, Set)
+    assert isinstance(last.value, Call)
+    assert isinstance(last.value.arguments[0], Place)
 
 
 @pytest.mark.parametrize("added", [False, True])
-def test_a_dead_variable_that_a_living_call_writes_is_kept(added) -> None:
+def test_a_dead_variable_that_a_living_call_writes_is_kept(added: bool) -> None:
     """The call needs somewhere to write its other result."""
     both = function(
         "both",
@@ -206,7 +211,7 @@ def test_a_dead_variable_that_a_living_call_writes_is_kept(added) -> None:
         lambda body, x, p, q: (body.set(p, x), body.set(q, x)),
     )
 
-    def write(body, x, out) -> None:
+    def write(body: Body, x: Place, out: Place) -> None:
         p, q = body.local("p"), body.local("q")
         body.call(both, x, p, q)
         if added:

@@ -6,7 +6,7 @@ from emit.stands import NAMES, float_texts, generated, stand
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, Place, Variable, integer, real
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, When
+from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 from mahovik.core.program.validate import validate
 from program.small import argument, function, program
@@ -20,7 +20,7 @@ LET_A = Let(A, real(1))
 USE_A = Set(OUT.place[0], A.place)
 
 
-def of(*body):
+def of(*body: Statement) -> Program:
     """A program of one function of x, out with that body."""
     return program(Function("f", "f.", (X, OUT), tuple(body), public=True))
 
@@ -51,7 +51,7 @@ def of(*body):
         ([Copy(A.place, X.place)], "f: a is used outside its block"),
     ],
 )
-def test_refusals(body, message: str) -> None:
+def test_refusals(body: list[Statement], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         validate(of(*body))
 

@@ -1,10 +1,14 @@
 """Many states side by side: the wide form of a function gives each state what the narrow one gives, bit for bit."""
 
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
 import pytest
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.build import Body, call
-from mahovik.core.program.expression import Not, Select, Status, and_, equal, integer, real, unequal
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Const, Not, Place, Select, Status, and_, equal, integer, real, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.interpret import Interpreter
@@ -19,7 +23,7 @@ from program.small import argument, function, program
 COUNT = NamedCount("N", 9)
 
 
-def status_function(name: str, arguments, write):
+def status_function(name: str, arguments: Sequence[Argument], write: Callable[..., None]) -> Function:
     """A function that returns a status; `write(body, *places)` writes its body, but for the last return."""
     body = Body()
     write(body, *(a.place for a in arguments))
@@ -27,10 +31,10 @@ def status_function(name: str, arguments, write):
     return Function(name, f"{name}.", tuple(arguments), body.statements, returns=Kind.STATUS)
 
 
-def within():
+def within() -> Function:
     """RANGE where a value is above its limit, NOT_FINITE where it is no number."""
 
-    def write(body, values, count: int, limit) -> None:
+    def write(body: Body, values: Place, count: int, limit: Place) -> None:
         with body.loop("i", count) as i, body.when(Not(and_(values[i] >= -limit, values[i] <= limit))):
             with body.when(and_(values[i] >= real(-1e30), values[i] <= real(1e30))):
                 body.ret(Status("RANGE"))
@@ -40,10 +44,10 @@ def within():
     return status_function("within", arguments, write)
 
 
-def kinked():
+def kinked() -> Function:
     """y = x^2 below 1, else -x: a flat function with a condition that varies."""
 
-    def write(body, x, y) -> None:
+    def write(body: Body, x: Place, y: Place) -> None:
         body.set(y, x * x)
         with body.when(x > real(1)):
             body.set(y, -x)
@@ -51,7 +55,7 @@ def kinked():
     return function("kinked", [argument("x"), argument("y", direction="out")], write, public=False)
 
 
-def widened(narrow, varying, precision: Precision = DOUBLE):
+def widened(narrow: Sequence[Function], varying: Sequence[str], precision: Precision = DOUBLE) -> tuple[Any, ...]:
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
     inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
@@ -62,23 +66,23 @@ def widened(narrow, varying, precision: Precision = DOUBLE):
     return found, made, wide.lanes
 
 
-def lanes(rows):
+def lanes(rows: Iterable[Iterable[Any]]) -> list[dict[str, list[Any]]]:
     """Rows of lanes as the wide argument of an array."""
     return [{"at": list(row)} for row in rows]
 
 
-def run_wide(made, function, inputs, count: int):
+def run_wide(made: Any, function: Function, inputs: dict[str, Any], count: int) -> tuple[dict[str, Any], list[int]]:
     """Outputs by name, and the statuses of all lanes."""
     refused = {"at": [0] * count}
     _, out = Interpreter(made).run(function.name, {**inputs, "refused": refused})
     return out, [-code for code in out.pop("refused", refused)["at"]]
 
 
-def summing():
+def summing() -> list[Function]:
     """out = sum of kinked(x[i]) times scale, after a check of x; RANGE where the sum is negative."""
     check, kink = within(), kinked()
 
-    def write(body, x, scale, flag, out) -> None:
+    def write(body: Body, x: Place, scale: Place, flag: Place, out: Place) -> None:
         status = body.local("status", (), Kind.STATUS)
         body.set(status, call(check, x, COUNT, real(100)))
         with body.when(unequal(status, Status("OK"))):
@@ -102,7 +106,7 @@ def summing():
 
 @pytest.mark.parametrize("precision", [DOUBLE, FLOAT])
 @pytest.mark.parametrize("flag", [0, 1])
-def test_each_lane_is_the_narrow_function(precision: Precision, flag) -> None:
+def test_each_lane_is_the_narrow_function(precision: Precision, flag: int) -> None:
     narrow = summing()
     made, wide, count = widened(narrow, ["x"], precision)
     rows = [[0.1 * (i + 1) + 0.07 * k for k in range(count)] for i in range(int(COUNT))]
@@ -122,6 +126,8 @@ def test_the_loop_over_lanes_is_inside_and_small_functions_are_copied() -> None:
     (loop,) = [s for s in wide.body if isinstance(s, Loop) and s.index.name == "i"]
     (inner,) = loop.body
     assert isinstance(inner, Loop)
+    assert isinstance(inner.stop, Const)
+    assert inner.stop.value is not None
     assert (inner.index.name, int(inner.stop.value)) == ("k", count)
     assert not [s for s in inner.body if isinstance(s, Do)]
 
@@ -136,16 +142,16 @@ def test_what_is_the_same_for_all_stays_narrow() -> None:
 
 
 def test_a_call_under_a_condition_that_varies_is_refused() -> None:
-    def arguments():
+    def arguments() -> list[Argument]:
         return [argument("x", shape=(COUNT,)), argument("y", shape=(COUNT,), direction="out")]
 
-    def copy(body, x, y) -> None:
+    def copy(body: Body, x: Place, y: Place) -> None:
         with body.loop("i", COUNT) as i:
             body.set(y[i], x[i])
 
     inner = function("inner", arguments(), copy, public=False)
 
-    def write(body, x, y) -> None:
+    def write(body: Body, x: Place, y: Place) -> None:
         with body.when(x[0] > real(0)):
             body.call(inner, x, y)
 
@@ -156,7 +162,7 @@ def test_a_call_under_a_condition_that_varies_is_refused() -> None:
 def test_a_status_must_be_returned_at_once() -> None:
     check = within()
 
-    def write(body, x) -> None:
+    def write(body: Body, x: Place) -> None:
         status = body.local("status", (), Kind.STATUS)
         body.set(status, call(check, x, COUNT, real(1)))
 
@@ -165,7 +171,7 @@ def test_a_status_must_be_returned_at_once() -> None:
 
 
 def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set() -> None:
-    def write(body, x, y) -> None:
+    def write(body: Body, x: Place, y: Place) -> None:
         value = body.local("value")
         with body.when(x > real(0)):
             body.set(value, x * real(2))

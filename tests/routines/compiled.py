@@ -5,6 +5,7 @@ import subprocess
 from functools import cache
 from pathlib import Path
 from tempfile import mkdtemp
+from typing import Any
 
 import cffi
 import numpy as np
@@ -60,14 +61,25 @@ def source(precision: Precision) -> str:
 
 
 @cache
-def library(precision: Precision, *flags):
+def library(precision: Precision, *flags: str) -> tuple[Any, Any]:
     """(cffi, compiled library); skips where there is no compiler."""
     compiler = shutil.which("gcc") or shutil.which("clang") or require("gcc", "gcc")
     folder = Path(mkdtemp())
     try:
         code, shared = folder / "routines.c", folder / "routines.so"
         code.write_text(source(precision))
-        command = [compiler, *FLAGS, *ALONE, "-ffp-contract=off", *flags, "-shared", "-fPIC", code, "-o", shared]
+        command: list[str | Path] = [
+            compiler,
+            *FLAGS,
+            *ALONE,
+            "-ffp-contract=off",
+            *flags,
+            "-shared",
+            "-fPIC",
+            code,
+            "-o",
+            shared,
+        ]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         ffi = cffi.FFI()
@@ -77,11 +89,11 @@ def library(precision: Precision, *flags):
         shutil.rmtree(folder)  # a loaded library stays loaded
 
 
-def run(precision: Precision, name: str, *arguments, flags: tuple[str, ...] = ("-O2",)):
+def run(precision: Precision, name: str, *arguments: Any, flags: tuple[str, ...] = ("-O2",)) -> list[np.ndarray]:
     """Results of a routine for arrays of arguments: a list of arrays."""
     ffi, compiled = library(precision, *flags)
-    arguments = [np.ascontiguousarray(a, dtype=precision.scalar) for a in arguments]
-    results = [np.empty_like(arguments[0]) for _ in range(2 if name == "sincos" else 1)]
-    pointers = [ffi.cast(f"{precision.name} *", a.ctypes.data) for a in (*arguments, *results)]
-    getattr(compiled, f"all_{name}")(*pointers, len(arguments[0]))
+    given = [np.ascontiguousarray(a, dtype=precision.scalar) for a in arguments]
+    results = [np.empty_like(given[0]) for _ in range(2 if name == "sincos" else 1)]
+    pointers = [ffi.cast(f"{precision.name} *", a.ctypes.data) for a in (*given, *results)]
+    getattr(compiled, f"all_{name}")(*pointers, len(given[0]))
     return results

@@ -1,6 +1,8 @@
 """atan2: two units in the last place everywhere, quadrants and zeros as in C."""
 
 import math
+from collections.abc import Iterable
+from typing import Any
 
 import mpmath as mp
 import numpy as np
@@ -15,7 +17,7 @@ PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p:
 LAST_PLACES = 1.75  # the bound of the module's docstring
 
 
-def largest_error(precision: Precision, points) -> float:
+def largest_error(precision: Precision, points: Iterable[tuple[Any, Any]]) -> float:
     worst = 0.0
     with mp.workprec(BITS):
         for y, x in points:

@@ -3,6 +3,8 @@
 References: NumPy's sqrt (an IEEE operation), double for float, and long double for double where it is longer.
 """
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -18,37 +20,37 @@ LONGER = {"double": np.longdouble, "float": np.float64}
 
 
 @pytest.fixture
-def longer(precision: Precision):
+def longer(precision: Precision) -> Any:
     """A type in which NumPy's functions serve as reference."""
-    kind = LONGER[precision.name]
+    kind: Any = LONGER[precision.name]
     if np.finfo(kind).nmant <= precision.significand + 8:
         pytest.skip("long double is no longer than double here")
     return kind
 
 
-def error(got, expected, precision: Precision) -> float:
+def error(got: np.ndarray, expected: np.ndarray, precision: Precision) -> float:
     """The largest error in units in the last place."""
     unit = np.spacing(np.abs(expected.astype(precision.scalar)))
     return float(np.max(np.abs(got - expected) / unit))
 
 
-def angles_of_every_kind(precision: Precision, count: int):
+def angles_of_every_kind(precision: Precision, count: int) -> np.ndarray:
     draw = np.random.default_rng(1)
     near = draw.uniform(-NEAR_ZERO, NEAR_ZERO, count)
     eighths = draw.integers(-32, 33, count) * np.pi / 4
     close = eighths * (1 + np.finfo(precision.scalar).eps * draw.integers(-100, 100, count))
     angles = np.concatenate([near, close]).astype(precision.scalar)
-    return angles[np.abs(angles) <= NEAR_ZERO]
+    return np.asarray(angles[np.abs(angles) <= NEAR_ZERO])
 
 
-def points_of_every_kind(precision: Precision, count: int):
+def points_of_every_kind(precision: Precision, count: int) -> tuple[np.ndarray, np.ndarray]:
     draw = np.random.default_rng(2)
     x, y = draw.normal(size=(2, count)) * np.exp(draw.uniform(-20, 20, (2, count)))
     half = draw.uniform(0.5, 1, count)
     return np.concatenate([y, half * draw.uniform(0.45, 0.55, count)]), np.concatenate([x, half])
 
 
-def numbers_of_every_size(precision: Precision, count: int):
+def numbers_of_every_size(precision: Precision, count: int) -> np.ndarray:
     draw = np.random.default_rng(3)
     infinity = int(np.array(np.inf, precision.scalar).view(precision.word))
     return draw.integers(0, infinity, count, dtype=precision.word).view(precision.scalar)

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import math_campaign as campaign
 import math_proof as proof
 import numpy as np
 import pytest
+from campaign import Block
 from flint import arb
 
 from docs.pages import cells
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
+from mahovik.core.routines import arc_tangent
+from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 from toolchain.tools import require
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
@@ -61,17 +65,18 @@ def test_all_that_is_proven_holds() -> None:
 @PRECISIONS
 def test_a_proven_bound_of_a_polynomial_is_above_what_is_found_and_near_it(precision: Precision) -> None:
     """tools/minimax.py found these by samples."""
-    fits, arcs = proof.SINCOS[precision.name], proof.ARC_TANGENT[precision.name]
+    fits, arcs = SINCOS[precision.name], arc_tangent.POLYNOMIALS[precision.name]
     for what, found in (("sine", fits.sine_error), ("cosine", fits.cosine_error), ("arc tangent", arcs.error)):
         assert 0.98 * found < proof.approximation(what, precision) < 1.3 * found
 
 
 @pytest.mark.parametrize("part", ["sine", "cosine"])
 def test_a_coefficient_that_is_off_is_no_longer_proven(part: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    fits = proof.SINCOS["double"]
+    fits = SINCOS["double"]
     spoiled = list(getattr(fits, part))
     spoiled[2] *= 1 + 1e-9
-    monkeypatch.setitem(proof.SINCOS, "double", replace(fits, **{part: tuple(spoiled)}))
+    changed: dict[str, Any] = {part: tuple(spoiled)}
+    monkeypatch.setitem(SINCOS, "double", replace(fits, **changed))
     for cached in (proof.approximation, proof.near, proof.anywhere):
         cached.cache_clear()
     try:
@@ -92,18 +97,17 @@ def test_no_sample_is_closer_to_a_quarter_turn_than_the_least_that_is_proven(pre
     assert least <= min(distances) < 1.01 * least
 
 
-def lines_between(markers: tuple[str, str]) -> list[list[str]]:
-    text = campaign.PAGE.read_text(encoding="utf-8").partition(markers[0])[2].partition(markers[1])[0]
-    return [cells(line) for line in text.splitlines() if line.startswith("|")]
+def lines_of(block: Block) -> list[list[str]]:
+    return [cells(line) for line in block.text().splitlines() if line.startswith("|")]
 
 
 @pytest.mark.slow
 def test_the_page_has_the_tables_that_the_tool_writes() -> None:
-    head, _, *rows = lines_between(campaign.MEASURED)
+    head, _, *rows = lines_of(campaign.MEASURED)
     assert tuple(head) == campaign.MEASURED_HEAD
     assert {(row[0], row[1]) for row in rows} >= {(n, p) for n in ("sin", "sqrt", "atan2") for p in ("double", "float")}
     for row in rows:
         assert float(row[4].split()[0]) <= float(row[6].split()[0]), row
-    head, _, *rows = lines_between(campaign.PROVEN)
+    head, _, *rows = lines_of(campaign.PROVEN)
     assert tuple(head) == campaign.PROVEN_HEAD
     assert rows == [row.cells() for row in proof.rows()]

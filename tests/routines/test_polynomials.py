@@ -1,15 +1,16 @@
 """The polynomials of the routines: derived again by tools/minimax.py, and within the error they claim."""
 
+from typing import Any
+
 import minimax
 import mpmath as mp
 import pytest
 
-from mahovik.core.program.types import Precision
 from mahovik.core.routines import arc_tangent
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 
 
-def used(name: str, precision: Precision):
+def used(name: str, precision: str) -> tuple[list[Any], float]:
     """Coefficients a routine uses, as numbers of the element type, and the error it claims for them."""
     if name == "sine":
         coefficients, error = SINCOS[precision].sine, SINCOS[precision].sine_error
@@ -27,7 +28,7 @@ PROBLEMS = pytest.mark.parametrize("problem", minimax.PROBLEMS, ids=lambda p: p.
 
 @EACH
 @PROBLEMS
-def test_polynomial_keeps_the_error_it_claims(problem: str, precision: Precision) -> None:
+def test_polynomial_keeps_the_error_it_claims(problem: minimax.Problem, precision: str) -> None:
     coefficients, claimed = used(problem.name, precision)
     found = float(minimax.largest_deviation(problem, coefficients, samples=1500))
     assert 0.9 * claimed < found <= claimed
@@ -36,13 +37,13 @@ def test_polynomial_keeps_the_error_it_claims(problem: str, precision: Precision
 @pytest.mark.slow
 @EACH
 @PROBLEMS
-def test_coefficients_are_those_the_tool_derives(problem: str, precision: Precision) -> None:
+def test_coefficients_are_those_the_tool_derives(problem: minimax.Problem, precision: str) -> None:
     coefficients, _ = used(problem.name, precision)
     assert coefficients == minimax.coefficients_of(problem, precision)
 
 
 @PROBLEMS
-def test_error_alternates_as_chebyshev_demands(problem: str) -> None:
+def test_error_alternates_as_chebyshev_demands(problem: minimax.Problem) -> None:
     """A best polynomial of n terms has n + 1 extrema of one size and alternating sign."""
     terms = problem.terms["float"]
     with mp.workdps(minimax.DIGITS):

@@ -1,6 +1,8 @@
 """sincos: one unit in the last place near zero turns, an absolute bound over the whole accepted range."""
 
+from collections.abc import Iterable
 from fractions import Fraction
+from typing import Any
 
 import mpmath as mp
 import numpy as np
@@ -26,11 +28,11 @@ LAST_PLACES = 0.9  # the bound of the module's docstring
 ABSOLUTE = {"double": 1e-16, "float": 6e-8}  # the contract
 
 
-def references(x):
+def references(x: Any) -> tuple[mp.mpf, mp.mpf]:
     return mp.sin(exact(x)), mp.cos(exact(x))
 
 
-def largest_error_in_last_places(precision: Precision, arguments) -> float:
+def largest_error_in_last_places(precision: Precision, arguments: Iterable[Any]) -> float:
     with mp.workprec(BITS):
         return max(
             error_in_last_places(precision, got, expected)
@@ -39,7 +41,7 @@ def largest_error_in_last_places(precision: Precision, arguments) -> float:
         )
 
 
-def largest_absolute_error(precision: Precision, arguments) -> float:
+def largest_absolute_error(precision: Precision, arguments: Iterable[Any]) -> float:
     with mp.workprec(BITS):
         return max(
             float(abs(exact(got) - expected))
@@ -138,7 +140,7 @@ def test_operations_stay_few(precision: Precision) -> None:
     assert cost(sincos(precision)).total <= {"double": 47, "float": 35}[precision.name]
 
 
-def significant_bits(value) -> int:
+def significant_bits(value: Fraction) -> int:
     """Bits from the first to the last 1 of a dyadic fraction."""
     numerator = value.numerator
     return (numerator // (numerator & -numerator)).bit_length()

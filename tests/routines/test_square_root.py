@@ -1,6 +1,8 @@
 """sqrt: correctly rounded, judged with exact fractions."""
 
+from collections.abc import Iterable
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ from routines.run import call, neighbours
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
 
 
-def is_nearest_root(precision: Precision, x, root) -> bool:
+def is_nearest_root(precision: Precision, x: Any, root: Any) -> bool:
     """The midpoints beside `root` enclose the square root of x."""
     up = np.nextafter(root, precision.scalar(np.inf))
     down = np.nextafter(root, precision.scalar(0))
@@ -20,7 +22,7 @@ def is_nearest_root(precision: Precision, x, root) -> bool:
     return below**2 < Fraction(float(x)) < above**2
 
 
-def assert_all_nearest(precision: Precision, arguments) -> None:
+def assert_all_nearest(precision: Precision, arguments: Iterable[Any]) -> None:
     wrong = [x for x in arguments if not is_nearest_root(precision, x, call(precision, "sqrt", x))]
     assert wrong == []
 
@@ -68,7 +70,7 @@ def test_roots_next_to_a_midpoint_are_rounded_right(precision: Precision) -> Non
     """Squares of (k + 1/2) units in the last place, rounded: the hardest arguments there are."""
     draw = np.random.default_rng(4)
     ones = 1 << (precision.significand - 1)
-    hard = []
+    hard: list[Any] = []
     for k in (*draw.integers(ones, 2 * ones, 1500), ones, 2 * ones - 1):
         square = (Fraction(int(k)) + Fraction(1, 2)) ** 2 / ones**2
         for scale in (1.0, 0.25, 2.0**20):

@@ -1,5 +1,8 @@
 """The second derivation against the literal reference, relative to the natural scale of every quantity."""
 
+from collections.abc import Callable, Sequence
+from typing import Any
+
 import numpy as np
 
 from mahovik.contract.functions import wants_of
@@ -17,10 +20,13 @@ NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second 
 # what verify asks of every backend; the largest seen is 2e-14, of the solve in `coupled`
 AGREEMENT = 1e-12
 
+Expected = dict[str, tuple[dict[str, Any], dict[str, Any]] | None]
+"""Results and natural scales by want; None: refused."""
 
-def expectations(stand: Stand, state: State, wants=WANTS):
+
+def expectations(stand: Stand, state: State, wants: Sequence[str] = WANTS) -> Expected:
     """want -> what the reference gives and its natural scales; None where it refuses."""
-    found = {}
+    found: Expected = {}
     with np.errstate(all="ignore"):
         at = reference.pieces(stand, state)
         for want in wants:
@@ -29,12 +35,14 @@ def expectations(stand: Stand, state: State, wants=WANTS):
     return found
 
 
-def differences(evaluate, state: State, expected):
+def differences(
+    evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, expected: Expected
+) -> dict[tuple[str, str], float]:
     """(want, quantity) -> largest difference over natural scale, of all that the reference gives at this state.
 
     `evaluate(state, want)`. Refusing what the reference evaluates is an infinite difference, and the other way round.
     """
-    found = {}
+    found: dict[tuple[str, str], float] = {}
     for want, given in expected.items():
         values = attempt(evaluate, state, want)
         if given is None and values is None:
@@ -49,7 +57,9 @@ def differences(evaluate, state: State, expected):
     return found
 
 
-def attempt(evaluate, state: State, want: str):
+def attempt(
+    evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str
+) -> dict[str, Any] | None:
     """What evaluate gives; None where it refuses."""
     try:
         with np.errstate(all="ignore"):

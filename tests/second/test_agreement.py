@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
 KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
 
 
-def agrees(stand: Stand, seed: int, count: int):
+def agrees(stand: Stand, seed: int, count: int) -> set[tuple[str, str]]:
     """Asserts agreement at `count` states, extreme ones among them; returns the quantities that were compared."""
     second = Second(stand)
     compared = set()
@@ -42,7 +43,7 @@ def test_example_stands_agree_in_every_want(path: Path) -> None:
 
 @pytest.mark.parametrize("flywheels", [0, 1, 5, 6, 7, 12])
 @pytest.mark.parametrize("kind", KINDS)
-def test_random_general_stands_agree_in_every_want(flywheels: int, kind) -> None:
+def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) -> None:
     angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]
     stand = random_stand(np.random.default_rng(flywheels), flywheels, replace(KINDS[kind], angles=angles))
     compared = agrees(stand, flywheels, 3 * len(EXTREMES) + 1)
@@ -82,7 +83,7 @@ def test_the_values_have_the_types_of_the_reference() -> None:
         assert types(found) == {name: kind for name, kind in types(expected).items() if name not in ("I0", "J0")}
 
 
-def types(values):
+def types(values: dict[str, Any]) -> dict[str, Any]:
     """Type, and shape, of everything in a result."""
     return {
         name: types(value) if isinstance(value, dict) else (type(value), np.shape(value))

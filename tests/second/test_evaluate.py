@@ -2,11 +2,13 @@
 
 import time
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from mahovik.contract.functions import wants_of
+from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
@@ -53,7 +55,7 @@ def test_generalized_needs_angles() -> None:
 
 
 @pytest.mark.parametrize(("angles", "theta"), [("ship", np.pi / 2), ("aircraft", -np.pi / 2), ("euler", np.pi)])
-def test_singular_attitudes_are_refused(angles, theta) -> None:
+def test_singular_attitudes_are_refused(angles: AngleSequence, theta: float) -> None:
     stand, state = draw(1, 2)
     stand = replace(stand, angles=angles)
     with pytest.raises(StateError, match=f"singular attitude of the {angles} sequence"):
@@ -101,8 +103,9 @@ def test_overflow_is_reported_not_returned(want: str) -> None:
 @pytest.mark.parametrize("name", ["V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau"])
 def test_a_wrong_number_of_inputs_is_refused(name: str) -> None:
     stand, state = draw(1, 2)
+    short: dict[str, Any] = {name: (1.0,)}
     with pytest.raises(StateError, match=f"{name}: expected . numbers, found 1"):
-        evaluate(stand, replace(state, **{name: (1.0,)}), ["momentum"])
+        evaluate(stand, replace(state, **short), ["momentum"])
 
 
 def test_a_wrench_on_nothing_is_refused() -> None:

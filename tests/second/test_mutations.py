@@ -3,18 +3,21 @@
 import importlib
 import shutil
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
 
 import mahovik.proof.second
 from mahovik import laws
-from mahovik.core.motion.laws import Law
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, random_stand
+from mahovik.core.stand.state import State
 from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
 
@@ -54,7 +57,7 @@ MUTATIONS = {
 
 
 @cache
-def cases():
+def cases() -> list[tuple[Stand, State, Any]]:
     """Stands of every sequence with every kind of wrench, states of them, and what the reference gives there."""
     found = []
     for seed, angles in enumerate(SEQUENCES):
@@ -65,7 +68,7 @@ def cases():
     return found
 
 
-def worst(package):
+def worst(package: ModuleType) -> float:
     """Largest difference of a package's Second to the reference; infinite where a result is missing."""
     return max(
         off
@@ -74,7 +77,7 @@ def worst(package):
     )
 
 
-def with_one_changed(law: Law, there, instead):
+def with_one_changed(law: str, there: str, instead: str) -> Callable[[str], tuple[ModuleType, ...]]:
     """`laws.parts` with the second derivation of one law changed."""
     names = [f"laws.{each}" for each in laws.LAWS]
     found = list(laws.parts("second"))

@@ -20,7 +20,7 @@ FROM_DIFFERENCES = 1e-10  # 1e-16 of the largest term over STEP, some hundred op
 ROUNDING = 1e-12
 
 
-def without_damping(stand: Stand):
+def without_damping(stand: Stand) -> Stand:
     """The stand without damping of its bodies in the fluid."""
     return replace(
         stand,
@@ -30,7 +30,7 @@ def without_damping(stand: Stand):
     )
 
 
-def consistent(stand: Stand, state: State):
+def consistent(stand: Stand, state: State) -> State:
     """The state with V* of its own equations and the drive torques of it: a moment of a real motion."""
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     return replace(state, tau=vec(evaluate(stand, state, ["torque"])["tau"]))
@@ -64,7 +64,7 @@ def test_weight_and_springs_keep_total_energy(seed: int) -> None:
     state = consistent(stand, without_wrench(state))
     along = motion(stand, state)
 
-    def energies(t: float):
+    def energies(t: float) -> np.ndarray:
         now = along(t)
         at, C, O1 = evaluate(stand, now, ["momentum"]), rotation(stand, now), np.array(now.position)
         mass = sum(body.mass for body in stand.bodies)
@@ -129,7 +129,7 @@ def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed: int) -> No
 @pytest.mark.parametrize(
     ("want", "inputs"), [("forward", ("V", "phi", "phi_dot", "phi_ddot")), ("coupled", ("V", "phi", "tau"))]
 )
-def test_functions_can_be_differentiated(want: str, inputs) -> None:
+def test_functions_can_be_differentiated(want: str, inputs: tuple[str, ...]) -> None:
     """CasADi's derivatives of the whole chain, the solve as well, against differences."""
     stand, state = draw(2, 2, stream=True)
     stand = without_damping(stand)  # |V_r| has a corner where a component passes zero, differences do not see it
@@ -142,9 +142,9 @@ def test_functions_can_be_differentiated(want: str, inputs) -> None:
         found = exact[f"jac_{want}_V_dot_{name}"].full()
         for k in range(len(given[name])):
 
-            def moved(h, name: str = name, k=k):
+            def moved(h: float, name: str = name, k: int = k) -> np.ndarray:
                 values = {**given, name: given[name] + h * np.eye(len(given[name]))[k]}
-                return function(**values)[f"{want}_V_dot"].full()[:, 0]
+                return np.asarray(function(**values)[f"{want}_V_dot"].full()[:, 0])
 
             column = rate(moved, 1e-2)
             scale = np.abs(moved(0.0)).max() + np.abs(found).max()

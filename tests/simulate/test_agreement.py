@@ -6,6 +6,7 @@ import itertools
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -74,7 +75,7 @@ def start(stand: Stand) -> State:
     return replace(rest_state(stand), angles=(0.2, 0.4, -0.3), V=(0.1, -0.2, 0.1, 0.3, 0.2, -0.4), phi=(0.1, 0.2, 0.3))
 
 
-def case(stand: Stand, text: str, until: float = 0.05, **more) -> Case:
+def case(stand: Stand, text: str, until: float = 0.05, **more: Any) -> Case:
     return Case(stand, loads(text, stand, until), start(stand), until, **{"every": 0.01, **more})
 
 
@@ -163,7 +164,7 @@ def test_energy_is_the_work_of_constant_torques() -> None:
 @pytest.mark.parametrize("text", [LAWS.partition("[wrench]")[0], MIXED], ids=["laws", "mixed"])
 def test_energy_is_the_work_of_the_torques_that_speed_laws_need(text: str) -> None:
     found = simulate(case(free(), text, every=1e-4))
-    power = sum(found[f"tau w{s} [N m]"] * found[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3))
+    power = np.asarray(sum(found[f"tau w{s} [N m]"] * found[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3)))
     power = power[found["t [s]"] <= 0.0095]  # before the first corner
     work = np.trapezoid(power, dx=1e-4)
     assert energy(free(), found, len(power) - 1) - energy(free(), found, 0) == pytest.approx(work, rel=1e-5)
@@ -232,7 +233,7 @@ def test_times_end_at_until() -> None:
 @pytest.mark.parametrize(
     "wrong", [{"dt": 0.0}, {"dt": -1.0}, {"dt": float("nan")}, {"every": 0.0}, {"until": float("inf")}, {"order": 3}]
 )
-def test_bad_numbers_are_refused(wrong: dict) -> None:
+def test_bad_numbers_are_refused(wrong: dict[str, Any]) -> None:
     given = {"until": 0.1, "every": 0.01, **wrong}
     with pytest.raises(UsageError, match="expected"):
         Case(free(), steady(free(), [0.0] * 3), rest_state(free()), **given)
