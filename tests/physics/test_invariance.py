@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Damping, MountingAxes
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.torquer.data import Torquers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.rotation import flywheel_rotation
 from physics.general import draw, isolated, rows
@@ -81,8 +82,14 @@ def redescribed(stand, d, R):
         for p in stand.points
     )
     legs = tuple(replace(leg, carrier=place(leg.carrier)) for leg in legs_of(stand))
+
+    def turned(torquer):
+        return replace(torquer, dipole=vec(R.T @ np.array(torquer.dipole))) if torquer.mount == "carrier" else torquer
+
+    torquers = [law for law in stand.laws if isinstance(law, Torquers)]
+    torquers = [replace(law, torquers=tuple(map(turned, law.torquers))) for law in torquers]
     return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels, points=points).with_laws(
-        Legs(legs)
+        Legs(legs), *torquers
     )
 
 
