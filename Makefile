@@ -222,7 +222,7 @@ static-checks: setup
 lint: setup
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
-	MYPYPATH=bench $(BIN)/mypy generator/mahovik bench/mahovik_bench
+	$(BIN)/mypy
 	$(BIN)/python -m pytest -q tests/test_words.py
 
 docs: setup

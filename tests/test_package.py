@@ -5,7 +5,9 @@ import shutil
 import subprocess
 import sys
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,14 +19,14 @@ from mahovik.core.stand import load
 ROOT = Path(__file__).resolve().parent.parent
 
 
-def run(*command, **options):
+def run(*command: str | Path, **options: Any) -> str:
     """What a command that must succeed printed."""
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False, **options)
     assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    return str(done.stdout)
 
 
-def tracked():
+def tracked() -> list[str]:
     """The files of a clean checkout; of an unpacked archive those that no tool made."""
     if (ROOT / ".git").exists() and shutil.which("git"):
         return run("git", "ls-files", "-z", cwd=ROOT).strip("\0").split("\0")
@@ -34,7 +36,7 @@ def tracked():
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory):
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The wheel of the tracked files alone, as a clean checkout has them."""
     folder = tmp_path_factory.mktemp("package")
     checkout = folder / "checkout"
@@ -49,7 +51,7 @@ def wheel(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def site(wheel):
+def site(wheel: Path) -> Path:
     """A folder outside the repository where the wheel is installed."""
     target = wheel.parent.parent / "site"
     options = ("--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "--target", target)
@@ -58,10 +60,10 @@ def site(wheel):
 
 
 @pytest.fixture
-def installed(site, tmp_path):
+def installed(site: Path, tmp_path: Path) -> Callable[..., str]:
     """Runs Python in another folder with the installed package before all others on its path."""
 
-    def python(*arguments):
+    def python(*arguments: str) -> str:
         return run(sys.executable, *arguments, cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(site)})
 
     found = Path(python("-c", "import mahovik; print(mahovik.__file__)").strip())
@@ -69,7 +71,7 @@ def installed(site, tmp_path):
     return python
 
 
-def test_what_travels(wheel):
+def test_what_travels(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert wheel.name == f"mahovik-{__version__}-py3-none-any.whl"
     folder = ROOT / "templates"
@@ -82,7 +84,7 @@ def test_what_travels(wheel):
     assert any(n.endswith("LICENSE") for n in names)
 
 
-def test_the_installed_package_generates_the_same_c(installed, tmp_path):
+def test_the_installed_package_generates_the_same_c(installed: Callable[..., str], tmp_path: Path) -> None:
     code = "from mahovik.out.cli import main; main()"
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
     installed("-c", code, "generate", found, "-o", "out")
@@ -92,7 +94,7 @@ def test_the_installed_package_generates_the_same_c(installed, tmp_path):
     assert {"bench8_selftest.c", "README.md", "manifest.json"} <= written.keys()
 
 
-def test_the_installed_command_knows_its_version_and_examples(installed, tmp_path):
+def test_the_installed_command_knows_its_version_and_examples(installed: Callable[..., str], tmp_path: Path) -> None:
     code = "from mahovik.out.cli import main; main()"
     assert __version__ in installed("-c", code, "--version")
     installed("-c", code, "new", "sat4", "-o", "mine.toml")
@@ -100,6 +102,6 @@ def test_the_installed_command_knows_its_version_and_examples(installed, tmp_pat
     installed("-c", code, "check", "mine.toml")
 
 
-def test_the_command_is_declared(wheel):
+def test_the_command_is_declared(wheel: Path) -> None:
     entries = zipfile.ZipFile(wheel).read(f"mahovik-{__version__}.dist-info/entry_points.txt").decode()
     assert "mahovik = mahovik.__main__:run" in entries

@@ -11,7 +11,7 @@ from mahovik.proof.verify.c_backend import CBackend
 
 
 @cache
-def stand(name):
+def stand(name: str):
     """A stand by name: of some kinds of wrench, of all of them, a rigid body, or an example."""
     rng = np.random.default_rng(5)
     if name == "general":
@@ -26,24 +26,24 @@ def stand(name):
 
 
 @cache
-def model(name, real="double"):
+def model(name: str, real: str = "double"):
     """Its model."""
     return mahovik.build(stand(name), real=real)
 
 
 @cache
-def backend(name):
+def backend(name: str):
     """The functions for one state, one after the other."""
     return CBackend(stand(name))
 
 
-def drawn(name, count, seed=1):
+def drawn(name: str, count: int, seed: int = 1):
     """Random states of the evaluation contract."""
     rng = np.random.default_rng(seed)
     return [random_state(stand(name), rng) for _ in range(count)]
 
 
-def given(name, states):
+def given(name: str, states):
     """The same as states and inputs of the Python interface."""
     m = model(name)
     parts = [

@@ -33,18 +33,18 @@ BY_WRENCH = ("momentum", "points")
 """Take none."""
 
 
-def offered(name):
+def offered(name: str):
     return {f.name for f in model(name).functions}
 
 
-def results(name, function, states):
+def results(name: str, function, states):
     """Of a function on all states at once."""
     x, inputs, wrench = given(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
     return getattr(model(name), function)(x, **{key: inputs[key] for key in WANTS[function][1]}, **more)
 
 
-def pairs(name, function, result, expected, j):
+def pairs(name: str, function, result, expected, j):
     """Of each number of the contract: what came out, and what was expected."""
     if function == "points":
         for k, sensor in enumerate(model(name).sensors):
@@ -58,7 +58,7 @@ def pairs(name, function, result, expected, j):
 
 @pytest.mark.parametrize("name", STANDS)
 @pytest.mark.parametrize("function", WANTS)
-def test_bits_of_the_function_for_one_state(name, function):
+def test_bits_of_the_function_for_one_state(name: str, function) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:
         with pytest.raises(mahovik.InputError, match="the stand has no"):
@@ -73,7 +73,7 @@ def test_bits_of_the_function_for_one_state(name, function):
 
 
 @pytest.mark.parametrize("name", STANDS)
-def test_one_state_is_a_batch_of_one(name):
+def test_one_state_is_a_batch_of_one(name: str) -> None:
     x, inputs, wrench = given(name, drawn(name, 3))
     for function in offered(name) & set(WANTS):
         arguments = {key: inputs[key] for key in WANTS[function][1]}
@@ -92,7 +92,7 @@ def test_one_state_is_a_batch_of_one(name):
 @settings(max_examples=15)
 @drawn_by(seed=st.integers(0, 2**32 - 1))
 @pytest.mark.parametrize("function", ["forward", "coupled", "torque", "matrices", "momentum", "mounts"])
-def test_the_reference_agrees(function, seed):
+def test_the_reference_agrees(function, seed: int) -> None:
     """rtol: conditions of these stands are below 1e4."""
     name = "general"
     states = drawn(name, 3, seed)
@@ -104,7 +104,7 @@ def test_the_reference_agrees(function, seed):
             np.testing.assert_allclose(found, np.asarray(value), rtol=0, atol=1e-10 * size, err_msg=key)
 
 
-def test_steps_are_those_of_the_c():
+def test_steps_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
     states = drawn("general", 9)
     x, inputs, wrench = given("general", states)
@@ -117,7 +117,7 @@ def test_steps_are_those_of_the_c():
             assert np.array_equal(found.array[j], expected)
 
 
-def test_generalized_and_slopes_are_those_of_the_c():
+def test_generalized_and_slopes_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
     states = drawn("general", 5)
     x, inputs, wrench = given("general", states)
@@ -133,7 +133,7 @@ def test_generalized_and_slopes_are_those_of_the_c():
                 assert np.array_equal(result[key][j], np.asarray(value)), key
 
 
-def test_locks_hold():
+def test_locks_hold() -> None:
     m = model("bench8")
     x, inputs, _ = given("bench8", drawn("bench8", 4))
     by_name = m.coupled(x, inputs["tau"], locked=("w2", "w5"))
@@ -142,7 +142,7 @@ def test_locks_hold():
     assert not by_name.phi_ddot[:, [1, 4]].any() and by_name.phi_ddot[:, [0, 2, 3, 5, 6, 7]].all()
 
 
-def test_options_of_inverse_reach_the_c():
+def test_options_of_inverse_reach_the_c() -> None:
     m = model("bench8")
     x, inputs, _ = given("bench8", drawn("bench8", 4))
     limited = m.inverse(x, inputs["V_dot"], limit=1.0)
@@ -156,7 +156,7 @@ def test_options_of_inverse_reach_the_c():
 
 
 @pytest.mark.slow
-def test_float_is_float_and_near():
+def test_float_is_float_and_near() -> None:
     m, f = model("bench8"), model("bench8", "float")
     x, inputs, _ = given("bench8", drawn("bench8", 7))
     found = f.forward(f.states_of(x.array), inputs["phi_ddot"])

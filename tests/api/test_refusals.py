@@ -19,7 +19,7 @@ SPOILT = [
 
 
 @pytest.mark.parametrize(("name", "place", "label", "value", "reason"), SPOILT)
-def test_the_first_refused_state_is_named(name, place, label, value, reason):
+def test_the_first_refused_state_is_named(name: str, place, label, value, reason) -> None:
     m = model("bench8")
     x = m.states(6)
     x[name, label][[2, 4]] = value
@@ -34,7 +34,7 @@ def test_the_first_refused_state_is_named(name, place, label, value, reason):
 
 
 @pytest.mark.parametrize("function", ["forward", "coupled", "matrices", "inverse", "mounts", "step", "step_driven"])
-def test_on_request_refused_states_are_nan_and_the_others_as_ever(function):
+def test_on_request_refused_states_are_nan_and_the_others_as_ever(function) -> None:
     m = model("bench8")
     x = m.states(9, V=np.random.default_rng(1).normal(size=(9, 6)))
     more = {"inverse": [np.ones(6)], "step": [1e-3], "step_driven": [1e-3]}.get(function, [])
@@ -103,24 +103,24 @@ CALLS = {
 
 
 @pytest.mark.parametrize("message", CALLS)
-def test_one_line_says_what_is_wrong(message):
+def test_one_line_says_what_is_wrong(message: str) -> None:
     with pytest.raises(mahovik.MahovikError) as caught:
         CALLS[message](model("bench8"))
     assert str(caught.value) == message
     assert "\n" not in message
 
 
-def test_an_input_error_is_a_value_error():
+def test_an_input_error_is_a_value_error() -> None:
     with pytest.raises(ValueError, match="expected shape"):
         model("bench8").forward(np.zeros(28))
 
 
-def test_states_of_another_stand_are_refused():
+def test_states_of_another_stand_are_refused() -> None:
     with pytest.raises(mahovik.InputError, match=r"states of another stand: .*general.*, expected states of bench8"):
         model("bench8").forward(model("general").state())
 
 
-def test_without_a_compiler_one_line_says_what_installs_it(monkeypatch):
+def test_without_a_compiler_one_line_says_what_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "")
     monkeypatch.delenv("CC", raising=False)
     with pytest.raises(mahovik.ToolchainError, match=r"no C compiler found .* install one, on Debian with"):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from toolchain.tools import require
 
 
-def test_threads_of_python_do_not_disturb_one_another():
+def test_threads_of_python_do_not_disturb_one_another() -> None:
     m = model("bench8")
     rng = np.random.default_rng(1)
     batches = [m.states(V=rng.normal(size=(2000, 6)), phi_dot=rng.normal(size=(2000, 8))) for _ in range(8)]
@@ -31,7 +32,7 @@ def test_threads_of_python_do_not_disturb_one_another():
                 assert np.array_equal(found, right)
 
 
-def test_a_pickled_model_is_the_same_model():
+def test_a_pickled_model_is_the_same_model() -> None:
     again = pickle.loads(pickle.dumps(model("bench8")))
     x = again.states(4, V=np.eye(6)[:4])
     assert np.array_equal(again.forward(x).V_dot, model("bench8").forward(x).V_dot)
@@ -60,7 +61,7 @@ if __name__ == "__main__":
 @pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("start", ["fork", "spawn"])
-def test_worker_processes(start, threads, tmp_path):
+def test_worker_processes(start, threads, tmp_path: Path) -> None:
     script = tmp_path / "workers.py"
     script.write_text(WORKERS.replace("{threads}", str(threads)), encoding="utf-8")
     command = [sys.executable, "-W", "ignore", str(script), start]
@@ -70,7 +71,7 @@ def test_worker_processes(start, threads, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("other", ["gcc", "clang"])
-def test_every_compiler_gives_the_same_bits(other):
+def test_every_compiler_gives_the_same_bits(other) -> None:
     require(other, other)
     m, one = mahovik.build(stand("general"), compiler=other), model("general")
     rng = np.random.default_rng(1)
@@ -83,7 +84,7 @@ def test_every_compiler_gives_the_same_bits(other):
 
 
 @pytest.mark.slow
-def test_threads_of_openmp_give_the_same_bits():
+def test_threads_of_openmp_give_the_same_bits() -> None:
     one, many = mahovik.build(stand("demo3")), mahovik.build(stand("demo3"), threads=2)
     x = one.states(phi=np.random.default_rng(1).normal(size=(999, 3)), phi_dot=50.0)
     for function in ("forward", "coupled", "matrices", "momentum"):
@@ -95,7 +96,7 @@ def test_threads_of_openmp_give_the_same_bits():
 
 
 @pytest.fixture
-def made(monkeypatch):
+def made(monkeypatch: pytest.MonkeyPatch):
     """Stands compiled from now on, by name; what comes out lay in the store before."""
     model("bench8")
     there = store.find(store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False))
@@ -104,7 +105,7 @@ def made(monkeypatch):
     library, facts = there[0].read_bytes(), there[1]
     found = []
 
-    def copied(of, real, command, parallel, scratch):
+    def copied(of, real: str, command, parallel, scratch):
         found.append(of.name)
         (scratch / "copy.so").write_bytes(library)
         return scratch / "copy.so", facts, numbers
@@ -119,11 +120,11 @@ def works(m):
     return np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-def test_the_second_build_compiles_nothing(made):
+def test_the_second_build_compiles_nothing(made) -> None:
     assert works(mahovik.build(stand("bench8"))) and made == []
 
 
-def test_stands_of_one_structure_share_a_library(made):
+def test_stands_of_one_structure_share_a_library(made) -> None:
     one = stand("bench8")
     heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * 1.25), gravity=(0.0, 0.5, -9.0))
     m = mahovik.build(heavier)
@@ -138,7 +139,7 @@ def test_stands_of_one_structure_share_a_library(made):
     assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-def test_keys_tell_apart_what_differs():
+def test_keys_tell_apart_what_differs() -> None:
     one = stand("bench8")
     other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
     assert store.numbers_key(one, "double") != store.numbers_key(other, "double")
@@ -150,7 +151,7 @@ def test_keys_tell_apart_what_differs():
 
 
 @pytest.mark.parametrize("damage", ["digit", "half"])
-def test_damaged_numbers_are_not_believed(damage, tmp_path, monkeypatch, made):
+def test_damaged_numbers_are_not_believed(damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     mahovik.build(stand("bench8"))
     (numbers,) = (tmp_path / "models").glob("*.numbers")
@@ -161,7 +162,7 @@ def test_damaged_numbers_are_not_believed(damage, tmp_path, monkeypatch, made):
 
 
 @pytest.mark.parametrize("damage", ["truncated", "empty", "no facts", "other facts", "a list"])
-def test_what_is_damaged_is_made_anew(damage, tmp_path, monkeypatch, made):
+def test_what_is_damaged_is_made_anew(damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     mahovik.build(stand("bench8"))
     (library,), (facts,) = (tmp_path / "models").glob("*.so"), (tmp_path / "models").glob("*.json")
@@ -175,7 +176,9 @@ def test_what_is_damaged_is_made_anew(damage, tmp_path, monkeypatch, made):
 
 
 @pytest.mark.parametrize("cache", ["", "file/in/the/way"])
-def test_without_a_cache_it_works_and_leaves_nothing(cache, tmp_path, monkeypatch, made):
+def test_without_a_cache_it_works_and_leaves_nothing(
+    cache, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made
+) -> None:
     (tmp_path / "file").write_text("", encoding="ascii")
     monkeypatch.setenv("MAHOVIK_CACHE", cache and str(tmp_path / cache))
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
@@ -183,7 +186,7 @@ def test_without_a_cache_it_works_and_leaves_nothing(cache, tmp_path, monkeypatc
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_the_oldest_go(tmp_path, monkeypatch):
+def test_the_oldest_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     monkeypatch.setattr(store, "KEPT", 2)
     library = tmp_path / "made.so"

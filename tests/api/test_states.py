@@ -9,7 +9,7 @@ import mahovik
 from api.models import model
 
 
-def test_arrays_are_views():
+def test_arrays_are_views() -> None:
     x = model("bench8").states(3)
     x.V[1, 2] = 4.0
     x["phi_dot", "w8"] = [1.0, 2.0, 3.0]
@@ -21,7 +21,7 @@ def test_arrays_are_views():
     assert x.V[1, 2] == 4.0
 
 
-def test_a_single_state_has_no_batch_axis():
+def test_a_single_state_has_no_batch_axis() -> None:
     x = model("bench8").state(position=[1, 2, 3], phi_dot={"w2": 5})
     assert x.batch is None and x.position.tolist() == [1, 2, 3] and x.array.shape == (29,)
     x.phi[3] = 1.5
@@ -30,14 +30,14 @@ def test_a_single_state_has_no_batch_axis():
         len(x)
 
 
-def test_angles_are_those_of_the_sequence():
+def test_angles_are_those_of_the_sequence() -> None:
     x = model("bench8").state(angles=[np.pi / 2, 0, 0])
     np.testing.assert_allclose(x.attitude, [np.sqrt(0.5), 0, 0, np.sqrt(0.5)], atol=1e-15)
     many = model("bench8").states(angles=[[0, 0, 0], [np.pi / 2, 0, 0]])
     assert np.array_equal(many.attitude[1], x.attitude)
 
 
-def test_quaternions_are_made_unit_within_the_promised_bound():
+def test_quaternions_are_made_unit_within_the_promised_bound() -> None:
     m = model("bench8")
     assert np.linalg.norm(m.state(attitude=[1.0005, 0, 0, 0]).attitude) == 1.0
     unit = np.array([0.5, 0.5, 0.5, 0.5])
@@ -46,7 +46,7 @@ def test_quaternions_are_made_unit_within_the_promised_bound():
         m.states(attitude=[[1, 0, 0, 0], [2, 0, 0, 0]])
 
 
-def test_some_of_many():
+def test_some_of_many() -> None:
     x = model("bench8").states(phi=np.arange(40.0).reshape(5, 8))
     assert x.take(2).batch is None and np.array_equal(x.take(2).phi, x.phi[2])
     assert np.array_equal(x.take([4, 0]).phi, x.phi[[4, 0]])
@@ -56,7 +56,7 @@ def test_some_of_many():
         x.take(5)
 
 
-def test_no_states_at_all():
+def test_no_states_at_all() -> None:
     m = model("bench8")
     result = m.forward(m.states(0), np.zeros((0, 8)))
     assert result.V_dot.shape == (0, 6) and result.status.shape == (0,)
@@ -65,7 +65,7 @@ def test_no_states_at_all():
 
 
 @pytest.mark.slow
-def test_a_rigid_body_has_no_flywheels():
+def test_a_rigid_body_has_no_flywheels() -> None:
     m = model("rigid")
     x = m.states(2, V=[1, 2, 3, 4, 5, 6])
     assert x.phi.shape == (2, 0) and x.array.shape == (2, 13)
@@ -74,7 +74,7 @@ def test_a_rigid_body_has_no_flywheels():
         m.forward(x, {"w1": 1.0})
 
 
-def test_states_and_results_can_be_pickled():
+def test_states_and_results_can_be_pickled() -> None:
     m = model("bench8")
     x = m.states(2, V=np.eye(6)[:2])
     y = pickle.loads(pickle.dumps(x))

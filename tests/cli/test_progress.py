@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 
@@ -39,7 +40,7 @@ def test_a_line_that_fits_and_is_gone_at_the_end(kind: str, columns: int) -> Non
 @pytest.mark.parametrize(
     ("env", "drawn", "coloured"), [({"NO_COLOR": "1"}, True, False), ({"TERM": "dumb"}, False, False), ({}, True, True)]
 )
-def test_what_the_environment_asks_for(env: dict[str, str], drawn: bool, coloured: bool) -> None:
+def test_what_the_environment_asks_for(env: dict[str, Any], drawn: bool, coloured: bool) -> None:
     seen = on_terminal("known", code=WORK, **env)
     assert ("/20" in seen.screen) == drawn
     assert seen.colours == coloured

@@ -143,9 +143,9 @@ def test_refusals_are_one_line(flown: Path, binary: Path) -> None:
     run("generate", DEMO3, "--real", "float", "-o", "single")
     said = refused("replay", log, DEMO3, "--against", "single")
     assert said == "error: --against single: its C is float, the log double: give the folder that flew\n"
-    said = run("replay", log, "--step", "5000")
-    assert (said.exit_code, said.stdout) == (2, "")
-    assert "no such step" in said.stderr
+    done = run("replay", log, "--step", "5000")
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert "no such step" in done.stderr
     data = bytearray(binary.read_bytes())
     data[len(MAGIC) + 4] ^= 1  # in the name
     binary.write_bytes(data)

@@ -18,7 +18,7 @@ from mahovik import __version__
 from mahovik.core.stand import identities, load
 from mahovik.out.report.stand import page, verification
 from mahovik.out.report.stand.gather import gather
-from mahovik.proof.verify import harness
+from mahovik.proof.verify import bounds
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.stands import path
 from report.stand.reports import read, words
@@ -104,7 +104,7 @@ def test_the_same_inputs_give_the_same_bytes(whole: str) -> None:
 def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing is as near as 1e-30: the page is written, red at its top, and the status is 1."""
     only(monkeypatch, "verification")
-    monkeypatch.setitem(harness.BOUNDS, "double", replace(DOUBLE, default=1e-30))
+    monkeypatch.setitem(bounds.BOUNDS, "double", replace(DOUBLE, default=1e-30))
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 1
     assert "error: three derivations: " in result.stderr

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 
@@ -41,7 +42,7 @@ def test_a_narrow_terminal_folds_and_never_cuts() -> None:
     ("env", "coloured"),
     [({}, True), ({"NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False), ({"NO_COLOR": "1", "FORCE_COLOR": "1"}, False)],
 )
-def test_colours_on_a_terminal(env: dict[str, str], coloured: bool) -> None:
+def test_colours_on_a_terminal(env: dict[str, Any], coloured: bool) -> None:
     """The warning of auv6 is yellow."""
     seen = on_terminal("check", AUV6, **env)
     assert "warning:" in seen.screen

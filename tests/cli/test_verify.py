@@ -85,7 +85,7 @@ def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
 
 def test_no_compiler_and_a_compiler_that_is_none() -> None:
     for env, words in (({"PATH": "", "CC": ""}, "no C compiler found"), ({"CC": "no-such-cc"}, "no such command")):
-        done = process("verify", DEMO3, **env)
+        done = process("verify", DEMO3, cwd=None, **env)
         assert done.returncode == 2
         assert words in done.stderr
         assert len(done.stderr.splitlines()) == 1

@@ -74,7 +74,7 @@ def test_friction_of_the_stand_file() -> None:
     ("period", "span", "expected"),
     [("1 ms", 0.1, (100, 1)), ("1 ms", 0.0333, (333, 10)), ("0.3 ms", 0.1, (1000, 3)), ("1 ms", 0.1234567, None)],
 )
-def test_samples_of_whole_periods(period: str, span: float, expected) -> None:
+def test_samples_of_whole_periods(period: str, span: float, expected: tuple[int, int]) -> None:
     given = read_servo(f'schema = 1\nsample_period = "{period}"\nbandwidth = "10 Hz"', SHAKER)
     ticks, periods = samples(given, span)
     assert ticks / periods == pytest.approx(span / given.period, rel=1e-12)

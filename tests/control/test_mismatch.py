@@ -51,10 +51,10 @@ def test_every_number_that_is_measured_is_wrong() -> None:
         angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
         assert 0.0 < angle <= SHARE
         assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
-    own, other = BENCH8.law(Suspension), found.law(Suspension)
-    assert own is not None
-    assert other is not None
-    assert own.stiffness != other.stiffness
+    hung, moved = BENCH8.law(Suspension), found.law(Suspension)
+    assert hung is not None
+    assert moved is not None
+    assert hung.stiffness != moved.stiffness
     assert (BENCH8.gravity, BENCH8.name) == (found.gravity, found.name)
 
 

@@ -7,10 +7,11 @@ import sympy as sp
 
 from derive.exact import remainders, rotation
 from mahovik.core.derive import attitude as derived
+from mahovik.core.derive import order
 from mahovik.core.derive.screw import cross
 from mahovik.core.derive.symbols import matrix, vector
 
-SEQUENCES = tuple(derived.SEQUENCES)
+SEQUENCES = tuple(order.SEQUENCES)
 ANGLES = sp.symbols("psi theta phi")
 TIME = sp.Symbol("t")
 CIRCLES = tuple(sp.Symbol(f"c_{n}") ** 2 + sp.Symbol(f"s_{n}") ** 2 - 1 for n in derived.ANGLES)
@@ -34,7 +35,7 @@ def product(sequence: str, angles: tuple[sp.Expr, ...] = ANGLES) -> sp.Matrix:
 
 def named(expression: sp.Matrix) -> sp.Matrix:
     """cos psi by c_psi, and so on."""
-    names = {}
+    names: dict[sp.Expr, sp.Expr] = {}
     for angle in ANGLES:
         names |= {sp.cos(angle): sp.Symbol(f"c_{angle}"), sp.sin(angle): sp.Symbol(f"s_{angle}")}
     return expression.subs(names)
@@ -50,7 +51,7 @@ def along_the_motion(expression: sp.Matrix) -> sp.Matrix:
 
 def unnamed(expression: sp.Matrix) -> sp.Matrix:
     """c_psi by cos psi, and so on."""
-    names = {}
+    names: dict[sp.Expr, sp.Expr] = {}
     for angle in ANGLES:
         names |= {sp.Symbol(f"c_{angle}"): sp.cos(angle), sp.Symbol(f"s_{angle}"): sp.sin(angle)}
     return expression.subs(names)
@@ -109,7 +110,7 @@ def test_quaternion_of_angles(sequence: str) -> None:
     assert remainders([q.dot(q) - 1], CIRCLES) == []
     C = derived.rotation_of_quaternion().subs({sp.Symbol(f"q[{i}]"): q[i] for i in range(4)} | {sp.Symbol("k"): 2})
     whole = derived.attitude(sequence).C
-    doubled = {}
+    doubled: dict[sp.Expr, sp.Expr] = {}
     for name in derived.ANGLES:
         c, s = sp.Symbol(f"c_{name}"), sp.Symbol(f"s_{name}")
         doubled |= {c: c * c - s * s, s: 2 * s * c}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from mahovik.use.plan.residual.spatial import mount_axes
 from plan.problems import required
 
 
-def all_free(stand: Stand, **more: object) -> Freedom:
+def all_free(stand: Stand, **more: Any) -> Freedom:
     """Everything of every flywheel, within wide bounds."""
     now = np.array([flywheel_numbers(s) for s in stand.flywheels])
     span = np.array([0.3] * 3 + [np.inf] * 2 + [1.0, np.inf, 1.0, 0.5])
@@ -39,9 +40,9 @@ def test_the_stand_as_it_is_has_a_place_among_the_designs(seed: int) -> None:
     built = space.stand_of(space.current)
     for ours, given in zip(built.flywheels, stand.flywheels, strict=True):
         assert abs(mount_axes(ours) - mount_axes(given)).max() <= 1e-14
-    ours, given = Mechanics.of(built).tables, Mechanics.of(stand).tables
-    assert abs(ours.Theta - given.Theta).max() <= 1e-13 * abs(given.Theta).max()
-    assert abs(ours.weight - given.weight).max() <= 1e-13 * abs(given.weight).max()
+    found, known = Mechanics.of(built).tables, Mechanics.of(stand).tables
+    assert abs(found.Theta - known.Theta).max() <= 1e-13 * abs(known.Theta).max()
+    assert abs(found.weight - known.weight).max() <= 1e-13 * abs(known.weight).max()
 
 
 def test_ties_make_flywheels_alike() -> None:

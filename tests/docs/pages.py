@@ -30,7 +30,8 @@ class Block:
 
 def blocks(page: Path) -> list[Block]:
     """Fenced blocks of a page, in order."""
-    text, found, end, section = page.read_text(encoding="utf-8"), [], 0, 0
+    found: list[Block] = []
+    text, end, section = page.read_text(encoding="utf-8"), 0, 0
     for fence in re.finditer(r"^```([^\n]*)\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         section += len(re.findall(r"^#", text[end : fence.start()], re.MULTILINE))
         found.append(Block(page, len(found), _word(fence[1], 0), fence[2], _word(fence[1], 1), section))

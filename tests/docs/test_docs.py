@@ -20,6 +20,7 @@ from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load, loads, schema
+from mahovik.core.stand.units import Dimension
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
 
 PACKAGE = ROOT / "generator" / "mahovik"
@@ -187,7 +188,7 @@ def test_units_are_known() -> None:
         assert any(_reads(quantity, kind) for kind in kinds), quantity
 
 
-def _reads(quantity: str, kind: object) -> bool:
+def _reads(quantity: str, kind: Dimension) -> bool:
     from mahovik.core.stand import units
 
     try:

@@ -10,6 +10,7 @@ import pytest
 import refusal_campaign as refusals
 
 from docs.pages import cells
+from mahovik.core.motion.required.course import Harmonics
 
 
 def test_the_table_has_the_rows_of_the_campaign() -> None:
@@ -44,6 +45,7 @@ def test_stands_and_motions_are_the_same_for_the_same_seed() -> None:
     assert stand.carrier.mass == 12.0
     assert all(0.5 <= wheel.mass <= 1.2 for wheel in stand.flywheels)
     assert motion.harmonics == (1,)
+    assert isinstance(motion.course, Harmonics)
     assert abs(motion.course.cos[:, 5]).max() == 0.0
 
 

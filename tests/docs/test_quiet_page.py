@@ -16,6 +16,7 @@ def test_the_tables_are_those_of_the_campaign() -> None:
         assert (momentum, name, axes) == (" ".join(f"{x:g}" for x in row.momentum), row.name, row.axes)
         assert float(after) <= float(before)
         if row.required:
+            assert row.change is not None
             assert float(lower) >= tool.REQUIRED
             assert float(change) <= row.change
     others = rows[2 + len(tool.SAT4) :]

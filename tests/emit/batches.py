@@ -1,5 +1,7 @@
 """Emitted C of batches in this process, beside the functions for one state, by ctypes on arrays."""
 
+from __future__ import annotations
+
 import ctypes
 import subprocess
 from itertools import count
@@ -22,7 +24,9 @@ OPTIONS = {"dt": 1e-5, "order": 4}
 class Batched:
     """C of a stand with its batches, built by a compiler with flags; `tables` of stands that differ a little."""
 
-    def __init__(self, name, real="double", compiler="gcc", flags=("-O0",)):
+    def __init__(
+        self, name: str, real: str = "double", compiler: str = "gcc", flags: tuple[str, ...] = ("-O0",)
+    ) -> None:
         given = stand(name)
         self.generated = generate_all(given, real)
         self.layout, self.name = self.generated.layout, name
@@ -47,7 +51,7 @@ class Batched:
             subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(library)], check=True)
             self.library = ctypes.CDLL(str(library))
 
-    def inputs(self, rng, n):
+    def inputs(self, rng: np.random.Generator, n):
         """Inputs of n ordinary states by name, arrays of (components, n)."""
         layout, count = self.layout, int(self.layout.count) if self.layout.flywheels else 0
         attitude = rng.normal(size=(4, n))
@@ -81,13 +85,13 @@ class Batched:
         self.library.vary(memory, ctypes.c_double(factor))
         return memory.raw
 
-    def function(self, name):
+    def function(self, name: str):
         return getattr(self.library, f"{self.name}_{name}")
 
     def _default(self):
         return ctypes.c_char_p(self.table(1.0))
 
-    def _called(self, name, batch, inputs, n, table, statuses, fill=np.nan):
+    def _called(self, name: str, batch, inputs, n, table, statuses, fill=np.nan):
         passed, results = [], {}
         for a in batch.narrow.arguments:
             if a.name == "table":
@@ -110,7 +114,7 @@ class Batched:
         return self.function(name)(*passed), results
 
 
-def locks(flywheels):
+def locks(flywheels: int):
     """The second flywheel is locked."""
     return np.array([int(s == 1) for s in range(flywheels)] or [0], dtype=np.int32)
 
@@ -124,7 +128,7 @@ def aligned(size):
     return found
 
 
-def _vary(name, table, real):
+def _vary(name: str, table, real: str):
     """C that scales every number of a copy of the default table."""
     lines = _scaled(table, "t->", count())
     return f"""#include "{name}_batch.h"
@@ -142,7 +146,7 @@ void vary({name}_table *t, double factor)
 """
 
 
-def _scaled(struct, path, numbers):
+def _scaled(struct, path: Path, numbers):
     found = []
     for f in struct.fields:
         at, heads = f"{path}{f.name}", []

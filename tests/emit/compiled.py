@@ -1,5 +1,7 @@
 """Emitted C in this process and the interpreter of its program, fed with states."""
 
+from __future__ import annotations
+
 import struct
 from functools import cache, partial
 from pathlib import Path
@@ -8,6 +10,7 @@ from unittest.mock import patch
 
 from emit.stands import float_texts, generated, stand, write
 from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.state import State
 from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.core.toolchain.library import Library
@@ -19,7 +22,9 @@ QUANTITIES = ("forward", "matrices", "momentum", "generalized", "wrench")
 class Compiled:
     """The C of one stand, built with an optimisation by a compiler, beside its interpreter."""
 
-    def __init__(self, given, layout, program, values, files, optimisation="-O2", compiler="gcc"):
+    def __init__(
+        self, given, layout, program, values, files: dict[str, str], optimisation: str = "-O2", compiler: str = "gcc"
+    ) -> None:
         self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
         build = partial(build_shared, optimisation=optimisation)
         with (
@@ -41,7 +46,7 @@ class Compiled:
         """Does the program have a public function of that name?"""
         return any(f.public and f.name == function for f in self.program.functions)
 
-    def inputs(self, state):
+    def inputs(self, state: State):
         """Arguments by name for a state, but for the table."""
         attitude = state.quaternion or (1.0, 0.0, 0.0, 0.0)
         if state.angles is not None:
@@ -78,14 +83,14 @@ def interpreter_of(program):
 
 
 @cache
-def compiled(name, optimisation="-O2", compiler="gcc"):
+def compiled(name: str, optimisation: str = "-O2", compiler: str = "gcc"):
     """The C of a stand of `emit.stands`, with double as element type."""
     g = generated(name)
     return Compiled(stand(name), g.layout, g.program, g.values, g.files, optimisation, compiler)
 
 
 @cache
-def compiled_float(name, optimisation="-O2", compiler="gcc"):
+def compiled_float(name: str, optimisation: str = "-O2", compiler: str = "gcc"):
     """The same with float."""
     return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 

@@ -3,6 +3,7 @@
 import re
 import subprocess
 from functools import cache
+from pathlib import Path
 
 from emit.stands import stand, write
 from mahovik.core.emit.delivery import selftest_files
@@ -12,13 +13,15 @@ from toolchain.tools import compile_c
 
 
 @cache
-def made(name, real="double", lanes=1, fast=False):
+def made(name: str, real: str = "double", lanes=1, fast=False):
     """Program and numbers of a stand, and its files with the self-test."""
     generated = generate_all(stand(name), real, lanes, fast)
     return generated, {**generated.files, **selftest_files(stand(name), generated)}
 
 
-def run_selftest(files, name, folder, compiler="gcc", optimisation="-O0", *flags):
+def run_selftest(
+    files: dict[str, str], name: str, folder: Path, compiler: str = "gcc", optimisation: str = "-O0", *flags
+):
     """Compiles header, source and self-test with the strict warnings; returns exit status and what is printed."""
     write(files, folder)
     program = folder / "selftest"
@@ -28,7 +31,7 @@ def run_selftest(files, name, folder, compiler="gcc", optimisation="-O0", *flags
     return done.returncode, done.stdout
 
 
-def failed(files, name, folder):
+def failed(files: dict[str, str], name: str, folder: Path):
     """Names of the functions that a self-test finds wrong; its exit status must agree."""
     status, printed = run_selftest(files, name, folder)
     (run,) = read_log(printed, "selftest")
@@ -38,13 +41,13 @@ def failed(files, name, folder):
     return names, run
 
 
-def replaced(text, old, new):
+def replaced(text: str, old, new):
     """The text with its first `old` replaced: it must be there."""
     assert old in text
     return text.replace(old, new, 1)
 
 
-def in_function(source, name, function, pattern, new):
+def in_function(source: Path, name: str, function, pattern, new):
     """The source with the first match of a pattern in the body of one function replaced."""
     body = re.search(rf"^\w+ {name}_{function}\(.*?\n}}\n", source, re.DOTALL | re.MULTILINE)
     assert body is not None

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -36,7 +37,7 @@ NAMES = (*examples.names(), *GENERAL)
 
 
 @cache
-def stand(name):
+def stand(name: str):
     """An example stand, or one of GENERAL."""
     if name in GENERAL:
         flywheels, features = GENERAL[name]
@@ -45,7 +46,7 @@ def stand(name):
 
 
 @cache
-def generated(name):
+def generated(name: str):
     """Program, numbers and C of a stand by name."""
     return generate_all(stand(name))
 
@@ -56,14 +57,14 @@ def float_texts(given):
     return made.layout, made.program, made.values, made.files
 
 
-def write(files, folder):
+def write(files: dict[str, str], folder: Path):
     """Writes files by name into a folder; returns the path of the source."""
     for name, text in files.items():
         (folder / name).write_text(text, encoding="ascii", newline="\n")
     return folder / next(name for name in files if name.endswith(".c"))
 
 
-def other_numbers(given, rng):
+def other_numbers(given, rng: np.random.Generator):
     """A stand of the same structure: every number is another one, and the bodies stay physical."""
 
     def vec(values, size=0.02):

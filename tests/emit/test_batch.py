@@ -4,6 +4,7 @@ import ctypes
 import re
 import subprocess
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ native = cache(lambda: Batched("bench8", flags=("-O2", "-march=native", "-fopenm
 
 
 @pytest.fixture(params=["everything6", *(pytest.param(name, marks=pytest.mark.slow) for name in KINDS)], scope="module")
-def built(request):
+def built(request: pytest.FixtureRequest):
     require("gcc", "gcc")
     return Batched(request.param)
 
@@ -62,20 +63,20 @@ def spoilt(built, inputs):
     return inputs
 
 
-def test_every_state_has_the_bits_of_a_single_call(built):
+def test_every_state_has_the_bits_of_a_single_call(built) -> None:
     inputs = built.inputs(np.random.default_rng(1), max(LENGTHS))
     for batch in built.batches:
         for n in LENGTHS:
             assert not check(built, batch, inputs, n).any()
 
 
-def test_refused_states_are_told_and_left_alone_and_their_neighbours_do_not_notice(built):
+def test_refused_states_are_told_and_left_alone_and_their_neighbours_do_not_notice(built) -> None:
     inputs = spoilt(built, built.inputs(np.random.default_rng(2), 41))
     for batch in built.batches:
         assert {0, -1, -2} <= set(check(built, batch, inputs, 41))
 
 
-def test_the_whole_batch_where_the_step_is_wrong(built, monkeypatch):
+def test_the_whole_batch_where_the_step_is_wrong(built, monkeypatch: pytest.MonkeyPatch) -> None:
     batch = next(b for b in built.batches if b.narrow.name == "step")
     inputs = built.inputs(np.random.default_rng(3), 9)
     for option, value, status in (("order", 3, -5), ("dt", -1.0, -5), ("dt", np.nan, -1)):
@@ -85,7 +86,7 @@ def test_the_whole_batch_where_the_step_is_wrong(built, monkeypatch):
 
 
 @pytest.mark.slow
-def test_a_step_may_be_written_over_its_state():
+def test_a_step_may_be_written_over_its_state() -> None:
     built = native()
     batch = next(b for b in built.batches if b.narrow.name == "step" and not b.each)
     inputs = built.inputs(np.random.default_rng(4), 19)
@@ -99,13 +100,13 @@ def test_a_step_may_be_written_over_its_state():
     assert same_bits(x, results["next"])
 
 
-def test_no_states_at_all():
+def test_no_states_at_all() -> None:
     built = native()
     for name in ("forward_batch", "coupled_batch_of", "tables"):
         assert built.function(name)(*([None] + [ctypes.c_size_t(0)] + [None] * 8)) == 0
 
 
-def test_null_and_unaligned_pointers_are_refused():
+def test_null_and_unaligned_pointers_are_refused() -> None:
     built = native()
     forward = built.function("forward_batch")
     x = np.zeros((29, 2)).ctypes.data_as(ctypes.c_void_p)
@@ -123,7 +124,7 @@ def test_null_and_unaligned_pointers_are_refused():
     assert (status == 7).all()
 
 
-def test_the_number_of_threads_changes_no_bit():
+def test_the_number_of_threads_changes_no_bit() -> None:
     built = native()
     threads = ctypes.CDLL("libgomp.so.1").omp_set_num_threads
     inputs = spoilt(built, built.inputs(np.random.default_rng(5), 100))
@@ -137,14 +138,14 @@ def test_the_number_of_threads_changes_no_bit():
     assert len(found) == 4
 
 
-def test_optimised_for_this_machine():
+def test_optimised_for_this_machine() -> None:
     built = native()
     inputs = spoilt(built, built.inputs(np.random.default_rng(6), 41))
     for batch in built.batches:
         check(built, batch, inputs, 41)
 
 
-def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path):
+def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path: Path) -> None:
     library = tmp_path / "batch.o"
     library.write_bytes(native().object_code)
     command = [require("objdump", "binutils"), "-d", "--no-show-raw-insn", str(library)]
@@ -156,7 +157,7 @@ def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path):
         assert single == 0
 
 
-def _function(code, name):
+def _function(code, name: str):
     """Assembly of one function."""
     return re.search(rf"<bench8_{name}>:\n(.*?)(\n\n|\Z)", code, re.DOTALL)[1]
 
@@ -172,7 +173,7 @@ def _function(code, name):
     ],
 )
 @pytest.mark.parametrize("name", ["bench8", "everything6"])
-def test_other_builds(name, real, compiler, flags):
+def test_other_builds(name: str, real: str, compiler: str, flags: tuple[str, ...]) -> None:
     require(compiler, compiler)
     built = Batched(name, real, compiler, flags)
     inputs = spoilt(built, built.inputs(np.random.default_rng(7), 41))

@@ -7,6 +7,7 @@ import pytest
 
 from emit.compiled import QUANTITIES, bits, compiled, compiled_float
 from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from toolchain.tools import require
 
@@ -14,7 +15,7 @@ NAME = "everything6"
 NAMES = (NAME, "everything0", "bare5", "hung5", "stream1", "auv6")
 
 
-def states(stand, count=4, phase_limit=DOUBLE.max_phase):
+def states(stand: Stand, count: int = 4, phase_limit=DOUBLE.max_phase):
     """Ordinary states and one of each extreme kind."""
     rng = np.random.default_rng(11)
     ordinary = [random_state(stand, rng) for _ in range(count)]
@@ -32,14 +33,14 @@ def all_bits(call, c, chosen):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_interpreter_is_c(name):
+def test_interpreter_is_c(name: str) -> None:
     c = compiled(name)
     chosen = states(c.stand, 2)
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
 
 @pytest.mark.parametrize("name", (NAME, "bare5", "hung5"))
-def test_interpreter_is_c_in_float(name):
+def test_interpreter_is_c_in_float(name: str) -> None:
     c = compiled_float(name)
     chosen = states(c.stand, 2, FLOAT.max_phase)
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
@@ -49,7 +50,7 @@ def test_interpreter_is_c_in_float(name):
     ("compiler", "optimisation"),
     [("gcc", "-O0"), ("gcc", "-Os"), ("gcc", "-O3"), ("clang", "-O2"), ("clang", "-O0")],
 )
-def test_compilers_agree(compiler, optimisation):
+def test_compilers_agree(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)
     reference, other = compiled(NAME), compiled(NAME, optimisation, compiler)
     chosen = states(reference.stand)
@@ -61,7 +62,7 @@ def test_compilers_agree(compiler, optimisation):
 @pytest.mark.parametrize(
     ("compiler", "optimisation"), [("gcc", "-O0"), ("gcc", "-O1"), ("gcc", "-O3"), ("clang", "-O0"), ("clang", "-O3")]
 )
-def test_compilers_agree_in_float(compiler, optimisation):
+def test_compilers_agree_in_float(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)
     reference, other = compiled_float(NAME), compiled_float(NAME, optimisation, compiler)
     chosen = states(reference.stand, phase_limit=FLOAT.max_phase)
@@ -69,7 +70,7 @@ def test_compilers_agree_in_float(compiler, optimisation):
     assert bits(reference.table()) == bits(other.table())
 
 
-def test_ordinary_states_are_evaluated():
+def test_ordinary_states_are_evaluated() -> None:
     """Guard of the tests above: agreement on refusals alone would prove nothing."""
     c = compiled(NAME)
     found = all_bits(c.c, c, states(c.stand))
@@ -78,7 +79,7 @@ def test_ordinary_states_are_evaluated():
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_compiled_tables_are_those_of_the_generator(name):
+def test_the_compiled_tables_are_those_of_the_generator(name: str) -> None:
     c = compiled(name)
     assert bits(c.table()) == bits(c.values.table)
     prepare = c.program.function("prepare")
@@ -89,7 +90,7 @@ def test_the_compiled_tables_are_those_of_the_generator(name):
     assert bits(outputs["table"]) == bits(c.table())
 
 
-def test_float_follows_double():
+def test_float_follows_double() -> None:
     """Float results are those of double but for its rounding; tests/verify/test_float.py has the bounds."""
     double, single = compiled(NAME), compiled_float(NAME)
     rng = np.random.default_rng(3)

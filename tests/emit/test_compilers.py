@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,13 +18,13 @@ FLOAT_NAMES = ("bench8", "everything6", "bare0", "hung5")
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def source(request, tmp_path_factory):
+def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
     """The C file of a stand, its header beside it."""
     return write(generated(request.param).files, tmp_path_factory.mktemp(request.param))
 
 
 @pytest.fixture(scope="module", params=FLOAT_NAMES)
-def float_source(request, tmp_path_factory):
+def float_source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
     """The same with float as element type."""
     return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
 
@@ -34,7 +35,7 @@ def symbols(thing, *options):
     return [tuple(line.split()[-2:]) for line in lines]
 
 
-def check_object(source, tmp_path):
+def check_object(source: Path, tmp_path: Path) -> None:
     """gcc -O2 has no complaint, the object needs no library and defines nothing but names of its stand."""
     thing = tmp_path / "stand.o"
     compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", thing)
@@ -49,27 +50,27 @@ def check_object(source, tmp_path):
         assert re.search(rf"\b{name}\b", header), f"{name} is no static, and not in the header"
 
 
-def test_gcc_at_full_warnings_and_bare_objects(source, tmp_path):
+def test_gcc_at_full_warnings_and_bare_objects(source: Path, tmp_path: Path) -> None:
     check_object(source, tmp_path)
 
 
-def test_gcc_with_float(float_source, tmp_path):
+def test_gcc_with_float(float_source: Path, tmp_path: Path) -> None:
     check_object(float_source, tmp_path)
 
 
-def test_clang(source):
+def test_clang(source: Path) -> None:
     compile_c(require("clang", "clang"), source, "-fsyntax-only")
 
 
-def test_clang_with_float(float_source):
+def test_clang_with_float(float_source: Path) -> None:
     compile_c(require("clang", "clang"), float_source, "-fsyntax-only")
 
 
-def test_32_bits(source):
+def test_32_bits(source: Path) -> None:
     compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
 
 
-def test_header_alone_and_twice_in_c_and_cpp(source, tmp_path):
+def test_header_alone_and_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> None:
     twice = f'#include "{source.stem}.h"\n#include "{source.stem}.h"\n'
     user = tmp_path / "user.c"
     user.write_text(twice)
@@ -80,7 +81,7 @@ def test_header_alone_and_twice_in_c_and_cpp(source, tmp_path):
     run(require("g++", "g++"), *flags, "-fsyntax-only", user)
 
 
-def test_cpp_calls_the_c(tmp_path):
+def test_cpp_calls_the_c(tmp_path: Path) -> None:
     source = write(generated("bench8").files, tmp_path)
     user, thing, program = tmp_path / "user.cpp", tmp_path / "stand.o", tmp_path / "user"
     user.write_text("""#include "bench8.h"
@@ -98,7 +99,7 @@ int main()
     run(program)
 
 
-def test_a_header_of_another_stand_is_refused(tmp_path):
+def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
     source = write(generated("bench8").files, tmp_path)
     header = source.with_suffix(".h")
     header.write_text(re.sub(r"(PHYSICS +0x)[0-9a-f]{8}", r"\g<1>00000001", header.read_text()))
@@ -115,7 +116,7 @@ NULL EOF INT32_MAX errno main abs uint64_t
 
 
 @pytest.mark.parametrize(("name", "features"), [("bench", BARE), ("B", EVERYTHING), ("c", EVERYTHING), ("_x", BARE)])
-def test_names_that_clash(name, features, tmp_path):
+def test_names_that_clash(name: str, features, tmp_path: Path) -> None:
     names = CLASHES.split()
     given = random_stand(np.random.default_rng(5), len(names), features, name)
     wheels = zip(given.flywheels, names, strict=True)
@@ -124,7 +125,7 @@ def test_names_that_clash(name, features, tmp_path):
     compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
 
 
-def test_no_local_is_named_like_a_global_of_some_stand():
+def test_no_local_is_named_like_a_global_of_some_stand() -> None:
     """A local `mass_table` would hide the type of a stand called `mass`."""
     program = generated("everything6").program
     taken = {f.name for f in program.functions} | {s.name for s in program.structs}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -35,7 +36,7 @@ int main()
 """
 
 
-def check(name, made, folder, compilers):
+def check(name: str, made, folder: Path, compilers) -> None:
     """Each compiler takes the header, twice, with all warnings as errors."""
     write({**made.files, **cpp_header(stand(name), made), **cpp_example(stand(name), made)}, folder)
     user = folder / "user.cpp"
@@ -46,23 +47,23 @@ def check(name, made, folder, compilers):
 
 
 @pytest.mark.parametrize("name", FEW)
-def test_no_warning(name, tmp_path):
+def test_no_warning(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, COMPILERS)
 
 
-def test_no_warning_with_float(tmp_path):
+def test_no_warning_with_float(tmp_path: Path) -> None:
     check("auv6", generate_all(stand("auv6"), "float"), tmp_path, COMPILERS)
     assert float_texts(stand("auv6"))[0].precision.name == "float"
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
-def test_no_warning_of_any(name, tmp_path):
+def test_no_warning_of_any(name: str, tmp_path: Path) -> None:
     check(name, generated(name), tmp_path, (*COMPILERS, *OTHERS))
 
 
 @pytest.mark.parametrize("name", FEW)
-def test_every_function_and_status_is_there(name):
+def test_every_function_and_status_is_there(name: str) -> None:
     made = generated(name)
     text = cpp_header(stand(name), made)[f"{name}.hpp"]
     defined = re.findall(r"^inline Status (\w+)\(", text, re.MULTILINE)
@@ -118,7 +119,7 @@ int main()
 """
 
 
-def test_calls_have_the_bits_of_the_c(tmp_path):
+def test_calls_have_the_bits_of_the_c(tmp_path: Path) -> None:
     made = generated("bench8")
     source = write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
     user, thing, program = tmp_path / "user.cpp", tmp_path / "stand.o", tmp_path / "user"
@@ -141,7 +142,7 @@ extern "C" int by_cpp(const stand::State& x, const stand::Reals<8>& phi_ddot, st
 """
 
 
-def test_a_call_costs_what_it_costs_in_c(tmp_path):
+def test_a_call_costs_what_it_costs_in_c(tmp_path: Path) -> None:
     """The same instructions, byte by byte, of a caller that is `noexcept` itself."""
     made = generated("bench8")
     write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
@@ -156,7 +157,7 @@ def test_a_call_costs_what_it_costs_in_c(tmp_path):
     assert bodies["by_c"] == bodies["by_cpp"]
 
 
-def test_a_status_that_is_ignored_is_a_warning(tmp_path):
+def test_a_status_that_is_ignored_is_a_warning(tmp_path: Path) -> None:
     made = generated("bench8")
     write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
     user = tmp_path / "user.cpp"
@@ -165,7 +166,7 @@ def test_a_status_that_is_ignored_is_a_warning(tmp_path):
         run(require("g++", "g++"), "-std=c++17", "-Wall", "-Werror", "-fsyntax-only", user)
 
 
-def test_a_header_of_another_stand_is_refused(tmp_path):
+def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
     made = generated("bench8")
     write({**made.files, **cpp_header(stand("bench8"), made)}, tmp_path)
     header = tmp_path / "bench8.h"
@@ -177,7 +178,7 @@ def test_a_header_of_another_stand_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["std", "linux", "mahovik", "N", "Real"])
-def test_names_that_clash(name, tmp_path):
+def test_names_that_clash(name: str, tmp_path: Path) -> None:
     given = random_stand(np.random.default_rng(5), 2, BARE, name)
     made = generate_all(given)
     write({**made.files, **cpp_header(given, made)}, tmp_path)

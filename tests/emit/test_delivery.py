@@ -3,6 +3,7 @@
 import json
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -16,14 +17,14 @@ from toolchain.tools import compile_c, run
 TRIED = ("bench8", "auv6", "everything0", "everything6", "bare0")
 
 
-def block(readme, language):
+def block(readme, language: str):
     """Code of the first block of a language."""
     return re.search(rf"```{language}\n(.*?)```", readme, re.DOTALL)[1]
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize("name", TRIED)
-def test_the_example_compiles_and_prints_an_acceleration(name, real, tmp_path):
+def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, tmp_path: Path) -> None:
     files = delivery(stand(name), real)
     write(files, tmp_path)
     (tmp_path / "main.c").write_text(block(files["README.md"], "c"), encoding="ascii")
@@ -33,7 +34,7 @@ def test_the_example_compiles_and_prints_an_acceleration(name, real, tmp_path):
     assert any(numbers)
 
 
-def test_its_commands_compile(tmp_path):
+def test_its_commands_compile(tmp_path: Path) -> None:
     files = delivery(stand("demo3"))
     readme = files["README.md"]
     write({**files, "main.c": block(readme, "c")}, tmp_path)
@@ -44,7 +45,7 @@ def test_its_commands_compile(tmp_path):
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
-def test_it_names_every_function_status_identity_and_file(real):
+def test_it_names_every_function_status_identity_and_file(real: str) -> None:
     given = stand("bench8")
     files = delivery(given, real)
     readme = files["README.md"]
@@ -60,14 +61,14 @@ def test_it_names_every_function_status_identity_and_file(real):
     assert [name for name in files if name not in readme and not name.endswith("_recorder.c")] == ["README.md"]
 
 
-def test_nothing_of_this_machine_is_in_it():
+def test_nothing_of_this_machine_is_in_it() -> None:
     files = delivery(stand("demo3"))
     for text in (*files.values(), manifest(stand("demo3"), "double", files)):
         assert not re.search(r"/(home|work|tmp|usr|root)/|20\d\d-\d\d", text)
         text.encode("ascii")
 
 
-def test_the_manifest_is_json_in_a_fixed_order():
+def test_the_manifest_is_json_in_a_fixed_order() -> None:
     files = {"b.c": "two\n", "a.h": "one\n"}
     text = manifest(stand("demo3"), "double", files)
     assert list(json.loads(text)["files"]) == ["a.h", "b.c"]
@@ -76,7 +77,7 @@ def test_the_manifest_is_json_in_a_fixed_order():
     assert json.loads(text)["files"]["a.h"] == "2c8b08da5ce60398e1f19af0e5dccc744df274b826abe585eaba68c525434806"
 
 
-def test_every_equation_that_the_c_names_is_in_the_readme():
+def test_every_equation_that_the_c_names_is_in_the_readme() -> None:
     """The folder stands alone."""
     for name in ("bench8", "everything6"):
         files = delivery(stand(name))
@@ -89,7 +90,7 @@ def test_every_equation_that_the_c_names_is_in_the_readme():
         assert "README.md" in files[f"{name}.h"]
 
 
-def test_what_keeps_the_bits_is_said_wherever_compiling_is():
+def test_what_keeps_the_bits_is_said_wherever_compiling_is() -> None:
     files = delivery(stand("demo3"))
     for name in ("README.md", "demo3.h", "demo3_selftest.c"):
         assert "-ffp-contract=off" in files[name]
@@ -97,7 +98,7 @@ def test_what_keeps_the_bits_is_said_wherever_compiling_is():
 
 
 @pytest.mark.parametrize(("name", "legs"), [("bench8", False), ("hung5", True)])
-def test_out_of_range_means_what_the_stand_has(name, legs):
+def test_out_of_range_means_what_the_stand_has(name: str, legs: bool) -> None:
     files = delivery(stand(name))
     for text in (files["README.md"], files[f"{name}.h"]):
         assert ("leg of no length" in text) == legs

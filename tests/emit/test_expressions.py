@@ -1,6 +1,7 @@
 """Expressions as C text: what is printed is read by C as the tree that the interpreter runs."""
 
 import random
+from pathlib import Path
 
 import cffi
 import numpy as np
@@ -27,7 +28,7 @@ from mahovik.core.program.expression import (
 )
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.types import DOUBLE, FLOAT, Kind
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind, Precision
 from toolchain.tools import require, run
 
 # All of -Wall -Wextra -Wconversion, less what a random tree cannot help: x < x, w >= 0, 1.0 / 0.0.
@@ -45,7 +46,7 @@ static t_real t_real_of(t_word value) {{ union {{ t_real r; t_word w; }} u; u.w 
 """
 
 
-def build(program, folder):
+def build(program, folder: Path):
     """Functions by number from a compiled program of trees: called with arrays, they give a real."""
     names, p = Names("t"), program.precision
     statements = Statements(names, Expressions(names, p))
@@ -65,7 +66,7 @@ def build(program, folder):
 
 @pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
 @pytest.mark.parametrize("seed", range(3))
-def test_random_trees_mean_in_c_what_they_mean(precision, seed, tmp_path):
+def test_random_trees_mean_in_c_what_they_mean(precision: Precision, seed: int, tmp_path: Path) -> None:
     trees = Trees(random.Random(seed), precision)
     program = trees.program(400, 5)
     ffi, library = build(program, tmp_path)
@@ -123,12 +124,12 @@ I, J = (Variable(name, Kind.INT).place for name in "ij")
         (compare("<", I + J, J * 2), "i + j < j * 2"),
     ],
 )
-def test_parentheses(tree, text):
+def test_parentheses(tree, text: str) -> None:
     assert Expressions(Names("t"), DOUBLE).text(tree) == text
 
 
 @pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
-def test_small_word_literals_have_the_whole_width(precision, tmp_path):
+def test_small_word_literals_have_the_whole_width(precision: Precision, tmp_path: Path) -> None:
     """`1u << 40u` is an unsigned int in C: the program means a word."""
     trees = Trees(random.Random(0), precision)
     high = word(precision.width - 1)

@@ -1,6 +1,7 @@
 """No double in the C of a float stand, checked in the objects: `-Wdouble-promotion` alone misses conversions."""
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -18,11 +19,11 @@ HELPERS = r"__aeabi_(c?d|[a-z]+2d)"  # double arithmetic, comparisons and conver
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def source(request, tmp_path_factory):
+def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
     return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
 
 
-def undefined(source, tmp_path, tool, *flags):
+def undefined(source: Path, tmp_path: Path, tool, *flags):
     """Symbols that the object wants from elsewhere."""
     thing = tmp_path / "stand.o"
     run(tool, "-std=c99", "-O2", "-ffp-contract=off", *flags, "-c", source, "-o", thing)
@@ -30,25 +31,25 @@ def undefined(source, tmp_path, tool, *flags):
 
 
 @pytest.mark.parametrize("name", SINGLE)
-def test_no_helpers_of_double_where_the_fpu_is_single(name, source, tmp_path):
+def test_no_helpers_of_double_where_the_fpu_is_single(name: str, source: Path, tmp_path: Path) -> None:
     wanted, _ = undefined(source, tmp_path, require(*ARM), "-mthumb", *SINGLE[name])
     assert {line.split()[0] for line in wanted if line} <= {"memcpy", "memmove", "memset"}
 
 
-def test_soft_float_calls_single_helpers_only(source, tmp_path):
+def test_soft_float_calls_single_helpers_only(source: Path, tmp_path: Path) -> None:
     wanted, _ = undefined(source, tmp_path, require(*ARM), "-mthumb", "-mcpu=cortex-m3", "-mfloat-abi=soft")
     assert any("__aeabi_fadd" in line for line in wanted)  # the pattern does look at such names
     assert [line for line in wanted if re.search(HELPERS, line)] == []
 
 
-def test_no_double_on_risc_v_without_an_fpu(source, tmp_path):
+def test_no_double_on_risc_v_without_an_fpu(source: Path, tmp_path: Path) -> None:
     flags = ("-march=rv32imac", "-mabi=ilp32", "--specs=picolibc.specs")
     wanted, _ = undefined(source, tmp_path, require(*RISCV), *flags)
     assert any("__addsf3" in line for line in wanted)
     assert [line for line in wanted if re.search(r"__.*df", line)] == []
 
 
-def test_no_instruction_of_double_on_the_m7(source, tmp_path):
+def test_no_instruction_of_double_on_the_m7(source: Path, tmp_path: Path) -> None:
     flags = ("-mthumb", "-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mfloat-abi=hard")
     _, thing = undefined(source, tmp_path, require(*ARM), *flags)
     listing = run(require("arm-none-eabi-objdump", "binutils-arm-none-eabi"), "-d", "--no-show-raw-insn", thing)
@@ -56,11 +57,11 @@ def test_no_instruction_of_double_on_the_m7(source, tmp_path):
     assert re.findall(r"\S*\.f64\S*", listing) == []
 
 
-def test_clang_sees_no_conversion_to_double(source):
+def test_clang_sees_no_conversion_to_double(source: Path) -> None:
     compile_c(require("clang", "clang"), source, "-Wdouble-promotion", "-Wimplicit-float-conversion", "-fsyntax-only")
 
 
-def test_every_literal_is_a_float(source):
+def test_every_literal_is_a_float(source: Path) -> None:
     for path in (source, source.with_suffix(".h")):
         text = re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.DOTALL)
         assert not re.search(r"\bdouble\b", text)

@@ -21,12 +21,12 @@ TOKEN = re.compile(
 SEEDS = st.integers(0, 2**32 - 1)
 
 
-def tokens(text):
+def tokens(text: str):
     """C tokens, a comment as one."""
     return [re.sub(r"\s+", " ", token) for token in TOKEN.findall(text)]
 
 
-def tree_text(seed, depth=7):
+def tree_text(seed: int, depth: int = 7):
     """A long expression."""
     rng = random.Random(seed)
     trees = Trees(rng, rng.choice([DOUBLE, FLOAT]))
@@ -34,7 +34,7 @@ def tree_text(seed, depth=7):
 
 
 @given(SEEDS, st.integers(0, 12))
-def test_wrapping_keeps_every_token(seed, depth):
+def test_wrapping_keeps_every_token(seed: int, depth: int) -> None:
     text = f"const t_real value = {tree_text(seed)};"
     lines = wrapped(text, "    " * depth)
     assert tokens("\n".join(lines)) == tokens(text)
@@ -42,13 +42,13 @@ def test_wrapping_keeps_every_token(seed, depth):
 
 
 @given(SEEDS)
-def test_wrapped_lines_fit(seed):
+def test_wrapped_lines_fit(seed: int) -> None:
     lines = wrapped(f"const t_real value = {tree_text(seed)};", "    ")
     assert max(len(line) for line in lines) <= WIDTH
 
 
 @given(SEEDS)
-def test_conditions_with_comments_keep_their_tokens(seed):
+def test_conditions_with_comments_keep_their_tokens(seed: int) -> None:
     """The head of an if carries its comment when it is broken."""
     trees = Trees(random.Random(seed), DOUBLE)
     names = Names("t")
@@ -70,12 +70,12 @@ WORDS = st.lists(st.text("abcxyz,.()'+-=", min_size=1, max_size=30), min_size=1,
 
 @given(WORDS)
 @example(["x"] * 200)
-def test_paragraphs_keep_every_word_and_fit(words):
+def test_paragraphs_keep_every_word_and_fit(words) -> None:
     lines = paragraph(" ".join(words), "/* ", " * ")
     assert [w for line in lines for w in line[3:].split()] == words
     assert max(len(line) for line in lines) <= WIDTH
 
 
 @given(st.text("abc", min_size=150, max_size=300))
-def test_what_cannot_be_broken_stays_whole(word):
+def test_what_cannot_be_broken_stays_whole(word) -> None:
     assert wrapped(word, "    ") == [f"    {word}"]

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik.core.emit.literal import real_literal, word_literal
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from toolchain.tools import require, run
 
 DOUBLES = st.floats(allow_nan=False, allow_infinity=False)
@@ -24,7 +24,7 @@ def same(a, b, code):
 
 
 @given(DOUBLES)
-def test_double_literals_read_back(value):
+def test_double_literals_read_back(value) -> None:
     text = real_literal(value, DOUBLE)
     assert same(float(text), value, "<d")
     assert "." in text  # 1 would be an int
@@ -32,7 +32,7 @@ def test_double_literals_read_back(value):
 
 
 @given(FLOATS)
-def test_float_literals_read_back(value):
+def test_float_literals_read_back(value) -> None:
     text = real_literal(value, FLOAT)
     assert text.endswith("F")
     assert "." in text
@@ -41,18 +41,18 @@ def test_float_literals_read_back(value):
 
 
 @given(DOUBLES.filter(lambda x: abs(x) < 3e38))
-def test_a_literal_of_a_float_program_is_the_nearest_float(value):
+def test_a_literal_of_a_float_program_is_the_nearest_float(value) -> None:
     assert same(float(real_literal(value, FLOAT)[:-1]), value, "<f")
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf")])
 @pytest.mark.parametrize("precision", [DOUBLE, FLOAT])
-def test_what_is_no_number_has_no_literal(value, precision):
+def test_what_is_no_number_has_no_literal(value, precision: Precision) -> None:
     with pytest.raises(ValueError, match="has no literal"):
         real_literal(value, precision)
 
 
-def test_a_double_beyond_float_has_no_float_literal():
+def test_a_double_beyond_float_has_no_float_literal() -> None:
     with np.errstate(over="ignore"), pytest.raises(ValueError, match="has no literal in float"):
         real_literal(1e39, FLOAT)
 
@@ -62,13 +62,13 @@ def test_a_double_beyond_float_has_no_float_literal():
     [(DOUBLE, DOUBLES, EDGES), (FLOAT, FLOATS, FLOAT_EDGES)],
     ids=["double", "float"],
 )
-def test_c_reads_the_same_bits(precision, numbers, edges, tmp_path_factory):
+def test_c_reads_the_same_bits(precision: Precision, numbers, edges, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("literals")
     code = "<d" if precision is DOUBLE else "<f"
 
     @settings(max_examples=3, deadline=None)
     @given(st.lists(numbers, min_size=200, max_size=400))
-    def check(values):
+    def check(values) -> None:
         values = [*edges, *values]
         text = ",\n".join(real_literal(v, precision) for v in values)
         (folder / "literals.c").write_text(f"const {precision.name} literals[] = {{ {text} }};\n")
@@ -84,7 +84,7 @@ def test_c_reads_the_same_bits(precision, numbers, edges, tmp_path_factory):
 
 
 @given(st.integers(0, 2**64 - 1))
-def test_word_literals_read_back(value):
+def test_word_literals_read_back(value) -> None:
     text = word_literal(value)
     assert text.endswith("u")
     assert int(text[:-1], 0) == value

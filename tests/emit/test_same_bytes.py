@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -23,7 +24,7 @@ WORLDS = (
 
 
 @pytest.mark.parametrize("name", ["auv6", pytest.param("bench8", marks=pytest.mark.slow)])
-def test_two_processes_write_the_same_bytes(name, tmp_path):
+def test_two_processes_write_the_same_bytes(name: str, tmp_path: Path) -> None:
     # by relative paths of different lengths: no path may be in the text
     found = []
     for number, world in enumerate(WORLDS):

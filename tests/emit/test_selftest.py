@@ -3,6 +3,7 @@
 import math
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -12,7 +13,7 @@ from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.lower.golden import CASES, FAR, LISTED, golden, sweep_hashes
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.tools import compile_c, require, require_32_bit, run
 
@@ -22,7 +23,7 @@ SWEEP_OF_MAIN = 100
 
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize("name", TRIED)
-def test_good_c_has_the_interpreters_bits(name, real, tmp_path):
+def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) -> None:
     generated, files = made(name, real)
     status, printed = run_selftest(files, name, tmp_path)
     (log,) = read_log(printed, name)
@@ -32,7 +33,7 @@ def test_good_c_has_the_interpreters_bits(name, real, tmp_path):
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
-def test_compilers_print_the_same(real, tmp_path):
+def test_compilers_print_the_same(real: str, tmp_path: Path) -> None:
     require("clang", "clang")
     _, files = made("demo3", real)
     found = []
@@ -45,7 +46,7 @@ def test_compilers_print_the_same(real, tmp_path):
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
-def test_32_bits_print_the_same(real, tmp_path):
+def test_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
     require_32_bit()
     _, files = made("demo3", real)
     found = []
@@ -57,7 +58,7 @@ def test_32_bits_print_the_same(real, tmp_path):
 
 
 @pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("bare5", "float")])
-def test_the_sweep_is_that_of_the_interpreter(name, real, tmp_path):
+def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Path) -> None:
     # the C draws its own states: integers, scaling and quaternions must be those of Python, refused states included
     generated, files = made(name, real)
     states = 20
@@ -68,7 +69,7 @@ def test_the_sweep_is_that_of_the_interpreter(name, real, tmp_path):
     assert log.hashes == {f: f"{value:08x}" for f, value in expected.items()}
 
 
-def test_an_own_main_takes_what_is_printed(tmp_path):
+def test_an_own_main_takes_what_is_printed(tmp_path: Path) -> None:
     _, files = made("demo3")
     main = """#define DEMO3_SELFTEST_NO_MAIN
 #include "demo3_selftest.c"
@@ -94,7 +95,7 @@ int main(void)
 # ---- planted faults ----
 
 
-def test_a_digit_of_the_table_is_found(tmp_path):
+def test_a_digit_of_the_table_is_found(tmp_path: Path) -> None:
     _, files = made("bench8")
     (row,) = re.findall(r"^.*/\* w1 \*/$", files["bench8.c"].split("bench8_default =")[1], re.MULTILINE)
     numbers = re.findall(r"\d+\.\d{6,}", row)
@@ -116,7 +117,7 @@ def test_a_digit_of_the_table_is_found(tmp_path):
         ("inverse_fast", {"inverse", "forward"}),
     ],
 )
-def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path):
+def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path: Path) -> None:
     _, files = made("bench8")
     source = in_function(files["bench8.c"], "bench8", function, r"\n( +[^/\n]*?[\w\])]) \+ (\w)", r"\n\1 - \2")
     names, _ = failed({**files, "bench8.c": source}, "bench8", tmp_path)
@@ -124,7 +125,7 @@ def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path):
     assert not names & others
 
 
-def test_a_lost_check_is_found(tmp_path):
+def test_a_lost_check_is_found(tmp_path: Path) -> None:
     # the quaternion of angles that are out of range: another status, and outputs that should not be written
     _, files = made("bench8")
     source = in_function(
@@ -135,7 +136,7 @@ def test_a_lost_check_is_found(tmp_path):
     assert log.functions["quaternion"].wrong == 1
 
 
-def test_an_output_written_before_a_refusal_is_found(tmp_path):
+def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
     _, files = made("bench8")
     source = in_function(files["bench8.c"], "bench8", "torque", r"\{\n(    if [^\n]*NULL)", r"{\n    tau[0] = 0.0;\n\1")
     names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
@@ -146,7 +147,7 @@ def test_an_output_written_before_a_refusal_is_found(tmp_path):
 
 @pytest.mark.parametrize(("real", "precision"), [("double", DOUBLE), ("float", FLOAT)])
 @pytest.mark.parametrize("ulp", [1, 3])
-def test_the_distance_is_in_units_in_the_last_place(real, precision, ulp, tmp_path):
+def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precision, ulp, tmp_path: Path) -> None:
     generated, files = made("demo3", real)
     text = files["demo3_selftest.c"]
     answer = golden(generated.program, generated.values).answers["forward"][0].listed[0]
@@ -164,7 +165,7 @@ def test_the_distance_is_in_units_in_the_last_place(real, precision, ulp, tmp_pa
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
-def test_a_distance_beyond_counting_is_said_in_words(real, tmp_path):
+def test_a_distance_beyond_counting_is_said_in_words(real: str, tmp_path: Path) -> None:
     # another sign: a number of 10 or 19 digits that nobody can read
     _, files = made("demo3", real)
     source = re.sub(r"(V_dot\[0\] = )(\w)", r"\1-\2", files["demo3.c"])
@@ -182,7 +183,7 @@ def test_a_distance_beyond_counting_is_said_in_words(real, tmp_path):
 
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize("name", NAMES)
-def test_every_function_has_a_good_and_a_refused_case(name, real):
+def test_every_function_has_a_good_and_a_refused_case(name: str, real: str) -> None:
     generated, _ = made(name, real)
     for function, answers in golden(generated.program, generated.values).answers.items():
         statuses = [a.status for a in answers]
@@ -191,8 +192,8 @@ def test_every_function_has_a_good_and_a_refused_case(name, real):
             assert max(statuses) >= 0, (function, statuses)
 
 
-def test_its_size_hardly_grows():
-    def size(flywheels):
+def test_its_size_hardly_grows() -> None:
+    def size(flywheels: int):
         wheels = stand("bench8").flywheels
         many = tuple(replace(wheels[i % 8], name=f"w{i + 1}") for i in range(flywheels))
         given = replace(stand("bench8"), flywheels=many)
@@ -203,7 +204,7 @@ def test_its_size_hardly_grows():
     assert size(64) < 90_000
 
 
-def test_it_names_its_cases_and_stand():
+def test_it_names_its_cases_and_stand() -> None:
     text = made("bench8")[1]["bench8_selftest.c"]
     for case in CASES:
         assert f"/* {case} */" in text
@@ -223,7 +224,7 @@ def test_it_names_its_cases_and_stand():
         (1.0, FLOAT, "0x1p+0F"),
     ],
 )
-def test_hexadecimal_literals_are_exact(value, precision, text):
+def test_hexadecimal_literals_are_exact(value, precision: Precision, text: str) -> None:
     assert hex_literal(value, precision) == text
     back = float.fromhex(text.rstrip("F"))
     assert back == float(precision.scalar(value))
@@ -231,6 +232,6 @@ def test_hexadecimal_literals_are_exact(value, precision, text):
 
 
 @pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
-def test_what_has_no_literal_is_refused(value):
+def test_what_has_no_literal_is_refused(value) -> None:
     with pytest.raises(ValueError, match="no literal"):
         hex_literal(value, DOUBLE)

@@ -20,24 +20,24 @@ TABLES = "/* ---- tables ---- */"
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def files(request):
+def files(request: pytest.FixtureRequest):
     """File name to text of a stand."""
     return generated(request.param).files
 
 
-def code_of(text):
+def code_of(text: str):
     """The text without its comments and strings."""
     return re.sub(r'"[^"\n]*"', '""', COMMENT.sub(" ", text))
 
 
-def test_comments_end_where_they_end(files):
+def test_comments_end_where_they_end(files: dict[str, str]) -> None:
     for text in files.values():
         assert text.count("/*") == text.count("*/") == len(COMMENT.findall(text))
         assert "*/" not in code_of(text)
         assert "//" not in code_of(text)
 
 
-def test_lines_fit_but_for_rows_of_tables(files):
+def test_lines_fit_but_for_rows_of_tables(files: dict[str, str]) -> None:
     for name, text in files.items():
         lines = text.split(TABLES)[0].splitlines()
         assert [f"{name}: {line}" for line in lines if len(line) > WIDTH] == []
@@ -48,7 +48,7 @@ def test_lines_fit_but_for_rows_of_tables(files):
         assert text.isascii()
 
 
-def test_no_function_of_a_library(files):
+def test_no_function_of_a_library(files: dict[str, str]) -> None:
     header, source = files.values()
     called = set(re.findall(r"\b(\w+)\(", code_of(source)))
     name = next(iter(files)).removesuffix(".h")
@@ -59,7 +59,7 @@ def test_no_function_of_a_library(files):
 
 
 @pytest.mark.parametrize("name", ["bench8", "everything6", "everything0", "hung5"])
-def test_float_programs_hold_no_double(name):
+def test_float_programs_hold_no_double(name: str) -> None:
     for text in float_texts(stand(name))[3].values():
         assert "double" not in text.lower().replace("double phase", "")
         numbers = re.findall(r"(?<![\w.])\d+\.\d*(?:e[-+]?\d+)?\w*", code_of(text))
@@ -68,7 +68,7 @@ def test_float_programs_hold_no_double(name):
         assert "uint64" not in text
 
 
-def test_every_function_is_static_or_a_contract_in_the_header(files):
+def test_every_function_is_static_or_a_contract_in_the_header(files: dict[str, str]) -> None:
     header, source = files.values()
     name = next(iter(files)).removesuffix(".h")
     defined = re.findall(rf"^(static )?[\w ]+?\*?({name}_\w+)\([^;{{]*\)\n{{", source, re.M)
@@ -81,7 +81,7 @@ def test_every_function_is_static_or_a_contract_in_the_header(files):
     assert {"forward", "matrices", "momentum", "generalized", "quaternion", "prepare"} <= set(public)
 
 
-def test_contracts_name_arguments_statuses_and_cost(files):
+def test_contracts_name_arguments_statuses_and_cost(files: dict[str, str]) -> None:
     header = next(iter(files.values()))
     name = next(iter(files)).removesuffix(".h")
     for f in generated(name).program.functions:
@@ -96,12 +96,12 @@ def test_contracts_name_arguments_statuses_and_cost(files):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_no_function_is_left_over(name):
+def test_no_function_is_left_over(name: str) -> None:
     program = generated(name).program
     assert reachable(program.functions) == program.functions
 
 
-def test_no_place_no_host_no_date(files):
+def test_no_place_no_host_no_date(files: dict[str, str]) -> None:
     root = str(Path(__file__).resolve().parents[2])
     for text in files.values():
         for secret in (root, str(Path.home()) + "/", "/tmp", socket.gethostname()):
@@ -110,13 +110,15 @@ def test_no_place_no_host_no_date(files):
             assert not re.search(r"\b(19|20)\d\d-\d|\d\d:\d\d|\b(Jan|Mon)\b", comment), comment
 
 
-def without_numbers(text, name):
+def without_numbers(text: str, name: str):
     """The text up to its tables, its identities masked."""
-    return re.sub(rf"(0x|structure |physics |{name}_)[0-9a-f]{{8}}(?=u?\b)", r"\1########", text.split(TABLES)[0])
+    return re.sub(
+        rf"(0x|structure |physics |{name}_)[0-9a-f]{{8}}(?=u?\b)", r"\1########", text.split(TABLES, maxsplit=1)[0]
+    )
 
 
 @pytest.mark.parametrize("name", ["everything6", "hung5", "wet7", "auv6", "bench8"])
-def test_structure_decides_the_text(name):
+def test_structure_decides_the_text(name: str) -> None:
     given = stand(name)
     other = other_numbers(given, np.random.default_rng(8))
     assert structure(given) == structure(other)
@@ -129,7 +131,7 @@ def test_structure_decides_the_text(name):
     assert [masked(x) for x in tables(ours[f"{name}.c"])] == [masked(x) for x in tables(theirs[f"{name}.c"])]
 
 
-def tables(text):
+def tables(text: str):
     """Lines of the tables."""
     return text.split(TABLES)[1].splitlines()
 
@@ -139,7 +141,7 @@ def masked(line):
     return re.sub(r"\s+", "", re.sub(r"-?\b\d+\.\d+(e[-+]?\d+)?\b|-?\b\d+\.\d+e\d+\b", "#", line))
 
 
-def copies(given, count):
+def copies(given, count: int):
     """The stand with its first flywheel `count` times, at other places."""
     first = given.flywheels[0]
     wheels = (replace(first, name=f"w{k + 1}", position=(0.01 * k, 0.1, 0.0)) for k in range(count))
@@ -151,7 +153,7 @@ def copies(given, count):
     [Features(instruments=0), Features(instruments=1, fluid=False, wrench_inputs=False), Features("ship", 2)],
     ids=["carrier", "instrument", "drawn"],
 )
-def test_64_flywheels_are_few_lines_more_than_one(features):
+def test_64_flywheels_are_few_lines_more_than_one(features) -> None:
     """A row of parameters and a row of the table each, a third where the flywheel has a wrench of its own."""
     given = random_stand(np.random.default_rng(2), 1, replace(features, wrench_inputs=False), "few")
     first = given.flywheels[0]
@@ -163,11 +165,11 @@ def test_64_flywheels_are_few_lines_more_than_one(features):
 
 
 @pytest.mark.parametrize("name", ["bench8", "everything6"])
-def test_the_same_stand_gives_the_same_text(name):
+def test_the_same_stand_gives_the_same_text(name: str) -> None:
     assert generate_all(stand(name)).files == generated(name).files
 
 
-def test_everything_is_in_the_everything_stand():
+def test_everything_is_in_the_everything_stand() -> None:
     """Guard of this file: the general stand has all that a layout can have."""
     layout = generated("everything6").layout
     assert [law.words for law in layout.law_tables] == ["suspension", "legs", "torquers"]

@@ -3,7 +3,11 @@
 Kept away from what C leaves undefined: ints stay small, divisors of ints are not zero, shifts are below the width.
 """
 
+from __future__ import annotations
+
 import math
+
+import numpy as np
 
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
@@ -22,7 +26,7 @@ from mahovik.core.program.expression import (
     word,
 )
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.types import Kind
+from mahovik.core.program.types import Kind, Precision
 
 REALS, WORDS, INTS = 5, 3, 3
 
@@ -30,13 +34,13 @@ REALS, WORDS, INTS = 5, 3, 3
 class Trees:
     """Draws trees over the arguments x (reals), w (words), n (ints) from a `random.Random`."""
 
-    def __init__(self, rng, precision):
+    def __init__(self, rng: np.random.Generator, precision: Precision) -> None:
         self.rng, self.precision = rng, precision
         self.x = Argument("x", Kind.REAL, (REALS,))
         self.w = Argument("w", Kind.WORD, (WORDS,))
         self.n = Argument("n", Kind.INT, (INTS,))
 
-    def real(self, depth):
+    def real(self, depth: int):
         """A tree whose value is a real."""
         pick = self.rng.random()
         if depth == 0 or pick < 0.1:
@@ -52,7 +56,7 @@ class Trees:
             return real_of_bits(self.word(less))
         return Converted(self.word(less) if self.rng.random() < 0.5 else self.int(min(less, 2)), Kind.REAL)
 
-    def word(self, depth):
+    def word(self, depth: int):
         """A tree whose value is a word, modulo 2^width."""
         rng, less, pick = self.rng, depth - 1, self.rng.random()
         width = self.precision.width
@@ -74,7 +78,7 @@ class Trees:
         value = rng.choice(list(self.x.place))  # the bits of a NaN are no promise, those of an argument are
         return bits_of(-value if rng.random() < 0.5 else value)
 
-    def int(self, depth):
+    def int(self, depth: int):
         """A tree whose value is a small int."""
         rng, less = self.rng, depth - 1
         if depth == 0:
@@ -88,7 +92,7 @@ class Trees:
             return Converted(self.word(less) & 0xFF, Kind.INT)
         return -self.int(less)
 
-    def truth(self, depth):
+    def truth(self, depth: int):
         """A condition."""
         rng, less, pick = self.rng, max(depth - 1, 0), self.rng.random()
         if depth > 0 and pick < 0.3:
@@ -103,7 +107,7 @@ class Trees:
             return compare(operator, self.word(less), self.word(less))
         return compare(operator, self.int(min(less, 2)), self.int(min(less, 2)))
 
-    def program(self, count, depth):
+    def program(self, count: int, depth: int):
         """`count` functions f0, f1, ... of (x, w, n), each the value of one tree."""
         functions = []
         for k in range(count):

@@ -27,10 +27,17 @@ def at(made: Exported, phases: np.ndarray, number: int = 0) -> dict[str, np.ndar
     return player(made).many(made.made.courses[number], [float(np.float32(x)) for x in phases])
 
 
+def mean() -> np.ndarray:
+    """The constant speed of `spin`, as the mean phases of its course."""
+    course = spin().course
+    assert isinstance(course, Fourier)
+    return course.mean
+
+
 def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Distance of angles, modulo a turn."""
     d = a - b
-    return np.abs(d - 2 * np.pi * np.round(d / (2 * np.pi)))
+    return np.asarray(np.abs(d - 2 * np.pi * np.round(d / (2 * np.pi))))
 
 
 @pytest.mark.parametrize("kind", ["quintic", "fourier"])
@@ -111,7 +118,7 @@ def test_the_motion_is_given_to_the_last_digits() -> None:
 def test_a_residual_that_is_added_is_measured() -> None:
     """The table of a programme that is a little beside another: what it adds is about that."""
     away = 1e-5
-    beside = replace(spin(), course=Fourier(spin().course.mean, np.array([[away, away]]), np.zeros((1, 2))))
+    beside = replace(spin(), course=Fourier(mean(), np.array([[away, away]]), np.zeros((1, 2))))
     told = export_programme(stand(), beside, motion(), limit=1.0).errors[0]
     assert told.given is not None
     assert 0.1 * away < told.given < 10 * away
@@ -170,7 +177,7 @@ def test_a_programme_of_another_stand_or_motion_is_refused() -> None:
         export_programme(stand(), replace(spin(), span=0.04), motion())
     with pytest.raises(CheckError, match="does not give the motion"):
         export_programme(stand(), swaying(), motion())
-    beside = replace(spin(), course=Fourier(spin().course.mean, np.full((1, 2), 1e-5), np.zeros((1, 2))))
+    beside = replace(spin(), course=Fourier(mean(), np.full((1, 2), 1e-5), np.zeros((1, 2))))
     with pytest.raises(CheckError, match="does not give the motion"):
         export_programme(stand(), beside, motion())
 

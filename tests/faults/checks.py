@@ -9,6 +9,7 @@ import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -61,7 +62,13 @@ def compilers(made: Emitted) -> str:
         ("gcc", "gcc", ("-O2", "-c", "-o", "/dev/null")),
         ("clang", "clang", ("-fsyntax-only",)),
     ):
-        command = [require(compiler, package), *FIRMWARE_WARNINGS, "-ffp-contract=off", *made.flags, *flags]
+        command: list[str | Path] = [
+            require(compiler, package),
+            *FIRMWARE_WARNINGS,
+            "-ffp-contract=off",
+            *made.flags,
+            *flags,
+        ]
         done = subprocess.run([*command, str(made.source)], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             return f"{compiler}: {first_error(done.stderr)}"
@@ -87,7 +94,7 @@ def sanitizers(made: Emitted) -> str:
 @check("memory", "the self-test under valgrind: nothing read that was not written", "`tests/lower/test_undefined.py`")
 def memory(made: Emitted) -> str:
     program = made.program(f"{made.name}_selftest.c", "-O1", "-g")
-    command = [require("valgrind", "valgrind"), "-q", "--error-exitcode=9", program]
+    command: list[str | Path] = [require("valgrind", "valgrind"), "-q", "--error-exitcode=9", program]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
     return "" if done.returncode in (0, 1) else done.stderr.strip().splitlines()[0].partition("== ")[2]
 

@@ -146,10 +146,10 @@ def test_another_derivation_has_another_file(
         (tmp_path / "release.py").write_text('__version__ = "0.1"')
         monkeypatch.setattr(cache, "find_spec", lambda _: SimpleNamespace(origin=str(tmp_path / "__init__.py")))
     elif changed == "python":
-        monkeypatch.setattr(cache.sys, "version_info", (3, 99, 0))
+        monkeypatch.setattr(sys, "version_info", (3, 99, 0))
     else:
-        with (package / "core" / changed / "extra.py").open("w") as file:
-            file.write("# another line\n")
+        with (package / "core" / changed / "extra.py").open("w") as extra:
+            extra.write("# another line\n")
     try:
         assert cache.file() != before
     finally:
@@ -194,7 +194,7 @@ def test_where_the_cache_is(env: dict[str, str], expected: str | None, monkeypat
         monkeypatch.delenv(name, raising=False)
     for name, value in env.items():
         monkeypatch.setenv(name, value)
-    monkeypatch.setattr(cache.sys, "platform", "linux")
+    monkeypatch.setattr(sys, "platform", "linux")
     assert cache.folder() == (None if expected is None else Path(expected))
 
 
@@ -204,8 +204,8 @@ def test_no_home_means_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.delenv("MAHOVIK_CACHE")
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    monkeypatch.setattr(cache.Path, "home", homeless)
-    monkeypatch.setattr(cache.sys, "platform", "linux")
+    monkeypatch.setattr(Path, "home", homeless)
+    monkeypatch.setattr(sys, "platform", "linux")
     assert cache.folder() is None
     assert remembered([]) == carrier.momentum(True)
 

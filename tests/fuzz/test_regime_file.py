@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -120,4 +121,4 @@ def spoiled_csv(draw: st.DrawFn) -> bytes:
 def test_tables(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp(), data, data)
     for text in REGIMES:
-        taken(lambda text=text: loads(text, DEMO3, 1.0, folder=folder))
+        taken(partial(loads, text, DEMO3, 1.0, folder=folder))

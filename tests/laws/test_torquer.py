@@ -168,4 +168,6 @@ def test_units_of_the_field(unit: str, tesla: float) -> None:
     stand = loads(FILE.replace('["20 uT", 0, "-40 uT"]', f'["3 {unit}", 0, 0]'))
     law = stand.law(Torquers)
     assert law is not None
-    assert law.magnetic_field == (pytest.approx(3 * tesla, rel=1e-15), 0.0, 0.0)
+    field, *others = law.magnetic_field
+    assert field == pytest.approx(3 * tesla, rel=1e-15)
+    assert others == [0.0, 0.0]

@@ -2,8 +2,10 @@
 
 import copy
 import math
+from collections.abc import Iterator
+from typing import Any
 
-from emit.compiled import bits
+from emit.compiled import Compiled, bits
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.toolchain.library import filled
 
@@ -13,7 +15,7 @@ FILL = 4321.5
 NOT_FINITE = (math.nan, math.inf, -math.inf)
 
 
-def numbers(value, path=()):
+def numbers(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
     """Paths of every real in plain data."""
     if isinstance(value, dict):
         for name, inner in value.items():
@@ -25,7 +27,7 @@ def numbers(value, path=()):
         yield path
 
 
-def spoiled(value, path, number):
+def spoiled(value: Any, path: tuple[Any, ...], number: Any) -> Any:
     """Plain data with one number replaced."""
     found = copy.deepcopy(value)
     place = found
@@ -35,14 +37,14 @@ def spoiled(value, path, number):
     return found
 
 
-def get(value, path):
+def get(value: Any, path: tuple[Any, ...]) -> Any:
     """What lies at a path."""
     for step in path:
         value = value[step]
     return value
 
 
-def refuses(c, function, inputs, *expected):
+def refuses(c: Compiled, function: str, inputs: dict[str, Any], *expected: str) -> None:
     """The C refuses with one of the statuses and leaves every output as it was."""
     status, outputs = c.c(function, inputs, fill=FILL)
     assert status in {STATUS_VALUES[name] for name in expected}, (function, status)
@@ -53,7 +55,7 @@ def refuses(c, function, inputs, *expected):
             assert bits(outputs[a.name]) == bits(inputs[a.name]), f"{function} wrote {a.name}"
 
 
-def accepts(c, function, inputs):
+def accepts(c: Compiled, function: str, inputs: dict[str, Any]) -> dict[str, Any]:
     """Outputs of a call that is good, all finite."""
     status, outputs = c.c(function, inputs, fill=FILL)
     assert status == 0, (function, status)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ def made(count: int) -> CBackend:
     return CBackend(random_stand(np.random.default_rng(100 + count), count, BARE, name="inverted"))
 
 
-def ask(c: CBackend, seed: int = 1, **options) -> tuple[dict, int, dict]:
+def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict, int, dict]:
     """Inputs, status and result at a random state; options over their defaults."""
     rng = np.random.default_rng(seed)
     count = len(c.layout.structure.flywheels)

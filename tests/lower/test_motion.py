@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ def start(c: CBackend) -> dict:
     }
 
 
-def inputs(c: CBackend, x: dict, **more) -> dict:
+def inputs(c: CBackend, x: dict, **more: Any) -> dict:
     """Arguments of step by name; torques and accelerations that differ."""
     count = len(x["phi"])
     found = {"table": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
@@ -50,7 +51,7 @@ def inputs(c: CBackend, x: dict, **more) -> dict:
     return found | more
 
 
-def stepped(c: CBackend, function: str, steps: int, order: int, **more) -> dict:
+def stepped(c: CBackend, function: str, steps: int, order: int, **more: Any) -> dict:
     """The state after DURATION in equal steps."""
     x = start(c)
     for _ in range(steps):

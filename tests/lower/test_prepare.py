@@ -1,6 +1,7 @@
 """prepare in compiled C: the generator's tables, tables of other stands, and parameters that it refuses."""
 
 import copy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ LAWS = {"gravity", "stream", "damper", "term", "suspension", "leg", "magnetic_fi
 LINKS = {"flywheel", "instrument", "damper", "wrench"}
 
 
-def scrambled(c):
+def scrambled(c: Compiled):
     """The default table with every number that prepare should write turned into another."""
 
     def other(value):
@@ -41,20 +42,20 @@ def scrambled(c):
     return table
 
 
-def inputs_of(c, parameters=None):
+def inputs_of(c: Compiled, parameters=None):
     """Arguments of prepare that begin with a scrambled table."""
     parameters = c.values.parameters if parameters is None else parameters
     return {"parameters": parameters, "table": scrambled(c)}
 
 
 @pytest.fixture(scope="module", params=FEW)
-def c(request):
+def c(request: pytest.FixtureRequest) -> Compiled:
     """A stand with few parameters: every one of them is spoiled."""
     return compiled(request.param)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_default_parameters_give_the_default_table(name):
+def test_default_parameters_give_the_default_table(name: str) -> None:
     c = compiled(name)
     inputs = inputs_of(c)
     assert bits(inputs["table"]) != bits(c.values.table)
@@ -62,7 +63,7 @@ def test_default_parameters_give_the_default_table(name):
 
 
 @pytest.mark.parametrize("name", ("everything6", "hung5", "bare5"))
-def test_parameters_of_another_stand_give_its_table(name):
+def test_parameters_of_another_stand_give_its_table(name: str) -> None:
     """The C of one stand with parameters and laws of another of the same structure is the C of the other."""
     ours = compiled(name)
     other = other_numbers(ours.stand, np.random.default_rng(6))
@@ -80,7 +81,7 @@ def test_parameters_of_another_stand_give_its_table(name):
             assert bits(accepts(ours, function, given)) != bits(want)
 
 
-def test_a_heavier_flywheel_changes_its_row_and_the_sums_alone():
+def test_a_heavier_flywheel_changes_its_row_and_the_sums_alone() -> None:
     c = compiled("bench8")
     parameters = copy.deepcopy(c.values.parameters)
     parameters["flywheel"][2]["body"]["mass"] += 0.5
@@ -98,7 +99,7 @@ def test_a_heavier_flywheel_changes_its_row_and_the_sums_alone():
     }
 
 
-def test_axes_of_any_length_give_the_same_table():
+def test_axes_of_any_length_give_the_same_table() -> None:
     """Up to rounding of the unit vectors; the last bits may differ."""
     c = compiled("everything1")
     parameters = copy.deepcopy(c.values.parameters)
@@ -111,14 +112,14 @@ def test_axes_of_any_length_give_the_same_table():
         assert np.allclose(row[name], value, rtol=1e-8, atol=1e-8), name
 
 
-def test_not_finite_in_any_parameter(c):
+def test_not_finite_in_any_parameter(c: Compiled) -> None:
     inputs = inputs_of(c)
     for path in numbers(inputs["parameters"]):
         for number in NOT_FINITE:
             refuses(c, "prepare", inputs | {"parameters": spoiled(inputs["parameters"], path, number)}, "NOT_FINITE")
 
 
-def test_too_large_in_any_parameter(c):
+def test_too_large_in_any_parameter(c: Compiled) -> None:
     inputs = inputs_of(c)
     for path in numbers(inputs["parameters"]):
         for number in (np.nextafter(MAX_PARAMETER, np.inf), -1e200):
@@ -132,30 +133,30 @@ def bodies(parameters):
         yield from ((kind, k, "body") for k in range(len(parameters.get(kind, ()))))
 
 
-def refuses_with(c, path, value, *expected):
+def refuses_with(c: Compiled, path: Path, value, *expected) -> None:
     """prepare refuses the default parameters with one of them replaced."""
     inputs = inputs_of(c)
     refuses(c, "prepare", inputs | {"parameters": spoiled(inputs["parameters"], path, value)}, *expected)
 
 
-def test_negative_mass_of_any_body(c):
+def test_negative_mass_of_any_body(c: Compiled) -> None:
     for body in bodies(c.values.parameters):
         refuses_with(c, (*body, "mass"), -1e-9, "RANGE")
 
 
-def test_no_mass_at_all():
+def test_no_mass_at_all() -> None:
     refuses_with(compiled("bare0"), ("carrier", "mass"), 0.0, "NOT_POSITIVE_DEFINITE")
 
 
 @pytest.mark.parametrize("inertia", [0.0, -1e-6])
-def test_a_flywheel_without_spin_inertia(inertia):
+def test_a_flywheel_without_spin_inertia(inertia) -> None:
     c = compiled("everything6")
     for k in range(6):
         refuses_with(c, ("flywheel", k, "body", "inertia", 0), inertia, "NOT_POSITIVE_DEFINITE")
 
 
 @pytest.mark.parametrize("kind", ["instrument", "flywheel"])
-def test_axes_without_a_direction(kind):
+def test_axes_without_a_direction(kind) -> None:
     c = compiled("everything1")
     wheel = c.values.parameters[kind][0]
     for zero in ([0.0] * 3, [3 * x for x in wheel["axis"]], [-x for x in wheel["axis"]]):
@@ -165,28 +166,28 @@ def test_axes_without_a_direction(kind):
 
 
 @pytest.mark.parametrize("mount", [-2, 2, 100, -(2**31), 2**31 - 1])
-def test_a_mount_that_is_none(mount):
+def test_a_mount_that_is_none(mount) -> None:
     c = compiled("everything6")
     for k in range(6):
         refuses_with(c, ("flywheel", k, "mount"), mount, "BAD_ARGUMENT")
 
 
 @pytest.mark.parametrize("mount", [-1, 0, 1])
-def test_every_mount_that_is_one(mount):
+def test_every_mount_that_is_one(mount) -> None:
     c = compiled("everything6")
     parameters = copy.deepcopy(c.values.parameters)
     parameters["flywheel"][3]["mount"] = mount
     accepts(c, "prepare", inputs_of(c, parameters))
 
 
-def test_added_mass_that_is_not_positive():
+def test_added_mass_that_is_not_positive() -> None:
     c = compiled("wet7")
     for i in range(3):
         refuses_with(c, ("added_mass", i, i), -1e3, "NOT_POSITIVE_DEFINITE")
     refuses_with(c, ("added_mass", 0, 1), 1e6, "NOT_POSITIVE_DEFINITE")
 
 
-def test_the_last_fault_is_found_before_anything_is_written():
+def test_the_last_fault_is_found_before_anything_is_written() -> None:
     """All parameters are checked first: a fault in the last one leaves the whole table."""
     c = compiled("everything6")
     last = list(numbers(c.values.parameters))[-1]
@@ -194,7 +195,7 @@ def test_the_last_fault_is_found_before_anything_is_written():
     refuses_with(c, ("flywheel", 5, "body", "mass"), -1.0, "RANGE")
 
 
-def test_parameters_at_the_limit_give_finite_tables():
+def test_parameters_at_the_limit_give_finite_tables() -> None:
     c = compiled("bare5")
     rng = np.random.default_rng(1)
     parameters = copy.deepcopy(c.values.parameters)

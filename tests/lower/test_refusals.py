@@ -2,11 +2,13 @@
 
 import copy
 import math
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from emit.compiled import QUANTITIES, compiled
+from emit.compiled import QUANTITIES, Compiled, compiled
 from lower.refusals import FILL, NOT_FINITE, accepts, get, numbers, refuses, spoiled
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
@@ -18,17 +20,17 @@ LIMIT = {name: limit.value for name, limit in limits(DOUBLE).items()}
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def c(request):
+def c(request: pytest.FixtureRequest) -> Compiled:
     """A compiled stand."""
     return compiled(request.param)
 
 
-def ordinary(c, seed=1):
+def ordinary(c: Compiled, seed: int = 1):
     """Inputs of an ordinary state."""
     return c.inputs(random_state(c.stand, np.random.default_rng(seed)))
 
 
-def functions(c):
+def functions(c: Compiled):
     """Public functions of a state with the names of what they read."""
     for name in ("quaternion", *QUANTITIES):
         if c.has(name):
@@ -38,14 +40,14 @@ def functions(c):
             )
 
 
-def places(c, function, taken, inputs):
+def places(c: Compiled, function: str, taken, inputs: dict[str, Any]):
     """Paths of the numbers that a function reads; `generalized` takes angles instead of the quaternion."""
     for path in numbers({name: inputs[name] for name in taken}):
         if not (function == "generalized" and path[:2] == ("x", "attitude")):
             yield path
 
 
-def limit_of(path):
+def limit_of(path: Path):
     """The largest magnitude that a number may have."""
     match path:
         case ("x", "position", _):
@@ -63,12 +65,12 @@ def limit_of(path):
     return None
 
 
-def test_ordinary_states_are_accepted(c):
+def test_ordinary_states_are_accepted(c: Compiled) -> None:
     for function, _ in functions(c):
         accepts(c, function, ordinary(c))
 
 
-def test_not_finite_in_any_element(c):
+def test_not_finite_in_any_element(c: Compiled) -> None:
     inputs = ordinary(c)
     count = 0
     for function, taken in functions(c):
@@ -79,7 +81,7 @@ def test_not_finite_in_any_element(c):
     assert count > 300
 
 
-def test_beyond_the_range_in_any_element(c):
+def test_beyond_the_range_in_any_element(c: Compiled) -> None:
     inputs = ordinary(c)
     for function, taken in functions(c):
         for path in places(c, function, taken, inputs):
@@ -94,7 +96,7 @@ def test_beyond_the_range_in_any_element(c):
                     refuses(c, function, spoiled(inputs, path, number), "RANGE")
 
 
-def test_at_the_limit_every_element_is_accepted(c):
+def test_at_the_limit_every_element_is_accepted(c: Compiled) -> None:
     inputs = ordinary(c)
     for function, taken in functions(c):
         for path in places(c, function, taken, inputs):
@@ -104,7 +106,7 @@ def test_at_the_limit_every_element_is_accepted(c):
                     accepts(c, function, spoiled(inputs, path, number))
 
 
-def test_everything_at_its_limit_gives_finite_results(c):
+def test_everything_at_its_limit_gives_finite_results(c: Compiled) -> None:
     rng = np.random.default_rng(4)
     for _ in range(20):
         inputs = ordinary(c)
@@ -117,7 +119,7 @@ def test_everything_at_its_limit_gives_finite_results(c):
 
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 1 - 1.0001e-3, 1 + 1.0001e-3, 1.9])
-def test_quaternions_off_unit_length(c, length):
+def test_quaternions_off_unit_length(c: Compiled, length) -> None:
     inputs = ordinary(c)
     inputs["x"]["attitude"] = [length * q for q in inputs["x"]["attitude"]]
     for function, taken in functions(c):
@@ -126,7 +128,7 @@ def test_quaternions_off_unit_length(c, length):
 
 
 @pytest.mark.parametrize("length", [1 - 0.9999e-3, 1 + 0.9999e-3, 1 + 1e-9])
-def test_quaternions_near_unit_length_are_normalised(c, length):
+def test_quaternions_near_unit_length_are_normalised(c: Compiled, length) -> None:
     """The same result as for the unit quaternion but for rounding: some hundred operations."""
     inputs = ordinary(c)
     other = copy.deepcopy(inputs)
@@ -139,7 +141,7 @@ def test_quaternions_near_unit_length_are_normalised(c, length):
                 assert abs(get(want, path) - get(got, path)) <= 1e-11 * max(scale, 1.0), (function, path)
 
 
-def test_the_length_of_a_quaternion_is_checked_with_its_sign_and_elements(c):
+def test_the_length_of_a_quaternion_is_checked_with_its_sign_and_elements(c: Compiled) -> None:
     """Too long by one element alone; each element beyond 2 is refused even where the sum might overflow."""
     for k in range(4):
         for number in (1.5, -1.5, 2.5, 1e200):
@@ -148,7 +150,7 @@ def test_the_length_of_a_quaternion_is_checked_with_its_sign_and_elements(c):
             refuses(c, "forward", inputs, "RANGE")
 
 
-def test_singular_attitudes(c):
+def test_singular_attitudes(c: Compiled) -> None:
     middle = 0.0 if c.stand.angles == "euler" else math.pi / 2
     for sign in (1.0, -1.0):
         for off, good in ((0.0, False), (0.9e-6, False), (-0.9e-6, False), (1.1e-6, True), (-1.1e-6, True)):
@@ -161,7 +163,7 @@ def test_singular_attitudes(c):
             accepts(c, "quaternion", inputs)
 
 
-def test_a_leg_of_no_length():
+def test_a_leg_of_no_length() -> None:
     c = compiled("hung5")
     leg = legs_of(c.stand)[1]
     inputs = ordinary(c)
@@ -178,7 +180,7 @@ def test_a_leg_of_no_length():
         accepts(c, function, inputs)
 
 
-def test_a_result_may_lie_in_the_state_it_is_of():
+def test_a_result_may_lie_in_the_state_it_is_of() -> None:
     """forward reads all before it writes: V_dot in the place of V gives the same bits."""
     c = compiled("everything6")
     ffi = c.library._ffi
@@ -190,7 +192,7 @@ def test_a_result_may_lie_in_the_state_it_is_of():
     assert list(x.V) == expected
 
 
-def test_outputs_are_written_whole(c):
+def test_outputs_are_written_whole(c: Compiled) -> None:
     """No number of an output keeps what was there before."""
     for function, _ in functions(c):
         outputs = accepts(c, function, ordinary(c))

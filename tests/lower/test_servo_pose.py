@@ -21,7 +21,7 @@ STAND = load(path("shaker2"))
 
 
 @pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
-def test_angles_give_the_attitude_back(sequence) -> None:
+def test_angles_give_the_attitude_back(sequence: str) -> None:
     rng = np.random.default_rng(4)
     layout = Layout(structure(replace(STAND, angles=sequence)), DOUBLE)
     run = Interpreter(lower_servo(layout, ServoForm(layout.count, TrimForm((0, 2, 3, 4, 5), 1)))).run

@@ -10,7 +10,7 @@ import pytest
 
 import mahovik.core.program.interpret as module
 from emit.compiled import QUANTITIES, bits, compiled
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.types import Kind, Precision, Struct
 from mahovik.core.stand.random import extreme_state, random_state
 from toolchain.tools import require
 
@@ -18,11 +18,11 @@ NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "strea
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_nothing_is_read_before_it_is_written(name, monkeypatch):
+def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The interpreter begins locals and outputs with zeros, C with what was there: with NaN nothing may change."""
     c = compiled(name)
 
-    def spoilt(type_, shape, precision):
+    def spoilt(type_, shape, precision: Precision):
         if shape:
             return [spoilt(type_, shape[1:], precision) for _ in range(int(shape[0]))]
         if isinstance(type_, Struct):
@@ -78,7 +78,7 @@ assert c.c("prepare", default)[0] == 0
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ("everything6", "hung5", "bare0"))
-def test_undefined_behaviour_sanitizer(name):
+def test_undefined_behaviour_sanitizer(name: str) -> None:
     """Every overflow of an int, shift, index or cast would end the process."""
     require("gcc", "gcc")
     tests = Path(__file__).resolve().parent.parent

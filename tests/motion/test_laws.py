@@ -22,7 +22,8 @@ from mahovik.core.motion.motor import available, drive, friction, needed
 from mahovik.core.stand.model import Motor
 
 TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
-LAWS = [
+Smooth = Constant | Ramp | LogSweep | Harmonic | SpeedTable
+LAWS: list[Smooth] = [
     Constant(-4.0),
     Ramp(2.0, 30.0, 0.25, 1.5),
     Ramp(30.0, -2.0, 0.0, 0.5),
@@ -34,7 +35,9 @@ LAWS = [
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
-def test_speed_and_acceleration_are_the_derivatives_of_the_phase(law) -> None:
+def test_speed_and_acceleration_are_the_derivatives_of_the_phase(
+    law: Smooth,
+) -> None:
     """Central differences, away from the corners; and the phase begins at zero."""
     h = 1e-4
     t = np.linspace(0.013, 1.987, 151)
@@ -47,7 +50,7 @@ def test_speed_and_acceleration_are_the_derivatives_of_the_phase(law) -> None:
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
-def test_phase_and_speed_are_continuous_at_corners(law) -> None:
+def test_phase_and_speed_are_continuous_at_corners(law: Smooth) -> None:
     for corner in law.breaks:
         left, right = law.motion(np.array([corner - 1e-9])), law.motion(np.array([corner + 1e-9]))
         assert right[0][0] == pytest.approx(left[0][0], abs=1e-6)

@@ -11,7 +11,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.motion import load, loads, steady
-from mahovik.core.motion.laws import Constant, Harmonic, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
+from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import RegimeError
 
@@ -48,7 +48,7 @@ def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
         ("run_up = { torque = 0.2, to = 50, band = 2 }", RunUp(0.2, 50.0, 2.0)),
     ],
 )
-def test_laws_in_si(text: str, law) -> None:
+def test_laws_in_si(text: str, law: Law) -> None:
     first, second = loads(left(text), SHAKER, 1.0).flywheels
     assert (first.name, first.law) == ("left", law)
     assert (second.name, second.law) == ("right", Constant(0.0))

@@ -4,14 +4,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
+from mahovik.core.stand.state import State
 
 
-def rows(matrix):
+def rows(matrix: np.ndarray):
     return tuple(tuple(float(x) for x in row) for row in matrix)
 
 
-def draw(seed, flywheels=4, *, instruments=2, added=True, stream=False):
+def draw(seed: int, flywheels: int = 4, *, instruments=2, added=True, stream: bool = False):
     """A random general stand and a state of it, with a run-time wrench on every body.
 
     Speeds near 20 rad/s, so that differences over a millisecond resolve them; angles well off their singularity.
@@ -35,10 +37,10 @@ def draw(seed, flywheels=4, *, instruments=2, added=True, stream=False):
     return stand, state
 
 
-def isolated(stand):
+def isolated(stand: Stand):
     """The stand without any external wrench: no gravity, fluid wrenches, suspension nor legs. Added mass stays."""
 
-    def bare(body):
+    def bare(body: Body):
         return replace(body, buoyancy=None, damping=None)
 
     return replace(
@@ -51,7 +53,7 @@ def isolated(stand):
     )
 
 
-def without_added_mass(stand):
+def without_added_mass(stand: Stand):
     return replace(
         stand,
         carrier=replace(stand.carrier, added_mass=None),
@@ -59,6 +61,6 @@ def without_added_mass(stand):
     )
 
 
-def without_wrench(state):
+def without_wrench(state: State):
     """The state without run-time wrenches."""
     return replace(state, wrench={})

@@ -11,6 +11,9 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+
 SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}  # SciPy's names; capitals: about moving axes
 
 # central difference of order 8: offsets, weights of the first and of the second derivative
@@ -28,7 +31,7 @@ def vec(values):
     return tuple(float(x) for x in values)
 
 
-def rotation(stand, state):
+def rotation(stand: Stand, state: State):
     """C of the state, by SciPy."""
     if state.quaternion is not None:
         return Rotation.from_quat(state.quaternion, scalar_first=True).as_matrix()
@@ -37,7 +40,7 @@ def rotation(stand, state):
     return np.eye(3)
 
 
-def with_rotation(state, C):
+def with_rotation(state: State, C: np.ndarray):
     """The state at the attitude C, as a quaternion."""
     quaternion = Rotation.from_matrix(C).as_quat(scalar_first=True)
     return replace(state, angles=None, quaternion=vec(quaternion))
@@ -52,14 +55,14 @@ def right_jacobian(theta):
     return total
 
 
-def motion(stand, state):
+def motion(stand: Stand, state: State):
     """t -> state: a smooth motion whose V, V*, phi, phi', phi'' at t = 0 are those of `state`, in any attitude."""
     C0, O1 = rotation(stand, state), np.array(state.position)
     V, V_dot = np.array(state.V), np.array(state.V_dot)
     v0, a0 = C0 @ V[:3], C0 @ (V_dot[:3] + np.cross(V[3:], V[:3]))  # of O1 in E0
     phi, phi_dot, phi_ddot = map(np.array, (state.phi, state.phi_dot, state.phi_ddot))
 
-    def at(t):
+    def at(t: float) -> np.ndarray:
         theta, rate = V[3:] * t + V_dot[3:] * t * t / 2, V[3:] + V_dot[3:] * t
         C = C0 @ Rotation.from_rotvec(theta).as_matrix()
         moved = replace(

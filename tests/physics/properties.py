@@ -11,6 +11,8 @@ import numpy as np
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.verify.scales import scales
 from physics.motions import vec
@@ -34,22 +36,22 @@ def cases(draw, low=0, high=5, **has):
     return stand, draw(states(stand))
 
 
-def near(found, expected, scale, times=1.0):
+def near(found, expected, scale, times=1.0) -> None:
     """Within rounding of the scale, element by element."""
     off = np.abs(np.asarray(found, dtype=float) - np.asarray(expected, dtype=float))
     allowed = times * ROUNDING * np.maximum(np.asarray(scale, dtype=float), 1e-280)
     assert np.all(off <= allowed), (off / allowed).max()
 
 
-def scale(stand, state, want):
+def scale(stand: Stand, state: State, want: str):
     return scales(stand, state, pieces(stand, state), want)
 
 
-def value(stand, state, want, name):
+def value(stand: Stand, state: State, want: str, name: str):
     return evaluate(stand, state, [want])[name]
 
 
-def of_a_motion(stand, state):
+def of_a_motion(stand: Stand, state: State):
     """The state with V* by (8) and tau of it."""
     state = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
     return replace(state, tau=vec(value(stand, state, "torque", "tau")))

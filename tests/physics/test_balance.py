@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import draw, isolated, without_wrench
@@ -19,13 +21,13 @@ FROM_DIFFERENCES = 1e-10
 ROUNDING = 1e-12
 
 
-def consistent(stand, state):
+def consistent(stand: Stand, state: State):
     """The state with V* by (8) and tau of it: a moment of a real motion."""
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     return replace(state, tau=vec(evaluate(stand, state, ["torque"])["tau"]))
 
 
-def power(stand, state):
+def power(stand: Stand, state: State):
     """tau^T phi' + sum_k P_k . V_k, and its largest term."""
     at = pieces(stand, state)
     terms = [t * w for t, w in zip(state.tau, state.phi_dot, strict=True)]
@@ -34,7 +36,7 @@ def power(stand, state):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy(seed):
+def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy(seed: int) -> None:
     stand, state = draw(seed, 5)
     state = consistent(stand, state)
     given, scale = power(stand, state)
@@ -45,7 +47,7 @@ def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy_to_rounding(seed):
+def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy_to_rounding(seed: int) -> None:
     stand, state = draw(seed, 5)
     state = consistent(stand, state)
     given, scale = power(stand, state)
@@ -59,7 +61,7 @@ def test_power_of_all_wrenches_is_the_rate_of_kinetic_energy_to_rounding(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_power_through_the_carrier_equals_power_body_by_body(seed):
+def test_power_through_the_carrier_equals_power_body_by_body(seed: int) -> None:
     stand, state = draw(seed, 5)
     at = pieces(stand, state)
     bodies = [at.P[k.body.name] @ k.twist(at.V) for k in (*at.fixed, *at.flywheels)]
@@ -68,7 +70,7 @@ def test_power_through_the_carrier_equals_power_body_by_body(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_momentum_in_E0_changes_by_the_external_wrench(seed):
+def test_momentum_in_E0_changes_by_the_external_wrench(seed: int) -> None:
     stand, state = draw(seed, 5)
     state = consistent(stand, state)
     at = motion(stand, state)
@@ -80,7 +82,7 @@ def test_momentum_in_E0_changes_by_the_external_wrench(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_driven_flywheels_of_a_free_stand_keep_momentum_in_E0(seed):
+def test_driven_flywheels_of_a_free_stand_keep_momentum_in_E0(seed: int) -> None:
     stand, state = draw(seed, 5)
     stand, state = isolated(stand), without_wrench(state)
     state = consistent(stand, state)

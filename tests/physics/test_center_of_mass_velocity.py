@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand, random_state
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
 from physics.general import draw
 from physics.motions import motion, rate, rotation
@@ -13,13 +15,13 @@ from physics.motions import motion, rate, rotation
 STEP = 1e-3
 
 
-def place(stand, state):
+def place(stand: Stand, state: State):
     """The mass centre in E0."""
     return np.array(state.position) + rotation(stand, state) @ evaluate(stand, state, ["momentum"])["center_of_mass"]
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_it_is_the_rate_of_the_mass_centre(seed):
+def test_it_is_the_rate_of_the_mass_centre(seed: int) -> None:
     stand, state = draw(seed, 3)
     at = motion(stand, state)
     found = evaluate(stand, state, ["center_of_mass_velocity"])["center_of_mass_velocity"]
@@ -27,7 +29,7 @@ def test_it_is_the_rate_of_the_mass_centre(seed):
     assert np.abs(found - expected).max() <= 1e-8 * np.abs(found).max()
 
 
-def test_without_added_mass_it_is_momentum_over_mass():
+def test_without_added_mass_it_is_momentum_over_mass() -> None:
     stand = random_stand(np.random.default_rng(5), 2, Features(fluid=False))
     state = random_state(stand, np.random.default_rng(6))
     found = evaluate(stand, state, ["center_of_mass_velocity", "momentum"])

@@ -15,7 +15,7 @@ ROUNDING = 1e-11  # solves of systems with condition below 1e3, some hundred ope
 
 @pytest.mark.parametrize("stream", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_quasi_velocity_and_generalized_forms_give_one_acceleration(seed, stream):
+def test_quasi_velocity_and_generalized_forms_give_one_acceleration(seed: int, stream: bool) -> None:
     stand, state = draw(seed, 5, stream=stream)
     values = evaluate(stand, state, ["forward", "generalized"])
     A, D, q_dot, q_ddot = (values[name] for name in ("A", "D", "q_dot", "q_ddot"))
@@ -24,7 +24,7 @@ def test_quasi_velocity_and_generalized_forms_give_one_acceleration(seed, stream
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_generalized_form_balances_the_wrench(seed):
+def test_generalized_form_balances_the_wrench(seed: int) -> None:
     stand, state = draw(seed, 5)
     values = evaluate(stand, state, ["matrices", "generalized"])
     terms = [
@@ -39,7 +39,7 @@ def test_generalized_form_balances_the_wrench(seed):
 
 @pytest.mark.parametrize("stream", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_inverse_returns_the_acceleration_of_flywheels_of_full_column_rank(seed, stream):
+def test_inverse_returns_the_acceleration_of_flywheels_of_full_column_rank(seed: int, stream: bool) -> None:
     stand, state = draw(seed, 5, stream=stream)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     values = evaluate(stand, state, ["inverse"])
@@ -52,7 +52,7 @@ def test_inverse_returns_the_acceleration_of_flywheels_of_full_column_rank(seed,
 @pytest.mark.parametrize("stream", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("flywheels", [6, 8])
-def test_forward_returns_the_acceleration_that_inverse_was_asked_for(seed, stream, flywheels):
+def test_forward_returns_the_acceleration_that_inverse_was_asked_for(seed: int, stream: bool, flywheels: int) -> None:
     stand, state = draw(seed, flywheels, stream=stream)
     values = evaluate(stand, state, ["inverse"])
     assert values["rank"] == 6
@@ -63,7 +63,7 @@ def test_forward_returns_the_acceleration_that_inverse_was_asked_for(seed, strea
 
 @pytest.mark.parametrize("stream", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_coupled_form_with_the_resulting_torque_returns_the_same_motion(seed, stream):
+def test_coupled_form_with_the_resulting_torque_returns_the_same_motion(seed: int, stream: bool) -> None:
     stand, state = draw(seed, 6, stream=stream)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     state = replace(state, tau=vec(evaluate(stand, state, ["torque"])["tau"]))
@@ -74,7 +74,7 @@ def test_coupled_form_with_the_resulting_torque_returns_the_same_motion(seed, st
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_equation_4_holds_along_the_motion_of_equation_8(seed):
+def test_equation_4_holds_along_the_motion_of_equation_8(seed: int) -> None:
     """Z* by differences of (2): no use is made of (5), (6), (9)."""
     stand, state = draw(seed, 4)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
@@ -87,7 +87,7 @@ def test_equation_4_holds_along_the_motion_of_equation_8(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_stream_is_a_change_of_frame(seed):
+def test_stream_is_a_change_of_frame(seed: int) -> None:
     """The same motion seen from a frame that drifts with the stream: no stream, other velocity, same physics.
 
     A suspension and legs are at rest in E0 and not in the drifting frame, so they are left out.

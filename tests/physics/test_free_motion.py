@@ -7,6 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof.reference import evaluate
 from physics.general import draw, isolated, without_wrench
@@ -17,12 +19,12 @@ DRIFT = 2e-9
 SECONDS = 0.5
 
 
-def pack(state, C):
+def pack(state: State, C: np.ndarray):
     quaternion = Rotation.from_matrix(C).as_quat(scalar_first=True)
     return np.array([*state.position, *quaternion, *state.V, *state.phi, *state.phi_dot])
 
 
-def unpack(state, y):
+def unpack(state: State, y):
     N = len(state.phi)
     position, quaternion, V, phi, phi_dot = np.split(y, [3, 7, 13, 13 + N])
     quaternion = quaternion / np.linalg.norm(quaternion)
@@ -37,10 +39,10 @@ def unpack(state, y):
     )
 
 
-def integrate(stand, state, acceleration, seconds=SECONDS):
+def integrate(stand: Stand, state: State, acceleration, seconds=SECONDS):
     """States at five times; acceleration(t, state) gives V* and phi''."""
 
-    def rates(t, y):
+    def rates(t: float, y):
         now = unpack(state, y)
         V_dot, phi_ddot = acceleration(t, now)
         w, x = y[3], y[4:7]
@@ -64,11 +66,11 @@ def integrate(stand, state, acceleration, seconds=SECONDS):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_free_flywheels_keep_momentum_in_E0_and_energy(seed):
+def test_free_flywheels_keep_momentum_in_E0_and_energy(seed: int) -> None:
     stand, state = draw(seed, 3)
     stand, state = isolated(stand), replace(without_wrench(state), tau=(0.0, 0.0, 0.0))
 
-    def free(t, now):
+    def free(t: float, now):
         values = evaluate(stand, now, ["coupled"])
         return values["V_dot"], values["phi_ddot"]
 
@@ -80,12 +82,12 @@ def test_free_flywheels_keep_momentum_in_E0_and_energy(seed):
     assert max(abs(later["Z"] - at[0]["Z"]).max() for later in at) > 1e-3 * scale  # in E1 it does change
 
 
-def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work():
+def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work() -> None:
     stand, state = draw(7, 3)
     stand, state = isolated(stand), without_wrench(state)
     amplitude, frequency, mean = np.array([3.0, 5.0, 2.0]), np.array([4.0, 7.0, 11.0]), np.array(state.phi)
 
-    def programme(t):
+    def programme(t: float):
         angle = frequency * t
         return (
             vec(mean + amplitude * np.sin(angle)),
@@ -93,11 +95,11 @@ def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work():
             vec(-amplitude * frequency**2 * np.sin(angle)),
         )
 
-    def on_programme(t, now):
+    def on_programme(t: float, now):
         phi, phi_dot, phi_ddot = programme(t)
         return replace(now, phi=phi, phi_dot=phi_dot, phi_ddot=phi_ddot)
 
-    def driven(t, now):
+    def driven(t: float, now):
         now = on_programme(t, now)
         values = evaluate(stand, now, ["forward"])
         return values["V_dot"], np.array(now.phi_ddot)
@@ -113,13 +115,13 @@ def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work():
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_undamped_legs_and_weight_keep_total_energy(seed):
+def test_undamped_legs_and_weight_keep_total_energy(seed: int) -> None:
     stand, state = draw(seed, 2)
     legs = tuple(replace(leg, damping=0.0) for leg in legs_of(stand))
     stand = replace(isolated(stand), gravity=stand.gravity, laws=(Legs(legs),))
     state = replace(without_wrench(state), tau=(0.0, 0.0))
 
-    def free(t, now):
+    def free(t: float, now):
         values = evaluate(stand, now, ["coupled"])
         return values["V_dot"], values["phi_ddot"]
 

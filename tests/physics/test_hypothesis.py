@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand import loads
-from mahovik.core.stand.model import Buoyancy, Damping, Instrument, MountingAngles
+from mahovik.core.stand.model import Body, Buoyancy, Damping, Instrument, MountingAngles, Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import isolated, without_added_mass, without_wrench
@@ -22,7 +23,7 @@ from physics.test_invariance import balance, redescribed, redescribed_state, tra
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_power_is_the_rate_of_energy(case, shown):
+def test_power_is_the_rate_of_energy(case: tuple[Stand, State], shown) -> None:
     """tau^T phi' + sum P_k . V_k = dT/dt, body by body."""
     stand, state = case
     shown(stand, state)
@@ -45,13 +46,13 @@ def test_power_is_the_rate_of_energy(case, shown):
 
 @PROPERTY
 @given(case=cases(low=1), factor=st.sampled_from([0.5, 2.0, 8.0]))
-def test_equations_are_linear_in_mass_and_inertia(case, factor, shown):
+def test_equations_are_linear_in_mass_and_inertia(case: tuple[Stand, State], factor: float, shown) -> None:
     """All masses and inertias times a factor: so are K, M, I, J; without wrenches nothing moves otherwise."""
     stand, state = case
     shown(stand, state)
     stand, state = without_added_mass(isolated(stand)), without_wrench(state)
 
-    def heavier(body):
+    def heavier(body: Body):
         return replace(body, mass=body.mass * factor, inertia=tuple(vec(np.array(r) * factor) for r in body.inertia))
 
     other = replace(
@@ -69,7 +70,9 @@ def test_equations_are_linear_in_mass_and_inertia(case, factor, shown):
 
 @PROPERTY
 @given(case=cases(low=1), which=st.sampled_from(["carrier", "instruments", "flywheels"]), seed=st.integers(0, 2**16))
-def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(case, which, seed, shown):
+def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(
+    case: tuple[Stand, State], which: str, seed: int, shown
+) -> None:
     """f(a + b) + f(0) = f(a) + f(b) for mass, first moment and inertia of one body; so for each of them alone."""
     stand, state = case
     shown(stand, state)
@@ -77,7 +80,7 @@ def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(case, which, seed,
     if not (which == "carrier" or getattr(stand, which)):
         which = "carrier"
 
-    def at(parameters):
+    def at(parameters) -> np.ndarray:
         if which == "carrier":
             return replace(stand, carrier=with_inertia(stand.carrier, *parameters))
         first, *rest = getattr(stand, which)
@@ -106,7 +109,7 @@ def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(case, which, seed,
 
 @PROPERTY
 @given(case=cases(low=1), factor=st.sampled_from([-1.0, 0.5, 4.0]))
-def test_free_motion_is_quadratic_in_velocities(case, factor, shown):
+def test_free_motion_is_quadratic_in_velocities(case: tuple[Stand, State], factor: float, shown) -> None:
     stand, state = case
     shown(stand, state)
     stand, state = isolated(replace(stand, stream=None)), without_wrench(state)
@@ -118,7 +121,7 @@ def test_free_motion_is_quadratic_in_velocities(case, factor, shown):
 
 @PROPERTY
 @given(case=cases(laws={"suspension": 0}), seed=st.integers(0, 2**16))
-def test_origin_and_axes_are_a_matter_of_choice(case, seed, shown):
+def test_origin_and_axes_are_a_matter_of_choice(case: tuple[Stand, State], seed: int, shown) -> None:
     """But for laws that are tied to them: a suspension, and quadratic damping of the carrier."""
     stand, state = case
     shown(stand, state)
@@ -129,7 +132,7 @@ def test_origin_and_axes_are_a_matter_of_choice(case, seed, shown):
     other, other_state = redescribed(plain, d, R), redescribed_state(plain, state, d, R)
     back, turn = transfer(d, R).T, np.kron(np.eye(2), R.T)
 
-    def both(want, name, carried=lambda x: x, spread=lambda x: x):
+    def both(want: str, name: str, carried=lambda x: x, spread=lambda x: x) -> None:
         here, there = value(plain, state, want, name), value(other, other_state, want, name)
         size = scale(plain, state, want)[name]
         near(there, carried(here), spread(size) + scale(other, other_state, want)[name])
@@ -152,7 +155,7 @@ def with_plain_fluid(carrier):
 
 @PROPERTY
 @given(case=cases(low=2))
-def test_the_order_of_flywheels_is_a_matter_of_choice(case, shown):
+def test_the_order_of_flywheels_is_a_matter_of_choice(case: tuple[Stand, State], shown) -> None:
     stand, state = case
     shown(stand, state)
     turned = replace(stand, flywheels=stand.flywheels[::-1])
@@ -166,7 +169,7 @@ def test_the_order_of_flywheels_is_a_matter_of_choice(case, shown):
 
 @PROPERTY
 @given(case=cases(low=1))
-def test_a_locked_flywheel_is_a_rigid_body(case, shown):
+def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State], shown) -> None:
     stand, state = case
     shown(stand, state)
     *others, last = stand.flywheels
@@ -186,7 +189,7 @@ def test_a_locked_flywheel_is_a_rigid_body(case, shown):
 
 @PROPERTY
 @given(case=cases())
-def test_both_forms_give_one_acceleration(case, shown):
+def test_both_forms_give_one_acceleration(case: tuple[Stand, State], shown) -> None:
     """(8) and (11)."""
     stand, state = case
     shown(stand, state)
@@ -198,7 +201,7 @@ def test_both_forms_give_one_acceleration(case, shown):
 
 @PROPERTY
 @given(case=cases(low=1, high=9))
-def test_inverse_returns_what_forward_was_given(case, shown):
+def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State], shown) -> None:
     """(12) inverts (8) in V*; where I has full column rank, in phi'' as well."""
     stand, state = case
     shown(stand, state)
@@ -215,7 +218,7 @@ def test_inverse_returns_what_forward_was_given(case, shown):
 
 @PROPERTY
 @given(case=cases(low=6, high=9))
-def test_forward_returns_what_inverse_was_asked_for(case, shown):
+def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State], shown) -> None:
     """Six flywheels and more reach every V*."""
     stand, state = case
     shown(stand, state)
@@ -229,7 +232,7 @@ def test_forward_returns_what_inverse_was_asked_for(case, shown):
 
 @PROPERTY
 @given(case=cases(low=1))
-def test_coupled_form_returns_the_motion_of_its_torque(case, shown):
+def test_coupled_form_returns_the_motion_of_its_torque(case: tuple[Stand, State], shown) -> None:
     stand, state = case
     shown(stand, state)
     state = of_a_motion(stand, state)
@@ -238,12 +241,12 @@ def test_coupled_form_returns_the_motion_of_its_torque(case, shown):
     near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"])
 
 
-def test_a_failure_shows_the_smallest_stand(shown, tmp_path_factory):
+def test_a_failure_shows_the_smallest_stand(shown, tmp_path_factory: pytest.TempPathFactory) -> None:
     """Shrunk: what a property does not need is gone, and what is written reads back as that stand."""
 
     @settings(PROPERTY, phases=(Phase.generate, Phase.shrink))  # not `explain`, which takes longer than all the rest
     @given(case=cases(low=0))
-    def fails(case):
+    def fails(case: tuple[Stand, State]) -> None:
         shown(*case)
         assert len(case[0].flywheels) < 2
 

@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Instrument
+from mahovik.core.stand.model import Instrument, Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from physics.general import isolated, rows, without_added_mass
 from physics.motions import cross, rotation, vec
@@ -19,7 +20,7 @@ from physics.test_limits import about_center_of_mass, balanced
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_gyrostat_splits_into_translation_and_eulers_equation(case, shown):
+def test_gyrostat_splits_into_translation_and_eulers_equation(case: tuple[Stand, State], shown) -> None:
     """Balanced, symmetric flywheels, no added mass, O1 at the centre of mass; run-time wrenches act."""
     stand, state = case
     shown(stand, state)
@@ -39,7 +40,7 @@ def test_gyrostat_splits_into_translation_and_eulers_equation(case, shown):
     near(J @ V_dot[3:] + h_dot + np.cross(omega, J @ omega + h), at.F[3:], size[3:])
 
 
-def solid(seed):
+def solid(seed: int):
     """A weightless rigid body, and its spatial inertia about O1 in E1."""
     rng = np.random.default_rng(seed)
     m, rc, O, angles = rng.uniform(0.2, 2.0), *rng.uniform(-0.3, 0.3, (2, 3)), rng.uniform(-1.2, 1.2, 3)
@@ -66,7 +67,9 @@ def solid(seed):
 
 @PROPERTY
 @given(case=cases(stream=False), seed=st.integers(0, 2**16), on_instrument=st.booleans())
-def test_added_mass_of_the_form_of_a_body_acts_as_that_body(case, seed, on_instrument, shown):
+def test_added_mass_of_the_form_of_a_body_acts_as_that_body(
+    case: tuple[Stand, State], seed: int, on_instrument, shown
+) -> None:
     """The body's weight is taken off by a wrench. An instrument's added mass is about O1 in E1 as well."""
     stand, state = case
     shown(stand, state)

@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import given, settings
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
 from physics.general import isolated, without_wrench
 from physics.motions import motion, rate, vec
@@ -17,19 +19,19 @@ TURN = 0.03
 """rad by the fastest in a step of the differences: its ninth power is far below the rounding of a sum."""
 
 
-def fastest(state):
+def fastest(state: State):
     """rad/s: of anything that turns, accelerations by the time in which they turn as far."""
     accelerations = [*state.V_dot[3:], *state.phi_ddot]
     return max(1.0, *map(abs, (*state.V[3:], *state.phi_dot)), *np.sqrt(np.abs(accelerations)))
 
 
-def free(case):
+def free(case: tuple[Stand, State]):
     """The case without any external wrench, moved by (8)."""
     stand, state = case
     return isolated(stand), of_a_motion(isolated(stand), without_wrench(state))
 
 
-def changes(stand, state):
+def changes(stand: Stand, state: State):
     """What Z in E0 and the energy change by in the step of the differences, and that step."""
     at, h = motion(stand, state), TURN / fastest(state)
     momentum = rate(lambda t: evaluate(stand, at(t), ["momentum"])["Z0"], h)
@@ -39,7 +41,7 @@ def changes(stand, state):
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case, shown):
+def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[Stand, State], shown) -> None:
     """Flywheels of given phi(t) on a free stand."""
     shown(*case)
     stand, state = free(case)
@@ -52,7 +54,7 @@ def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case, shown)
 
 @PROPERTY
 @given(case=cases(stream=False))
-def test_free_flywheels_keep_momentum_and_energy_at_every_state(case, shown):
+def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stand, State], shown) -> None:
     """tau = 0: V* and phi'' of the coupled form."""
     shown(*case)
     stand, state = isolated(case[0]), without_wrench(case[1])
@@ -67,13 +69,13 @@ def test_free_flywheels_keep_momentum_and_energy_at_every_state(case, shown):
 
 @settings(PROPERTY, max_examples=5)
 @given(case=cases(high=4, stream=False))
-def test_free_flywheels_keep_momentum_and_energy_in_time(case, shown):
+def test_free_flywheels_keep_momentum_and_energy_in_time(case: tuple[Stand, State], shown) -> None:
     """Integrated for two radians of the fastest."""
     shown(*case)
     stand, state = isolated(case[0]), without_wrench(case[1])
     state = replace(state, tau=(0.0,) * len(state.phi))
 
-    def coupled(t, now):
+    def coupled(t: float, now):
         values = evaluate(stand, now, ["coupled"])
         return values["V_dot"], values["phi_ddot"]
 

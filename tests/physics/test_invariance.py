@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Damping, MountingAxes
+from mahovik.core.stand.model import Body, Damping, MountingAxes, Stand
+from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.laws.torquer.data import Torquers
@@ -24,22 +25,22 @@ def transfer(d, R):
     return np.block([[R, np.zeros((3, 3))], [cross(d) @ R, R]])
 
 
-def fixed_angles(C):
+def fixed_angles(C: np.ndarray):
     return vec(Rotation.from_matrix(C).as_euler("ZYX"))
 
 
-def redescribed(stand, d, R):
+def redescribed(stand: Stand, d, R):
     """The same stand described in an E1 with origin d and axes R; of laws tied to axes, only linear damping."""
     L = transfer(d, R)
     back = np.linalg.inv(L)
 
-    def place(position):
+    def place(position: np.ndarray):
         return vec(R.T @ (np.array(position) - d))
 
-    def symmetric(matrix):
+    def symmetric(matrix: np.ndarray):
         return rows((matrix + matrix.T) / 2)
 
-    def carried(matrix):
+    def carried(matrix: np.ndarray):
         return None if matrix is None else symmetric(back @ np.array(matrix) @ back.T)
 
     c = stand.carrier
@@ -93,7 +94,7 @@ def redescribed(stand, d, R):
     )
 
 
-def redescribed_state(stand, state, d, R):
+def redescribed_state(stand: Stand, state: State, d, R):
     L, C = transfer(d, R), rotation(stand, state)
     moved = replace(
         state,
@@ -107,7 +108,7 @@ def redescribed_state(stand, state, d, R):
 
 @pytest.mark.parametrize("stream", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_moving_O1_and_turning_E1_changes_nothing_observable(seed, stream):
+def test_moving_O1_and_turning_E1_changes_nothing_observable(seed: int, stream: bool) -> None:
     stand, state = draw(seed, 5, stream=stream)
     damping = replace(stand.carrier.damping, quadratic=None, terms=())
     stand = replace(stand.without_laws(Suspension), carrier=replace(stand.carrier, damping=damping))
@@ -116,7 +117,7 @@ def test_moving_O1_and_turning_E1_changes_nothing_observable(seed, stream):
     other, other_state = redescribed(stand, d, R), redescribed_state(stand, state, d, R)
     L = transfer(d, R)
 
-    def both(want):
+    def both(want: str):
         return evaluate(stand, state, [want]), evaluate(other, other_state, [want])
 
     here, there = both("momentum")
@@ -155,7 +156,7 @@ def test_moving_O1_and_turning_E1_changes_nothing_observable(seed, stream):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_order_of_flywheels_is_of_no_consequence(seed):
+def test_order_of_flywheels_is_of_no_consequence(seed: int) -> None:
     stand, state = draw(seed, 7)
     order = [3, 1, 2, 0, 6, 5, 4]
     shuffled = replace(stand, flywheels=tuple(stand.flywheels[i] for i in order))
@@ -176,14 +177,14 @@ def test_order_of_flywheels_is_of_no_consequence(seed):
             np.testing.assert_allclose(there[name], expected, rtol=0, atol=ROUNDING * scale)
 
 
-def balance(stand, state):
+def balance(stand: Stand, state: State):
     """K V* + M V + sum (I phi'' + J phi') - F of (8) for given V*, phi''."""
     at = evaluate(stand, state, ["matrices"])
     V, V_dot, phi_dot, phi_ddot = map(np.array, (state.V, state.V_dot, state.phi_dot, state.phi_ddot))
     return at["K"] @ V_dot + at["M"] @ V + at["I"] @ phi_ddot + at["J"] @ phi_dot - at["F"]
 
 
-def with_inertia(body, mass, mu, J):
+def with_inertia(body: Body, mass, mu, J):
     """The body with this mass, first moment and moments of inertia about its origin."""
     rc = np.zeros(3) if mass == 0 else np.array(mu) / mass
     return replace(body, mass=mass, center_of_mass=vec(rc), inertia=rows(J), inertia_about="origin")
@@ -191,12 +192,12 @@ def with_inertia(body, mass, mu, J):
 
 @pytest.mark.parametrize("which", ["carrier", "instrument", "flywheel"])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_equation_8_is_linear_in_mass_first_moment_and_inertia(seed, which):
+def test_equation_8_is_linear_in_mass_first_moment_and_inertia(seed: int, which: str) -> None:
     """f(a + b) + f(0) = f(a) + f(b) in the ten parameters of one body, weight included; not scaled one by one."""
     stand, state = draw(seed, 3)
     rng = np.random.default_rng(seed)
 
-    def at(mass, mu, J):
+    def at(mass, mu, J) -> np.ndarray:
         if which == "carrier":
             changed = replace(stand, carrier=with_inertia(stand.carrier, mass, mu, J))
         elif which == "instrument":
@@ -226,11 +227,11 @@ def test_equation_8_is_linear_in_mass_first_moment_and_inertia(seed, which):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_equation_8_is_quadratic_in_velocities(seed):
+def test_equation_8_is_quadratic_in_velocities(seed: int) -> None:
     stand, state = draw(seed, 4)
     stand = isolated(stand)  # linear damping is not quadratic
 
-    def at(k):
+    def at(k) -> np.ndarray:
         phi_dot = vec(k * np.array(state.phi_dot))
         return balance(stand, replace(state, V=vec(k * np.array(state.V)), phi_dot=phi_dot))
 

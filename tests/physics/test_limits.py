@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Instrument, MountingAngles
+from mahovik.core.stand.model import Instrument, MountingAngles, Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from physics.general import draw, isolated, rows, without_added_mass, without_wrench
 from physics.motions import cross, rotation, vec
@@ -15,7 +16,7 @@ SEEDS = range(6)
 ROUNDING = 1e-11  # some hundred operations, condition of K below 1e3
 
 
-def balanced(stand):
+def balanced(stand: Stand):
     """Every flywheel on the carrier, centre of mass at its origin, J22 = J33, no products; angles, not axes."""
     flywheels = []
     for number, s in enumerate(stand.flywheels):
@@ -33,7 +34,7 @@ def balanced(stand):
     return replace(stand, flywheels=tuple(flywheels))
 
 
-def about_center_of_mass(stand, state):
+def about_center_of_mass(stand: Stand, state: State):
     """The stand with its carrier's centre of mass moved so that O1 is the centre of mass of the whole system."""
     m = sum(body.mass for body in stand.bodies)
     rc = np.array(evaluate(stand, state, ["momentum"])["center_of_mass"])
@@ -43,7 +44,7 @@ def about_center_of_mass(stand, state):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_gyrostat_splits_into_translation_and_eulers_equation(seed):
+def test_gyrostat_splits_into_translation_and_eulers_equation(seed: int) -> None:
     stand, state = draw(seed, 4)
     stand = balanced(without_added_mass(isolated(stand)))
     stand = about_center_of_mass(stand, state)
@@ -66,7 +67,7 @@ def test_gyrostat_splits_into_translation_and_eulers_equation(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_unbalance_couples_translation_and_rotation(seed):
+def test_unbalance_couples_translation_and_rotation(seed: int) -> None:
     stand, state = draw(seed, 4)
     stand = about_center_of_mass(balanced(without_added_mass(isolated(stand))), state)
     tilted = replace(stand.flywheels[0], center_of_mass=(0.0, 0.01, 0.0))
@@ -78,7 +79,7 @@ def test_unbalance_couples_translation_and_rotation(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_locked_flywheel_is_one_more_rigid_body(seed):
+def test_locked_flywheel_is_one_more_rigid_body(seed: int) -> None:
     stand, state = draw(seed, 4)
     *others, last = stand.flywheels
     last = replace(last, mount="carrier", mounting=MountingAngles(0.7, -0.3, 0.4))
@@ -102,7 +103,7 @@ def test_locked_flywheel_is_one_more_rigid_body(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_added_mass_of_a_rigid_body_acts_as_a_weightless_body(seed):
+def test_added_mass_of_a_rigid_body_acts_as_a_weightless_body(seed: int) -> None:
     """About O1 in E1, for an instrument's added mass as well; K, motion, momentum and torque are those of the body."""
     stand, state = draw(seed, 4)
     stand = without_added_mass(stand)
@@ -141,7 +142,7 @@ def test_added_mass_of_a_rigid_body_acts_as_a_weightless_body(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_stand_without_flywheels_is_a_rigid_body(seed):
+def test_stand_without_flywheels_is_a_rigid_body(seed: int) -> None:
     stand, state = draw(seed, 0, instruments=0, added=False)
     state = without_wrench(state)
     stand = isolated(stand)

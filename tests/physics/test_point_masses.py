@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import MountingAxes
+from mahovik.core.stand.model import MountingAxes, Stand
+from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate
@@ -23,7 +24,7 @@ STEP = 5e-3  # times 20 rad/s is 0.1: 0.1^8 / 3150 and 1e-16 / STEP^2 are both b
 DIFFERENCES = 1e-9  # of the largest force: some ten points, largest m r'' 1e2
 
 
-def clouds(stand, seed):
+def clouds(stand: Stand, seed: int):
     """The stand with each body's mass data made of a cloud of points; the clouds by body name: masses, places."""
     rng = np.random.default_rng(seed)
     made, stand = {}, without_added_mass(stand)
@@ -51,7 +52,7 @@ def clouds(stand, seed):
     return stand, made
 
 
-def frame_in(stand, name, position, matrix):
+def frame_in(stand: Stand, name: str, position: np.ndarray, matrix: np.ndarray):
     """A frame given in its mount (name), carried to E1: origin, axes."""
     if name == "carrier":
         return np.array(position), matrix
@@ -60,7 +61,7 @@ def frame_in(stand, name, position, matrix):
     return np.array(p.position) + C @ np.array(position), C @ matrix
 
 
-def flywheel_frame(stand, s, phi):
+def flywheel_frame(stand: Stand, s, phi):
     """Origin and axes of a flywheel in E1, by SciPy."""
     m = s.mounting
     if isinstance(m, MountingAxes):
@@ -73,7 +74,7 @@ def flywheel_frame(stand, s, phi):
     return frame_in(stand, s.mount, s.position, C)
 
 
-def frames_in_E0(stand, state):
+def frames_in_E0(stand: Stand, state: State):
     """Origin and axes in E0 of every body by name."""
     C, O1 = rotation(stand, state), np.array(state.position)
     frames = {"carrier": (np.zeros(3), np.eye(3))}
@@ -84,19 +85,19 @@ def frames_in_E0(stand, state):
     return {name: (O1 + C @ O, C @ R) for name, (O, R) in frames.items()}
 
 
-def places(stand, made, state):
+def places(stand: Stand, made, state: State):
     """All points in E0 by body name, Nx3."""
     return {name: O + made[name][1] @ R.T for name, (O, R) in frames_in_E0(stand, state).items()}
 
 
-def newton(stand, made, state, step=STEP):
+def newton(stand: Stand, made, state: State, step=STEP):
     """m r'' - m g of every point in E0, by body name: what the rest of the world must exert on it."""
     at = motion(stand, state)
     accelerations = {name: second_rate(lambda t, name=name: places(stand, made, at(t))[name], step) for name in made}
     return {name: made[name][0][:, None] * (a - np.array(stand.gravity)) for name, a in accelerations.items()}
 
 
-def drawn(seed):
+def drawn(seed: int):
     stand, state = draw(seed, 3, instruments=1)
     stand, made = clouds(stand.without_laws(), seed)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
@@ -104,7 +105,7 @@ def drawn(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_forward_gives_every_point_its_newtonian_acceleration(seed):
+def test_forward_gives_every_point_its_newtonian_acceleration(seed: int) -> None:
     """Force and moment about the origin of E0, all points, against the run-time wrenches carried there by hand."""
     stand, made, state = drawn(seed)
     r, needed = places(stand, made, state), newton(stand, made, state)
@@ -121,7 +122,7 @@ def test_forward_gives_every_point_its_newtonian_acceleration(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed):
+def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed: int) -> None:
     """About Os, in the flywheel's axes at phi_s = 0; the run-time wrench turns with phi_s."""
     stand, made, state = drawn(seed)
     r, needed, frames = places(stand, made, state), newton(stand, made, state), frames_in_E0(stand, state)
@@ -139,7 +140,7 @@ def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_momentum_and_energy_are_sums_over_points(seed):
+def test_momentum_and_energy_are_sums_over_points(seed: int) -> None:
     stand, made, state = drawn(seed)
     at = motion(stand, state)
     r = places(stand, made, state)
@@ -162,7 +163,7 @@ def test_momentum_and_energy_are_sums_over_points(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_suspension_and_legs_hold_the_points_up(seed):
+def test_suspension_and_legs_hold_the_points_up(seed: int) -> None:
     """At rest: the motion that (8) gives is that of the points under springs written out by hand."""
     stand, made, state = drawn(seed)
     full, _ = draw(seed, 3, instruments=1)

@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.mass import added_mass_matrix
 from physics.general import draw
@@ -15,14 +17,14 @@ STEP = 1e-3  # speeds of 20 rad/s
 FROM_DIFFERENCES = 1e-10  # of the largest term: 1e-16 over the step, some hundred operations
 
 
-def fluid_momentum(stand, state):
+def fluid_momentum(stand: Stand, state: State):
     """Linear momentum of the fluid (3), C Lambda V_r, in E0."""
     at = pieces(stand, state)
     return at.C @ (added_mass_matrix(at.fixed) @ at.V_r)[:3]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_momentum_and_energy_in_a_stream(seed):
+def test_momentum_and_energy_in_a_stream(seed: int) -> None:
     """From the balances in the frame of the fluid, carried to E0 by hand:
 
     Z0' = (force, moment + u x p_fluid), since the fluid's momentum drifts on with u; and
@@ -46,7 +48,7 @@ def test_momentum_and_energy_in_a_stream(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_momentum_without_added_mass_does_not_know_the_stream(seed):
+def test_momentum_without_added_mass_does_not_know_the_stream(seed: int) -> None:
     stand, state = draw(seed, 4, stream=True, added=False)
     still = replace(stand, stream=None)
     here, there = evaluate(stand, state, ["momentum"]), evaluate(still, state, ["momentum"])

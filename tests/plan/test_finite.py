@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -73,7 +74,7 @@ def test_bench8_moves_from_rest_to_rest() -> None:
 
 
 @pytest.mark.slow
-def test_a_finite_programme_is_verified_by_the_reference(tmp_path) -> None:
+def test_a_finite_programme_is_verified_by_the_reference(tmp_path: Path) -> None:
     """Planned from given angles, written, read."""
     stand, motion = move()
     angles = tuple(0.3 * k for k in range(8))

@@ -4,15 +4,15 @@ from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.types import DOUBLE, Kind
+from mahovik.core.program.types import DOUBLE, Kind, Precision
 
 
-def argument(name, kind=Kind.REAL, shape=(), direction="in"):
+def argument(name: str, kind=Kind.REAL, shape=(), direction="in"):
     """An argument."""
     return Argument(name, kind, shape, direction)
 
 
-def function(name, arguments, write, returns=None, public=True):
+def function(name: str, arguments, write, returns=None, public=True):
     """A function whose body `write(body, *places)` writes."""
     body = Body()
     write(body, *(a.place for a in arguments))
@@ -25,17 +25,17 @@ def value_of(kinds, tree, returns=Kind.REAL):
     return function("f", arguments, lambda body, *places: body.ret(tree(*places)), returns)
 
 
-def program(*functions, precision=DOUBLE, structs=()):
+def program(*functions, precision: Precision = DOUBLE, structs=()):
     """A program of those functions."""
     return Program("t", precision, (), tuple(structs), tuple(functions))
 
 
-def run(function, inputs, precision=DOUBLE):
+def run(function, inputs, precision: Precision = DOUBLE):
     """Value and outputs of one function."""
     return Interpreter(program(function, precision=precision)).run(function.name, inputs)
 
 
-def evaluate(kinds, tree, *values, precision=DOUBLE):
+def evaluate(kinds, tree, *values, precision: Precision = DOUBLE):
     """tree of scalars of some kinds, evaluated."""
     f = value_of(kinds, tree)
     numbers = [precision.scalar(v) if k is Kind.REAL else v for k, v in zip(kinds, values, strict=True)]

@@ -51,13 +51,13 @@ def callee(kind=R, shape=(), direction="in", returns=R):
         lambda: equal(n, w),
     ],
 )
-def test_kinds_do_not_mix(mix):
+def test_kinds_do_not_mix(mix) -> None:
     with pytest.raises(TypeError, match="kinds differ"):
         mix()
 
 
 @pytest.mark.parametrize("test", [equal, unequal])
-def test_reals_are_not_compared_for_equality(test):
+def test_reals_are_not_compared_for_equality(test) -> None:
     with pytest.raises(TypeError, match="not compared for equality"):
         test(a, b)
     with pytest.raises(TypeError, match="not compared for equality"):
@@ -65,39 +65,39 @@ def test_reals_are_not_compared_for_equality(test):
 
 
 @pytest.mark.parametrize("kind", [I, W])
-def test_a_real_is_never_converted_by_value(kind):
+def test_a_real_is_never_converted_by_value(kind) -> None:
     with pytest.raises(TypeError, match="use the bits"):
         Convert(a, kind)
 
 
 @pytest.mark.parametrize(("operand", "kind"), [(a, I), (a, R), (n, R), (w, W), (w, I)])
-def test_bits_are_of_reals_and_words(operand, kind):
+def test_bits_are_of_reals_and_words(operand, kind) -> None:
     with pytest.raises(TypeError, match="between real and word"):
         BitCast(operand, kind)
 
 
-def test_an_expression_has_no_truth_value():
+def test_an_expression_has_no_truth_value() -> None:
     with pytest.raises(TypeError, match="no truth value"):
         bool(a < b)
     with pytest.raises(TypeError, match="no truth value"):
         assert 0 < a < 1
 
 
-def test_a_fraction_is_no_integer():
+def test_a_fraction_is_no_integer() -> None:
     with pytest.raises(TypeError, match="is no int"):
         as_expr(0.5, I)
     with pytest.raises(TypeError, match="is no word"):
         w & 0.5
 
 
-def test_a_literal_takes_the_kind_of_its_partner():
+def test_a_literal_takes_the_kind_of_its_partner() -> None:
     assert (a + 1).right.kind is R
     assert (1 + w).left.kind is W
     assert (n < 3).right.kind is I
     assert integer(N).name == "N"
 
 
-def test_places_are_what_their_variable_is():
+def test_places_are_what_their_variable_is() -> None:
     assert [len(x3), len(x_n), len(matrix), len(matrix[0])] == [3, 3, 2, 3]
     assert matrix[1][2].is_scalar
     assert pair.b[1].kind is R
@@ -113,14 +113,14 @@ def test_places_are_what_their_variable_is():
         a.b  # noqa: B018  the access itself must raise
 
 
-def test_only_scalars_are_set():
+def test_only_scalars_are_set() -> None:
     with pytest.raises(TypeError, match="x3 is not a scalar"):
         Body().set(x3, 1)
     with pytest.raises(TypeError, match="pair is not a scalar"):
         Body().add(pair, a)
 
 
-def test_arrays_of_other_lengths_are_not_copied():
+def test_arrays_of_other_lengths_are_not_copied() -> None:
     with pytest.raises(TypeError, match="x3 has 3 elements, x6 6"):
         Body().copy_array(x3, x6)
 
@@ -143,7 +143,7 @@ def test_arrays_of_other_lengths_are_not_copied():
         (callee(W), n, "int given, word expected"),
     ],
 )
-def test_arguments_that_do_not_fit(function, value, message):
+def test_arguments_that_do_not_fit(function, value, message: str) -> None:
     with pytest.raises(TypeError, match=message):
         call(function, value)
     with pytest.raises(TypeError, match=message):
@@ -164,21 +164,21 @@ def test_arguments_that_do_not_fit(function, value, message):
         (callee(R, (), "out"), a),
     ],
 )
-def test_arguments_that_fit(function, value):
+def test_arguments_that_fit(function, value) -> None:
     assert call(function, value).kind is R
 
 
-def test_calls_with_another_number_of_arguments():
+def test_calls_with_another_number_of_arguments() -> None:
     with pytest.raises(TypeError, match="callee takes 1 arguments, not 2"):
         call(callee(), a, b)
 
 
-def test_what_returns_nothing_is_no_expression():
+def test_what_returns_nothing_is_no_expression() -> None:
     with pytest.raises(TypeError, match="callee returns nothing"):
         call(callee(returns=None), a)
 
 
-def test_blocks_are_closed_and_otherwise_follows_when():
+def test_blocks_are_closed_and_otherwise_follows_when() -> None:
     body = Body()
     with pytest.raises(AssertionError), body.loop("i", 3):
         body.statements  # noqa: B018  the access itself must raise

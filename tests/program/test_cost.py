@@ -33,16 +33,16 @@ def operations(program: Program, name: str) -> Cost:
         (lambda a, b: real(3), Cost()),
     ],
 )
-def test_expressions(tree, expected):
+def test_expressions(tree, expected) -> None:
     assert cost(value_of((R, R), tree)) == expected
 
 
-def test_integers_cost_nothing():
+def test_integers_cost_nothing() -> None:
     assert cost(value_of((I, I), lambda a, b: Convert(a * b + a, R))) == Cost()
 
 
-def test_loops_multiply_and_the_dearer_branch_counts():
-    def write(body, x):
+def test_loops_multiply_and_the_dearer_branch_counts() -> None:
+    def write(body, x) -> None:
         with body.loop("i", 4, start=1) as i:
             body.add(x[i], x[0] * 2)
             with body.when(x[0] < 0):
@@ -54,14 +54,14 @@ def test_loops_multiply_and_the_dearer_branch_counts():
     assert cost(f) == Cost(additions=3 + 6, multiplications=3, comparisons=3)
 
 
-def test_calls_count_with_the_length_that_they_get():
-    def scale(body, x, count):
+def test_calls_count_with_the_length_that_they_get() -> None:
+    def scale(body, x, count: int) -> None:
         with body.loop("i", count) as i:
             body.set(x[i], x[i] * 2)
 
     scaled = function("scaled", [argument("x", R, (0,), "inout"), argument("count", I)], scale)
 
-    def twice(body, x):
+    def twice(body, x) -> None:
         with body.loop("k", 2):
             body.call(scaled, x, 5)
 
@@ -70,12 +70,12 @@ def test_calls_count_with_the_length_that_they_get():
     assert cost(value_of((R,), lambda a: call(square, a + 1)), (square,)) == Cost(additions=1, multiplications=1)
 
 
-def test_sums_and_multiples():
+def test_sums_and_multiples() -> None:
     assert (Cost(1, 2, 3, 4) + Cost(10)).times(2) == Cost(22, 4, 6, 8)
     assert Cost(1, 2, 3, 4).total == 10
 
 
-def test_each_further_flywheel_costs_forward_the_same():
+def test_each_further_flywheel_costs_forward_the_same() -> None:
     """The loop is over rows: from 5 to 64 flywheels the count is linear."""
     one, many = (operations(generated(name).program, "forward") for name in ("bare5", "bare64"))
     step = operations(generated("bare5").program, "add_flywheel")
@@ -85,7 +85,7 @@ def test_each_further_flywheel_costs_forward_the_same():
 
 
 @pytest.mark.parametrize("name", ["hung5", pytest.param("auv6", marks=pytest.mark.slow)])
-def test_flywheels_on_an_instrument_cost_no_more_than_on_the_carrier(name):
+def test_flywheels_on_an_instrument_cost_no_more_than_on_the_carrier(name: str) -> None:
     """`prepare` carries their rows to E1: where they are mounted is settled before the first call."""
     given = stand(name)
     instrument = given.instruments[0].name

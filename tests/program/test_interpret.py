@@ -26,7 +26,7 @@ from mahovik.core.program.expression import (
     word,
 )
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.types import DOUBLE, FLOAT, Field, Kind, Struct
+from mahovik.core.program.types import DOUBLE, FLOAT, Field, Kind, Precision, Struct
 from program.small import argument, evaluate, function, program, run
 
 R, W, I = Kind.REAL, Kind.WORD, Kind.INT
@@ -35,7 +35,7 @@ PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p:
 
 
 @given(SINGLE, SINGLE, SINGLE)
-def test_each_operation_of_a_float_program_is_rounded(a, b, c):
+def test_each_operation_of_a_float_program_is_rounded(a, b, c) -> None:
     """a*b + c in float is two roundings: a double in between would give one, another number."""
     found = evaluate((R, R, R), lambda x, y, z: x * y + z, a, b, c, precision=FLOAT)
     with np.errstate(all="ignore"):
@@ -44,7 +44,7 @@ def test_each_operation_of_a_float_program_is_rounded(a, b, c):
     assert found.tobytes() == expected.tobytes() or (np.isnan(found) and np.isnan(expected))
 
 
-def test_rounding_of_double_and_float():
+def test_rounding_of_double_and_float() -> None:
     third = (lambda x: x / 3,)
     assert evaluate((R,), *third, 1.0) == 1 / 3
     assert evaluate((R,), *third, 1.0, precision=FLOAT) == np.float32(1) / np.float32(3)
@@ -54,7 +54,7 @@ def test_rounding_of_double_and_float():
     assert evaluate((R,), *tree, 2.0**-30, precision=FLOAT) == 0
 
 
-def test_literals_are_rounded_to_the_element_type():
+def test_literals_are_rounded_to_the_element_type() -> None:
     assert evaluate((R,), lambda x: x + 0.1, 0.0, precision=FLOAT) == np.float32(0.1)
     assert evaluate((R,), lambda x: x + 0.1, 0.0) == 0.1
     # literals among themselves too: nothing is left to Python's own floats
@@ -63,7 +63,7 @@ def test_literals_are_rounded_to_the_element_type():
     assert evaluate((), lambda: real(1) / 0, precision=FLOAT) == np.inf
 
 
-def test_the_tree_is_the_order_of_operations():
+def test_the_tree_is_the_order_of_operations() -> None:
     big, one = 1e16, 1.0
     assert evaluate((R, R), lambda a, b: (a + b) - a, big, one) == 0.0
     assert evaluate((R, R), lambda a, b: (a - a) + b, big, one) == 1.0
@@ -72,7 +72,7 @@ def test_the_tree_is_the_order_of_operations():
 
 @PRECISIONS
 @given(st.integers(0, 2**64 - 1), st.integers(0, 2**64 - 1))
-def test_words_wrap_around(precision, a, b):
+def test_words_wrap_around(precision: Precision, a, b) -> None:
     modulus = 1 << precision.width
     a, b = a % modulus, b % modulus
 
@@ -94,7 +94,7 @@ def test_words_wrap_around(precision, a, b):
 
 @PRECISIONS
 @given(SINGLE)
-def test_bits_there_and_back(precision, x):
+def test_bits_there_and_back(precision: Precision, x) -> None:
     same = evaluate((R,), lambda a: real_of_bits(bits_of(a)), x, precision=precision)
     assert precision.scalar(same).tobytes() == precision.scalar(x).tobytes()
     sign = 1 << (precision.width - 1)
@@ -102,18 +102,18 @@ def test_bits_there_and_back(precision, x):
     assert precision.scalar(flipped).tobytes() == (-precision.scalar(x)).tobytes()
 
 
-def test_bits_are_those_of_ieee_754():
+def test_bits_are_those_of_ieee_754() -> None:
     for precision, code, bits in ((DOUBLE, "<d", "<Q"), (FLOAT, "<f", "<I")):
         (expected,) = struct.unpack(bits, struct.pack(code, -1.5))
         assert evaluate((R,), lambda a: Convert(bits_of(a) >> 3, R), -1.5, precision=precision) == (expected >> 3)
 
 
 @pytest.mark.parametrize(("a", "b"), [(7, 2), (-7, 2), (7, -2), (-7, -2), (6, -3), (0, -5)])
-def test_int_division_is_towards_zero(a, b):
+def test_int_division_is_towards_zero(a, b) -> None:
     assert evaluate((I,), lambda n: Convert(n / integer(b), R), a) == int(a / b)
 
 
-def test_conversions():
+def test_conversions() -> None:
     assert evaluate((I,), lambda n: Convert(n, R), -3) == -3.0
     assert evaluate((I,), lambda n: Convert(Convert(n, W), R), -1) == 2.0**64
     assert evaluate((I,), lambda n: Convert(Convert(n, W), R), -1, precision=FLOAT) == np.float32(2.0**32)
@@ -125,7 +125,7 @@ def test_conversions():
 
 
 @pytest.mark.parametrize("x", [-0.0, 0.0, 1.5, -1.5, float("-inf"), float("nan")])
-def test_select_and_conditions(x):
+def test_select_and_conditions(x) -> None:
     absolute = evaluate((R,), magnitude, x)
     assert str(absolute) == str(-x if x < 0 else x)  # -0 < 0 is false: -0 stays
     assert evaluate((R,), lambda a: select(a < 0, 1, 2), x) == (1 if x < 0 else 2)
@@ -135,20 +135,20 @@ def test_select_and_conditions(x):
     assert evaluate((R,), lambda a: select(Not(a >= 0), 1, 2), x) == (2 if x >= 0 else 1)
 
 
-def test_equality_of_integers():
+def test_equality_of_integers() -> None:
     assert evaluate((I, I), lambda a, b: select(equal(a, b), 1, 2), 3, 3) == 1
     assert evaluate((W, W), lambda a, b: select(unequal(a, b), 1, 2), 3, 3) == 2
 
 
-def test_division_by_zero_and_overflow_are_ieee_and_silent():
+def test_division_by_zero_and_overflow_are_ieee_and_silent() -> None:
     assert evaluate((R, R), lambda a, b: a / b, -1.0, 0.0) == -np.inf
     assert np.isnan(evaluate((R, R), lambda a, b: a / b, 0.0, 0.0))
     assert evaluate((R, R), lambda a, b: a * b, 3e38, 10.0, precision=FLOAT) == np.inf
     assert evaluate((R, R), lambda a, b: a * b, 1e-45, 0.25, precision=FLOAT) == 0
 
 
-def test_when_otherwise_and_early_return():
-    def write(body, a, out):
+def test_when_otherwise_and_early_return() -> None:
+    def write(body, a, out) -> None:
         with body.when(a < 0):
             body.set(out[0], 1)
             with body.when(a < -10):
@@ -166,8 +166,8 @@ def test_when_otherwise_and_early_return():
 
 
 @pytest.mark.parametrize(("start", "stop"), [(0, 4), (1, 3), (2, 2), (3, 1)])
-def test_loops(start, stop):
-    def write(body, x, n, out):
+def test_loops(start, stop) -> None:
+    def write(body, x, n, out) -> None:
         with body.loop("i", n, start=start) as i:
             body.set(out[i], x[i] * 2)
 
@@ -176,8 +176,8 @@ def test_loops(start, stop):
     assert run(function("f", arguments, write), {"x": [0, 1, 2, 3], "n": stop}) == (None, {"out": expected})
 
 
-def test_add_reads_the_target_first():
-    def write(body, x):
+def test_add_reads_the_target_first() -> None:
+    def write(body, x) -> None:
         body.add(x[0], x[0])
         body.add(x[0], -x[1])
 
@@ -189,8 +189,8 @@ PAIR = Struct("pair", "Two.", (Field("a", R), Field("b", R, (2,))))
 OUTER = Struct("outer", "A struct in a struct.", (Field("pair", PAIR), Field("pairs", PAIR, (2,))))
 
 
-def test_a_struct_copy_shares_nothing():
-    def write(body, x, out):
+def test_a_struct_copy_shares_nothing() -> None:
+    def write(body, x, out) -> None:
         y = body.local("y", (), OUTER)
         body.copy(y, x)
         body.set(y.pair.b[0], 100)
@@ -217,12 +217,12 @@ def test_a_struct_copy_shares_nothing():
     assert out.pairs[0].b == [2, 3]
 
 
-def test_calls_write_scalars_and_elements_of_structs():
-    def split(body, x, whole, rest):
+def test_calls_write_scalars_and_elements_of_structs() -> None:
+    def split(body, x, whole, rest) -> None:
         body.set(whole, x * 2)
         body.set(rest[0], x + 1)
 
-    def use(body, x, out):
+    def use(body, x, out) -> None:
         a = body.local("a")
         body.call(inner, x, a, out.b)
         body.set(out.a, a + out.b[0])
@@ -233,13 +233,13 @@ def test_calls_write_scalars_and_elements_of_structs():
     assert found == (None, {"out": {"a": 16.0, "b": [6.0, 0.0]}})
 
 
-def test_a_call_with_a_value_is_an_expression():
+def test_a_call_with_a_value_is_an_expression() -> None:
     square = function("square", [argument("x")], lambda body, x: body.ret(x * x), R, public=False)
     f = function("f", [argument("x")], lambda body, x: body.ret(call(square, x + 1) - call(square, x)), R)
     assert Interpreter(program(square, f)).call("f", np.float64(3)) == 7
 
 
-def test_a_function_can_be_replaced_for_all_that_call_it():
+def test_a_function_can_be_replaced_for_all_that_call_it() -> None:
     square = function("square", [argument("x")], lambda body, x: body.ret(x * x), R, public=False)
     f = function("f", [argument("x")], lambda body, x: body.ret(call(square, x) + 1), R)
     cubes = Interpreter(program(square, f), {"square": lambda x: x * x * x})
@@ -247,7 +247,7 @@ def test_a_function_can_be_replaced_for_all_that_call_it():
     assert Interpreter(program(square, f)).call("f", np.float64(2)) == 5
 
 
-def test_arguments_of_another_length_are_refused():
+def test_arguments_of_another_length_are_refused() -> None:
     f = function("f", [argument("x", R, (3,))], lambda body, x: body.ret(x[0]), R)
     with pytest.raises(ValueError, match="2 elements given, 3 expected"):
         run(f, {"x": [1.0, 2.0]})

@@ -1,5 +1,7 @@
 """Dead locals and calls go, what lives stays."""
 
+from __future__ import annotations
+
 import random
 
 import numpy as np
@@ -41,8 +43,8 @@ FILL = function("fill", [argument("x"), argument("a", R, (2,), "out")], lambda b
 STATUS = function("status", [argument("a", R, (2,), "out")], lambda body, a: body.ret(integer(0)), Kind.STATUS)
 
 
-def test_what_is_only_written_goes():
-    def write(body, x, out):
+def test_what_is_only_written_goes() -> None:
+    def write(body, x, out) -> None:
         dead = body.local("dead", (2,))
         chain = body.let("chain", x * 2)
         body.set(dead[0], chain)
@@ -55,8 +57,8 @@ def test_what_is_only_written_goes():
     assert [type(s) for s in found.body] == [Loop, Set]
 
 
-def test_calls_that_only_write_the_dead_go():
-    def write(body, x, out):
+def test_calls_that_only_write_the_dead_go() -> None:
+    def write(body, x, out) -> None:
         dead = body.local("dead", (2,))
         body.call(FILL, x, dead)
         body.set(out[0], x)
@@ -64,8 +66,8 @@ def test_calls_that_only_write_the_dead_go():
     assert [type(s) for s in cut(write).body] == [Set]
 
 
-def test_calls_whose_result_is_read_stay():
-    def write(body, x, out):
+def test_calls_whose_result_is_read_stay() -> None:
+    def write(body, x, out) -> None:
         alive = body.local("alive", (2,))
         body.call(FILL, x, alive)
         body.set(out[0], alive[0])
@@ -73,8 +75,8 @@ def test_calls_whose_result_is_read_stay():
     assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
 
 
-def test_calls_with_a_status_stay():
-    def write(body, x, out):
+def test_calls_with_a_status_stay() -> None:
+    def write(body, x, out) -> None:
         a = body.local("a", (2,))
         body.call(STATUS, a)
         body.set(out[0], x)
@@ -82,8 +84,8 @@ def test_calls_with_a_status_stay():
     assert [type(s) for s in cut(write).body] == [Declare, Do, Set]
 
 
-def test_a_variable_that_is_an_index_lives():
-    def write(body, x, out):
+def test_a_variable_that_is_an_index_lives() -> None:
+    def write(body, x, out) -> None:
         k = body.local("k", (), I)
         body.set(k, 1)
         body.set(out[k], x)
@@ -91,8 +93,8 @@ def test_a_variable_that_is_an_index_lives():
     assert list(names(cut(write).body)) == ["k"]
 
 
-def test_a_variable_that_a_condition_or_bound_reads_lives():
-    def write(body, x, out):
+def test_a_variable_that_a_condition_or_bound_reads_lives() -> None:
+    def write(body, x, out) -> None:
         sign = body.let("sign", x < 0)
         count = body.local("count", (), I)
         body.set(count, 2)
@@ -102,10 +104,10 @@ def test_a_variable_that_a_condition_or_bound_reads_lives():
     assert list(names(cut(write).body)) == ["sign", "count"]
 
 
-def test_arguments_without_use_are_dropped():
+def test_arguments_without_use_are_dropped() -> None:
     arguments = (argument("x"), argument("unused"), argument("out", R, (2,), "out"))
 
-    def write(body, x, unused, out):
+    def write(body, x, unused, out) -> None:
         dead = body.local("dead")
         body.set(dead, unused)
         body.set(out[0], x)
@@ -117,17 +119,17 @@ def test_arguments_without_use_are_dropped():
 class Writer:
     """Writes random function bodies with much that is dead."""
 
-    def __init__(self, seed):
+    def __init__(self, seed: int) -> None:
         self.rng = random.Random(seed)
         self.count = 0
 
-    def write(self, body, x, out):
+    def write(self, body, x, out) -> None:
         """The body of f(x[3], out[4])."""
         self.out = out
         self._block(body, [*x], [], 2)
         body.set(out[3], x[0])
 
-    def _block(self, body, readable, arrays, depth):
+    def _block(self, body, readable, arrays, depth: int) -> None:
         readable, arrays = list(readable), list(arrays)
         for _ in range(self.rng.randint(2, 6)):
             self.count += 1
@@ -162,7 +164,7 @@ class Writer:
 
 
 @given(st.integers(0, 2**32 - 1))
-def test_pruning_changes_no_bit(seed):
+def test_pruning_changes_no_bit(seed: int) -> None:
     writer = Writer(seed)
     full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], writer.write)
     short = pruned(full)
@@ -174,7 +176,7 @@ def test_pruning_changes_no_bit(seed):
     assert all(np.isfinite(results[0][1]["out"]))
 
 
-def test_pruning_does_something_to_most_random_bodies():
+def test_pruning_does_something_to_most_random_bodies() -> None:
     """Guard of the property above."""
     shorter = 0
     for seed in range(50):
@@ -183,7 +185,7 @@ def test_pruning_does_something_to_most_random_bodies():
     assert shorter > 25
 
 
-def test_the_value_of_a_call_in_an_expression_lives():
+def test_the_value_of_a_call_in_an_expression_lives() -> None:
     value = function("value", [argument("a", R, (2,))], lambda body, a: body.ret(a[0]), R)
     x, out = argument("x"), argument("out", R, (2,), "out")
     body = Body()
@@ -196,7 +198,7 @@ def test_the_value_of_a_call_in_an_expression_lives():
 
 
 @pytest.mark.parametrize("added", [False, True])
-def test_a_dead_variable_that_a_living_call_writes_is_kept(added):
+def test_a_dead_variable_that_a_living_call_writes_is_kept(added) -> None:
     """The call needs somewhere to write its other result."""
     both = function(
         "both",
@@ -204,7 +206,7 @@ def test_a_dead_variable_that_a_living_call_writes_is_kept(added):
         lambda body, x, p, q: (body.set(p, x), body.set(q, x)),
     )
 
-    def write(body, x, out):
+    def write(body, x, out) -> None:
         p, q = body.local("p"), body.local("q")
         body.call(both, x, p, q)
         if added:

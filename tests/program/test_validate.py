@@ -51,17 +51,17 @@ def of(*body):
         ([Copy(A.place, X.place)], "f: a is used outside its block"),
     ],
 )
-def test_refusals(body, message):
+def test_refusals(body, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         validate(of(*body))
 
 
-def test_the_same_name_in_two_blocks_is_good():
+def test_the_same_name_in_two_blocks_is_good() -> None:
     blocks = [When(X.place < 0, (Let(v, real(1)), Set(OUT.place[0], v.place))) for v in (A, OTHER_A)]
     validate(of(*blocks, Loop(K, integer(0), integer(2), (Set(OUT.place[K.place], X.place),))))
 
 
-def test_two_things_of_one_name():
+def test_two_things_of_one_name() -> None:
     f, g = (function("f", [argument("x")], lambda body, x: body.note("nothing")) for _ in range(2))
     with pytest.raises(ValueError, match="f names two things"):
         validate(program(f, g))
@@ -69,7 +69,7 @@ def test_two_things_of_one_name():
         validate(program(f, structs=[Struct("f", "A struct.", (Field("a", R),))]))
 
 
-def test_functions_come_after_those_they_call():
+def test_functions_come_after_those_they_call() -> None:
     inner = function("inner", [argument("x")], lambda body, x: body.note("nothing"))
     outer = function("outer", [argument("x")], lambda body, x: body.call(inner, x))
     validate(program(inner, outer))
@@ -78,7 +78,7 @@ def test_functions_come_after_those_they_call():
             validate(Program("t", DOUBLE, (), (), functions))
 
 
-def test_no_function_calls_itself():
+def test_no_function_calls_itself() -> None:
     own = Function("own", "own.", (X,), ())
     calls = function("own", [argument("x")], lambda body, x: body.call(own, x))
     assert isinstance(calls.body[0], Do)
@@ -87,9 +87,9 @@ def test_no_function_calls_itself():
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_lowered_programs_are_valid(name):
+def test_lowered_programs_are_valid(name: str) -> None:
     validate(generated(name).program)
 
 
-def test_lowered_float_programs_are_valid():
+def test_lowered_float_programs_are_valid() -> None:
     validate(float_texts(stand("everything6"))[1])

@@ -10,7 +10,7 @@ from mahovik.core.program.inline import Inliner
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.statement import Do, Loop, Set
-from mahovik.core.program.types import DOUBLE, FLOAT, Kind, NamedCount
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind, NamedCount, Precision
 from mahovik.core.program.validate import validate
 from mahovik.core.program.wide import Wide
 from mahovik.core.program.widen import RESERVED, Widener
@@ -19,7 +19,7 @@ from program.small import argument, function, program
 COUNT = NamedCount("N", 9)
 
 
-def status_function(name, arguments, write):
+def status_function(name: str, arguments, write):
     """A function that returns a status; `write(body, *places)` writes its body, but for the last return."""
     body = Body()
     write(body, *(a.place for a in arguments))
@@ -30,7 +30,7 @@ def status_function(name, arguments, write):
 def within():
     """RANGE where a value is above its limit, NOT_FINITE where it is no number."""
 
-    def write(body, values, count, limit):
+    def write(body, values, count: int, limit) -> None:
         with body.loop("i", count) as i, body.when(Not(and_(values[i] >= -limit, values[i] <= limit))):
             with body.when(and_(values[i] >= real(-1e30), values[i] <= real(1e30))):
                 body.ret(Status("RANGE"))
@@ -43,7 +43,7 @@ def within():
 def kinked():
     """y = x^2 below 1, else -x: a flat function with a condition that varies."""
 
-    def write(body, x, y):
+    def write(body, x, y) -> None:
         body.set(y, x * x)
         with body.when(x > real(1)):
             body.set(y, -x)
@@ -51,7 +51,7 @@ def kinked():
     return function("kinked", [argument("x"), argument("y", direction="out")], write, public=False)
 
 
-def widened(narrow, varying, precision=DOUBLE):
+def widened(narrow, varying, precision: Precision = DOUBLE):
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
     inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
@@ -67,7 +67,7 @@ def lanes(rows):
     return [{"at": list(row)} for row in rows]
 
 
-def run_wide(made, function, inputs, count):
+def run_wide(made, function, inputs, count: int):
     """Outputs by name, and the statuses of all lanes."""
     refused = {"at": [0] * count}
     _, out = Interpreter(made).run(function.name, {**inputs, "refused": refused})
@@ -78,7 +78,7 @@ def summing():
     """out = sum of kinked(x[i]) times scale, after a check of x; RANGE where the sum is negative."""
     check, kink = within(), kinked()
 
-    def write(body, x, scale, flag, out):
+    def write(body, x, scale, flag, out) -> None:
         status = body.local("status", (), Kind.STATUS)
         body.set(status, call(check, x, COUNT, real(100)))
         with body.when(unequal(status, Status("OK"))):
@@ -102,7 +102,7 @@ def summing():
 
 @pytest.mark.parametrize("precision", [DOUBLE, FLOAT])
 @pytest.mark.parametrize("flag", [0, 1])
-def test_each_lane_is_the_narrow_function(precision, flag):
+def test_each_lane_is_the_narrow_function(precision: Precision, flag) -> None:
     narrow = summing()
     made, wide, count = widened(narrow, ["x"], precision)
     rows = [[0.1 * (i + 1) + 0.07 * k for k in range(count)] for i in range(int(COUNT))]
@@ -117,7 +117,7 @@ def test_each_lane_is_the_narrow_function(precision, flag):
     assert {STATUS_VALUES[name] for name in ("OK", "RANGE", "NOT_FINITE")} == set(statuses)
 
 
-def test_the_loop_over_lanes_is_inside_and_small_functions_are_copied():
+def test_the_loop_over_lanes_is_inside_and_small_functions_are_copied() -> None:
     _, wide, count = widened(summing(), ["x"])
     (loop,) = [s for s in wide.body if isinstance(s, Loop) and s.index.name == "i"]
     (inner,) = loop.body
@@ -126,7 +126,7 @@ def test_the_loop_over_lanes_is_inside_and_small_functions_are_copied():
     assert not [s for s in inner.body if isinstance(s, Do)]
 
 
-def test_what_is_the_same_for_all_stays_narrow():
+def test_what_is_the_same_for_all_stays_narrow() -> None:
     _, wide, _ = widened(summing(), ["x"])
     types = {a.name: a.type for a in wide.arguments}
     assert types["scale"] is Kind.REAL
@@ -135,17 +135,17 @@ def test_what_is_the_same_for_all_stays_narrow():
     assert types["refused"].name == "wide_word"
 
 
-def test_a_call_under_a_condition_that_varies_is_refused():
+def test_a_call_under_a_condition_that_varies_is_refused() -> None:
     def arguments():
         return [argument("x", shape=(COUNT,)), argument("y", shape=(COUNT,), direction="out")]
 
-    def copy(body, x, y):
+    def copy(body, x, y) -> None:
         with body.loop("i", COUNT) as i:
             body.set(y[i], x[i])
 
     inner = function("inner", arguments(), copy, public=False)
 
-    def write(body, x, y):
+    def write(body, x, y) -> None:
         with body.when(x[0] > real(0)):
             body.call(inner, x, y)
 
@@ -153,10 +153,10 @@ def test_a_call_under_a_condition_that_varies_is_refused():
         widened([inner, function("outer", arguments(), write)], ["x"])
 
 
-def test_a_status_must_be_returned_at_once():
+def test_a_status_must_be_returned_at_once() -> None:
     check = within()
 
-    def write(body, x):
+    def write(body, x) -> None:
         status = body.local("status", (), Kind.STATUS)
         body.set(status, call(check, x, COUNT, real(1)))
 
@@ -164,8 +164,8 @@ def test_a_status_must_be_returned_at_once():
         without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)))
 
 
-def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set():
-    def write(body, x, y):
+def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set() -> None:
+    def write(body, x, y) -> None:
         value = body.local("value")
         with body.when(x > real(0)):
             body.set(value, x * real(2))

@@ -28,7 +28,7 @@ SHAPES = {
 
 @pytest.mark.parametrize("flywheels", [0, 1, 7])
 @pytest.mark.parametrize("want", SHAPES)
-def test_each_want_gives_what_the_contract_names(want, flywheels):
+def test_each_want_gives_what_the_contract_names(want: str, flywheels: int) -> None:
     stand, state = draw(1, flywheels)
     values = evaluate(stand, state, [want])
     sizes = {"N": flywheels, "n": min(6, flywheels)}
@@ -36,7 +36,7 @@ def test_each_want_gives_what_the_contract_names(want, flywheels):
     assert {name: np.shape(value) for name, value in values.items()} == expected
 
 
-def test_every_want_is_spoken_for():
+def test_every_want_is_spoken_for() -> None:
     assert set(wants_of("reference")) == set(SHAPES) | {"points"}
 
 
@@ -49,13 +49,13 @@ def test_every_want_is_spoken_for():
         (["inverse", "momentum", "coupled"], "both give 'phi_ddot'"),
     ],
 )
-def test_refused_wants(want, message):
+def test_refused_wants(want: str, message: str) -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match=message):
         evaluate(stand, state, want)
 
 
-def test_wants_together_give_what_each_gives_alone():
+def test_wants_together_give_what_each_gives_alone() -> None:
     stand, state = draw(1, 3)
     together = evaluate(stand, state, ["matrices", "inverse", "forward", "torque"])
     for want in ("matrices", "inverse", "forward", "torque"):
@@ -63,7 +63,7 @@ def test_wants_together_give_what_each_gives_alone():
             np.testing.assert_array_equal(together[name], value)
 
 
-def test_generalized_matrices_with_a_stream_are_at_V():
+def test_generalized_matrices_with_a_stream_are_at_V() -> None:
     stand, state = draw(1, 3, stream=True)
     still = replace(stand, stream=None)
     want = ["generalized"]
@@ -73,7 +73,7 @@ def test_generalized_matrices_with_a_stream_are_at_V():
     assert np.abs(moving["q_ddot"] - resting["q_ddot"]).max() > 1e-3
 
 
-def test_zero_stream_is_no_stream():
+def test_zero_stream_is_no_stream() -> None:
     stand, state = draw(1, 3)
     zero = replace(stand, stream=(0.0, 0.0, 0.0))
     for want in SHAPES:
@@ -81,13 +81,13 @@ def test_zero_stream_is_no_stream():
             np.testing.assert_array_equal(evaluate(zero, state, [want])[name], value)
 
 
-def test_overflow_is_reported_not_returned():
+def test_overflow_is_reported_not_returned() -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match="not finite"):
         evaluate(stand, replace(state, V=(1e200, 0, 0, 1e200, 0, 0)), ["forward"])
 
 
-def test_stand_without_mass_has_no_center_of_mass():
+def test_stand_without_mass_has_no_center_of_mass() -> None:
     stand, state = draw(1, 0, instruments=0)
     weightless = replace(stand, carrier=replace(stand.carrier, mass=0.0, inertia_about="origin"))
     with pytest.raises(StateError, match="center_of_mass"):
@@ -96,7 +96,7 @@ def test_stand_without_mass_has_no_center_of_mass():
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_points_are_where_and_as_fast_as_differences_say(seed):
+def test_points_are_where_and_as_fast_as_differences_say(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)
     along, step = motion(stand, state), 4e-3  # rates near 5 rad/s: 0.02^8, and 1e-16 / step^2, below 1e-11
     values = evaluate(stand, state, ["points"])["points"]
@@ -109,14 +109,14 @@ def test_points_are_where_and_as_fast_as_differences_say(seed):
             C = Rotation.from_euler("ZYX", mount.angles).as_matrix()
             r, R = np.array(mount.position) + C @ r, C @ R
 
-        def place(t, r=r):
+        def place(t: float, r=r):
             now = along(t)
             return np.array(now.position) + rotation(stand, now) @ r
 
-        def axes(t, R=R):
+        def axes(t: float, R=R):
             return rotation(stand, along(t)) @ R
 
-        def omega(t, R=R):
+        def omega(t: float, R=R):
             return R.T @ np.array(along(t).V[3:])
 
         C = axes(0.0)
@@ -132,7 +132,7 @@ def test_points_are_where_and_as_fast_as_differences_say(seed):
 
 @pytest.mark.parametrize("kind", EXTREMES)
 @pytest.mark.parametrize("flywheels", [0, 3, 8])
-def test_extreme_states_of_the_accepted_range_are_evaluated(kind, flywheels):
+def test_extreme_states_of_the_accepted_range_are_evaluated(kind, flywheels: int) -> None:
     rng = np.random.default_rng(flywheels)
     for _ in range(5):
         stand = random_stand(rng, flywheels)

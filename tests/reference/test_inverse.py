@@ -19,7 +19,7 @@ ROUNDING = 1e-10  # some hundred operations over singular values above 1e-2
 
 @pytest.mark.parametrize("flywheels", [1, 3, 5])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_residual_of_few_flywheels_is_least_in_the_inverse_of_K(seed, flywheels):
+def test_residual_of_few_flywheels_is_least_in_the_inverse_of_K(seed: int, flywheels: int) -> None:
     """Least: I^T K^-1 residual = 0."""
     stand, state = draw(seed, flywheels)
     values = evaluate(stand, state, ["inverse", "matrices"])
@@ -34,7 +34,7 @@ def test_residual_of_few_flywheels_is_least_in_the_inverse_of_K(seed, flywheels)
 
 @pytest.mark.parametrize("flywheels", [7, 9])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_many_flywheels_reach_the_demand_with_the_least_acceleration_energy(seed, flywheels):
+def test_many_flywheels_reach_the_demand_with_the_least_acceleration_energy(seed: int, flywheels: int) -> None:
     """Least: Theta_ff phi'' has no part in the null space of I."""
     stand, state = draw(seed, flywheels)
     at, values = pieces(stand, state), evaluate(stand, state, ["inverse"])
@@ -47,7 +47,7 @@ def test_many_flywheels_reach_the_demand_with_the_least_acceleration_energy(seed
 
 
 @pytest.mark.parametrize("flywheels", [0, 1, 6, 8])
-def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels):
+def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels: int) -> None:
     """sigma^2 are eigenvalues of K^-1 I Theta_ff^-1 I^T; below 1, as the full matrix is positive definite."""
     stand, state = draw(4, flywheels)
     at, values = pieces(stand, state), evaluate(stand, state, ["inverse"])
@@ -59,7 +59,7 @@ def test_sigma_are_cosines_between_carrier_and_flywheel_motion(flywheels):
     assert np.all(sigma < 1)
 
 
-def test_stand_without_flywheels_reaches_only_its_own_acceleration():
+def test_stand_without_flywheels_reaches_only_its_own_acceleration() -> None:
     stand, state = draw(1, 0)
     values = evaluate(stand, state, ["inverse"])
     assert values["status"] == "UNREACHABLE"
@@ -94,7 +94,7 @@ def copies(angle):
     ("angle", "rank", "name"),
     [(0.0, 1, "RANK_DEFICIENT"), (1e-7, 2, "NEAR_SINGULAR"), (1e-3, 2, None), (1e-11, 1, "RANK_DEFICIENT")],
 )
-def test_status_tells_parallel_flywheels(angle, rank, name):
+def test_status_tells_parallel_flywheels(angle, rank, name: str) -> None:
     stand = copies(angle)
     values = evaluate(stand, replace(rest_state(stand), V_dot=(0, 0, 0, 1.0, 0, 0)), ["inverse"])
     assert values["rank"] == rank
@@ -102,7 +102,7 @@ def test_status_tells_parallel_flywheels(angle, rank, name):
     assert np.all(np.isfinite(values["phi_ddot"]))
 
 
-def test_parallel_flywheels_share_the_demand():
+def test_parallel_flywheels_share_the_demand() -> None:
     stand = copies(0.0)
     state = replace(rest_state(stand), phi_ddot=(3.0, 5.0))
     V_dot = evaluate(stand, state, ["forward"])["V_dot"]
@@ -112,7 +112,7 @@ def test_parallel_flywheels_share_the_demand():
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_equation_13_completes_independent_flywheels_to_the_demand(seed):
+def test_equation_13_completes_independent_flywheels_to_the_demand(seed: int) -> None:
     stand, state = draw(seed, 8)
     at, V_dot, plus, u = pieces(stand, state), np.array(state.V_dot), [7, 0, 2, 3, 5, 6], np.array([12.0, -30.0])
     assert determinant(at, plus) != 0.0

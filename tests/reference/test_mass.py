@@ -21,12 +21,12 @@ FROM_DIFFERENCES = 1e-10  # of the largest value: 1e-16 over the step, some hund
 ROUNDING = 1e-12
 
 
-def test_cross_is_the_vector_product():
+def test_cross_is_the_vector_product() -> None:
     a, b = np.array([1.0, -2.0, 0.5]), np.array([0.3, 0.7, -1.1])
     np.testing.assert_array_equal(cross(a) @ b, np.cross(a, b))
 
 
-def test_transfer_keeps_power_and_carries_points_of_a_body():
+def test_transfer_keeps_power_and_carries_points_of_a_body() -> None:
     rng = np.random.default_rng(0)
     O, C = rng.normal(size=3), Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
     L = wrench_to_parent(O, C)
@@ -39,7 +39,7 @@ def test_transfer_keeps_power_and_carries_points_of_a_body():
 
 
 @pytest.mark.parametrize("about", ["origin", "center_of_mass"])
-def test_spatial_inertia_is_that_of_a_cloud_of_points(about):
+def test_spatial_inertia_is_that_of_a_cloud_of_points(about) -> None:
     rng = np.random.default_rng(1)
     m, x = rng.uniform(1, 2, 9), rng.normal(size=(9, 3))
     rc = m @ x / m.sum()
@@ -55,7 +55,7 @@ def test_spatial_inertia_is_that_of_a_cloud_of_points(about):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_K_is_the_sum_of_energies_and_full_matrix_is_positive_definite(seed):
+def test_K_is_the_sum_of_energies_and_full_matrix_is_positive_definite(seed: int) -> None:
     stand, state = draw(seed, 4)
     at = pieces(stand, state)
     V, phi_dot = at.V, at.phi_dot
@@ -67,11 +67,11 @@ def test_K_is_the_sum_of_energies_and_full_matrix_is_positive_definite(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_rates_of_transfer_K_and_momentum_are_derivatives_along_the_motion(seed):
+def test_rates_of_transfer_K_and_momentum_are_derivatives_along_the_motion(seed: int) -> None:
     stand, state = draw(seed, 4)
     along, at = motion(stand, state), pieces(stand, state)
 
-    def close(found, expected):
+    def close(found, expected) -> None:
         np.testing.assert_allclose(found, expected, rtol=0, atol=FROM_DIFFERENCES * np.abs(expected).max())
 
     for number, s in enumerate(at.flywheels):  # Ls* = Ls [<e>] phi_s'
@@ -89,12 +89,12 @@ def test_rates_of_transfer_K_and_momentum_are_derivatives_along_the_motion(seed)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_acceleration_of_a_flywheel_is_the_derivative_of_its_twist(seed):
+def test_acceleration_of_a_flywheel_is_the_derivative_of_its_twist(seed: int) -> None:
     stand, state = draw(seed, 4)
     along, at = motion(stand, state), pieces(stand, state)
     for number, s in enumerate(at.flywheels):
 
-        def twist(t, number=number):
+        def twist(t: float, number=number):
             now = pieces(stand, along(t))
             return now.flywheels[number].twist(now.V)
 
@@ -104,14 +104,14 @@ def test_acceleration_of_a_flywheel_is_the_derivative_of_its_twist(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_whole_of_12_is_the_rate_of_momentum_and_forces_that_of_the_first_moment(seed):
+def test_whole_of_12_is_the_rate_of_momentum_and_forces_that_of_the_first_moment(seed: int) -> None:
     """With the carrier at rest: force rows of I phi'' + J phi' are the second derivative of sum m rc."""
     stand, state = draw(seed, 4)
     state = replace(state, V=(0.0,) * 6, V_dot=(0.0,) * 6)
     along, at = motion(stand, state), pieces(stand, state)
     force = (at.I @ np.array(state.phi_ddot) + at.J @ at.phi_dot)[:3]
 
-    def moment_rate(t):  # of the first moment <mu> = lower left of K
+    def moment_rate(t: float):  # of the first moment <mu> = lower left of K
         K_dot = pieces(stand, along(t)).K_dot
         return np.array([K_dot[5, 1], K_dot[3, 2], K_dot[4, 0]])
 
@@ -120,7 +120,7 @@ def test_whole_of_12_is_the_rate_of_momentum_and_forces_that_of_the_first_moment
     np.testing.assert_allclose(moment_rate(0.0), (at.I @ at.phi_dot)[:3], rtol=0, atol=ROUNDING * 20)
 
 
-def test_mean_of_det_I_over_all_phases_is_zero():
+def test_mean_of_det_I_over_all_phases_is_zero() -> None:
     """Each column's force part has no mean over its own phase; the moment part alone has rank 3."""
     stand, state = draw(3, 6)
     phases = 2 * np.pi * np.arange(4) / 4  # exact for harmonics below 4; a column has 0 and 1
@@ -135,7 +135,7 @@ def test_mean_of_det_I_over_all_phases_is_zero():
     assert determinants.min() < 0 < determinants.max()
 
 
-def test_solve_is_exact_for_units_that_differ_by_twenty_orders():
+def test_solve_is_exact_for_units_that_differ_by_twenty_orders() -> None:
     rng = np.random.default_rng(5)
     S, x = rng.normal(size=(6, 6)), rng.normal(size=6)
     rows_scale, columns_scale = 10.0 ** rng.uniform(-10, 10, 6), 10.0 ** rng.uniform(-10, 10, 6)

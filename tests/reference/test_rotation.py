@@ -31,18 +31,18 @@ FROM_DIFFERENCES = 1e-12  # 1e-16 over the step; 0.01^8 is less
 
 
 @pytest.mark.parametrize(("C", "axis"), [(C1, "x"), (C2, "y"), (C3, "z")])
-def test_elementary_rotation_is_active_and_right_handed(C, axis):
+def test_elementary_rotation_is_active_and_right_handed(C, axis) -> None:
     np.testing.assert_allclose(C(0.7), Rotation.from_euler(axis, 0.7).as_matrix(), rtol=0, atol=ROUNDING)
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
-def test_attitude_is_scipys_rotation_about_moving_axes(sequence):
+def test_attitude_is_scipys_rotation_about_moving_axes(sequence: str) -> None:
     for angles in np.random.default_rng(1).uniform(-3, 3, (20, 3)):
         expected = Rotation.from_euler(SEQUENCES[sequence], angles).as_matrix()
         np.testing.assert_allclose(attitude(sequence, *angles), expected, rtol=0, atol=ROUNDING)
 
 
-def test_quaternion_and_its_negative_are_one_attitude_w_first():
+def test_quaternion_and_its_negative_are_one_attitude_w_first() -> None:
     stand, state = draw(1, 1)
     q = np.array([0.5, -0.1, 0.7, 0.3])
     q /= np.linalg.norm(q)
@@ -52,20 +52,20 @@ def test_quaternion_and_its_negative_are_one_attitude_w_first():
         np.testing.assert_allclose(carrier_rotation(stand, turned), expected, rtol=0, atol=ROUNDING)
 
 
-def test_state_without_attitude_is_aligned_with_E0():
+def test_state_without_attitude_is_aligned_with_E0() -> None:
     stand, state = draw(1, 1)
     np.testing.assert_array_equal(carrier_rotation(stand, replace(state, angles=None)), np.eye(3))
 
 
 @pytest.mark.parametrize("length", [0.0, 1e-200, 1e-12, 1e-5, 1.0, 3.0, math.pi - 1e-9])
-def test_rotation_vector_is_the_one_it_was_made_of(length):
+def test_rotation_vector_is_the_one_it_was_made_of(length) -> None:
     for axis in np.random.default_rng(2).normal(size=(10, 3)):
         vector = length * axis / np.linalg.norm(axis)
         found = rotation_vector(Rotation.from_rotvec(vector).as_matrix())
         np.testing.assert_allclose(found, vector, rtol=0, atol=1e-15 + 4 * ROUNDING * length)
 
 
-def test_rotation_vector_is_no_longer_than_pi():
+def test_rotation_vector_is_no_longer_than_pi() -> None:
     axis = np.array([0.6, 0.0, 0.8])
     half = rotation_vector(Rotation.from_rotvec(math.pi * axis).as_matrix())
     assert np.linalg.norm(half) == pytest.approx(math.pi, abs=ROUNDING)
@@ -75,12 +75,12 @@ def test_rotation_vector_is_no_longer_than_pi():
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
-def test_A_carries_rates_to_the_twist_and_D_is_its_derivative(sequence):
+def test_A_carries_rates_to_the_twist_and_D_is_its_derivative(sequence: str) -> None:
     rng = np.random.default_rng(3)
     for _ in range(10):
         angles, rates = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3)
 
-        def along(t, angles=angles, rates=rates):
+        def along(t: float, angles=angles, rates=rates):
             return angles + rates * t
 
         C = attitude(sequence, *angles)
@@ -96,14 +96,14 @@ def test_A_carries_rates_to_the_twist_and_D_is_its_derivative(sequence):
 @pytest.mark.parametrize(
     ("sequence", "singular"), [("ship", math.pi / 2), ("aircraft", -math.pi / 2), ("euler", math.pi), ("euler", 0.0)]
 )
-def test_singular_attitude_is_reported_and_its_neighbourhood_is_not(sequence, singular):
+def test_singular_attitude_is_reported_and_its_neighbourhood_is_not(sequence: str, singular) -> None:
     with pytest.raises(StateError, match="singular attitude"):
         check_attitude(sequence, np.array([0.1, singular + 0.9e-6, 0.2]))
     assert abs(np.linalg.det(kinematic_matrix(sequence, np.array([0.1, singular + 1.1e-6, 0.2])))) > 1e-6
     check_attitude(sequence, np.array([0.1, singular + 1.1e-6, 0.2]))
 
 
-def test_generalized_refuses_singular_angles_left_out_and_quaternions():
+def test_generalized_refuses_singular_angles_left_out_and_quaternions() -> None:
     stand, state = draw(1, 2)
     euler, ship = replace(stand, angles="euler"), replace(stand, angles="ship")
     none = replace(state, angles=None)
@@ -117,7 +117,7 @@ def test_generalized_refuses_singular_angles_left_out_and_quaternions():
     assert np.all(np.isfinite(evaluate(euler, none, ["forward"])["V_dot"]))
 
 
-def test_mounting_by_axes_equals_mounting_by_the_angles_of_those_axes():
+def test_mounting_by_axes_equals_mounting_by_the_angles_of_those_axes() -> None:
     stand, _ = draw(1, 1)
     by_angles = replace(stand.flywheels[0], mounting=MountingAngles(0.3, -0.8, 1.1))
     C = Rotation.from_euler("ZYX", [0.3, -0.8, 1.1]).as_matrix()

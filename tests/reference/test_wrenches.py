@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Damping, DampingTerm, Factor, MountingAngles
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Damping, DampingTerm, Factor, MountingAngles, Stand
+from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Leg, Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
@@ -29,7 +29,7 @@ def kind_power(at, kind):
     return sum(at.terms[k.body.name][kind] @ k.twist(at.V) for k in (*at.fixed, *at.flywheels))
 
 
-def centers(stand, state, center):
+def centers(stand: Stand, state: State, center):
     """Places in E0 of a point `center(body)` of each body, by (name -> place)."""
     at = pieces(stand, state)
     O1 = np.array(state.position)
@@ -43,11 +43,11 @@ def centers(stand, state, center):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", ["weight", "buoyancy"])
-def test_weight_and_buoyancy_have_potentials(seed, kind):
+def test_weight_and_buoyancy_have_potentials(seed: int, kind) -> None:
     """Flywheels too: the line of action moves with phi_s, and the drive torque feels it."""
     stand, state = draw(seed, 4)
 
-    def potential(t):
+    def potential(t: float):
         now = motion(stand, state)(t)
         g = np.array(stand.gravity)
         if kind == "weight":
@@ -61,7 +61,7 @@ def test_weight_and_buoyancy_have_potentials(seed, kind):
     assert kind_power(pieces(stand, state), kind) == pytest.approx(-rate(potential, STEP), abs=FROM_DIFFERENCES * scale)
 
 
-def test_weight_of_a_flywheel_by_hand():
+def test_weight_of_a_flywheel_by_hand() -> None:
     """Axis along x of E0, centre of mass 2 mm off it, at the phase 90 degrees: it points along z, no torque."""
     stand, _ = draw(0, 1, instruments=0)
     stand = replace(isolated(stand), gravity=(0.0, 0.0, -10.0))
@@ -82,7 +82,7 @@ def test_weight_of_a_flywheel_by_hand():
         np.testing.assert_allclose(tau, [-moment], rtol=0, atol=1e-15)
 
 
-def test_damping_by_hand():
+def test_damping_by_hand() -> None:
     V_r = np.array([1.0, -2.0, 3.0, -0.5, 0.0, 2.0])
     matrix = np.arange(36.0).reshape(6, 6)
     terms = (
@@ -99,7 +99,7 @@ def test_damping_by_hand():
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed):
+def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed: int) -> None:
     stand, state = draw(seed, 3, stream=True)
     at = pieces(stand, state)
     u = rotation(stand, state).T @ np.array(stand.stream)
@@ -120,7 +120,7 @@ def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed):
             np.testing.assert_allclose(at.terms[body.name][kind], law(body.damping, twist), rtol=1e-9, atol=1e-9)
 
 
-def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping():
+def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping() -> None:
     stand, state = draw(2, 2, stream=True)
     C = rotation(stand, state)
     drifting = replace(state, V=vec([*(C.T @ np.array(stand.stream)), 0, 0, 0]), phi_dot=(0.0, 0.0))
@@ -132,7 +132,7 @@ def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping():
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_suspension_by_hand(seed):
+def test_suspension_by_hand(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)
     suspension = stand.law(Suspension)
     C = rotation(stand, state)
@@ -143,7 +143,7 @@ def test_suspension_by_hand(seed):
     np.testing.assert_allclose(pieces(stand, state).terms["carrier"]["suspension"], expected, rtol=0, atol=1e-11)
 
 
-def test_suspension_at_its_equilibrium_exerts_nothing():
+def test_suspension_at_its_equilibrium_exerts_nothing() -> None:
     stand, state = draw(1, 1)
     s = stand.law(Suspension)
     still = replace(state, position=s.position, angles=s.angles, V=(0.0,) * 6)
@@ -151,7 +151,7 @@ def test_suspension_at_its_equilibrium_exerts_nothing():
     np.testing.assert_allclose(found, 0, rtol=0, atol=1e-13)  # rounding of C_eq^T C times the stiffness
 
 
-def test_isotropic_suspension_acts_about_the_axis_of_rotation():
+def test_isotropic_suspension_acts_about_the_axis_of_rotation() -> None:
     stand, state = draw(1, 1)
     stiff = rows(np.diag([0, 0, 0, 7.0, 7.0, 7.0]))
     s = Suspension(stiff, rows(np.zeros((6, 6))), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
@@ -163,10 +163,10 @@ def test_isotropic_suspension_acts_about_the_axis_of_rotation():
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed):
+def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)  # legs stand in E0: they feel V, not V_r
 
-    def lengths(t):
+    def lengths(t: float):
         now = motion(stand, state)(t)
         ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in legs_of(stand)]
         return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, legs_of(stand), strict=True)])
@@ -180,7 +180,7 @@ def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed):
         assert P[3:] @ P[:3] == pytest.approx(0.0, abs=1e-10)  # a pure force
 
 
-def test_leg_of_no_length_is_reported():
+def test_leg_of_no_length_is_reported() -> None:
     stand, _ = draw(1, 1)
     stand = stand.with_laws(Legs((Leg((0.1, 0.2, 0.3), (0.1, 0.2, 0.3 + 0.9e-9), 0.5, 1.0, 0.0),)))
     with pytest.raises(StateError, match="leg"):
@@ -190,7 +190,7 @@ def test_leg_of_no_length_is_reported():
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_run_time_wrench_of_a_flywheel_turns_with_it(seed):
+def test_run_time_wrench_of_a_flywheel_turns_with_it(seed: int) -> None:
     stand, state = draw(seed, 2)
     stand, state = isolated(stand), without_wrench(state)
     given = (1.0, 2.0, 3.0, 0.4, 0.5, 0.6)
@@ -205,7 +205,7 @@ def test_run_time_wrench_of_a_flywheel_turns_with_it(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_F_is_the_sum_of_all_kinds_carried_to_O1(seed):
+def test_F_is_the_sum_of_all_kinds_carried_to_O1(seed: int) -> None:
     stand, state = draw(seed, 3)
     at, total = pieces(stand, state), np.zeros(6)
     for k in (*at.fixed, *at.flywheels):

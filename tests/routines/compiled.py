@@ -13,6 +13,7 @@ from mahovik.core.emit.declaration import prototype
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
+from mahovik.core.program.types import Precision
 from mahovik.core.routines import atan2, sincos, square_root
 from toolchain.tools import require
 
@@ -45,7 +46,7 @@ void all_atan2(const t_real *restrict y, const t_real *restrict x, t_real *restr
 """
 
 
-def source(precision):
+def source(precision: Precision) -> str:
     """C text of the routines."""
     names = Names("t")
     statements = Statements(names, Expressions(names, precision))
@@ -59,7 +60,7 @@ def source(precision):
 
 
 @cache
-def library(precision, *flags):
+def library(precision: Precision, *flags):
     """(cffi, compiled library); skips where there is no compiler."""
     compiler = shutil.which("gcc") or shutil.which("clang") or require("gcc", "gcc")
     folder = Path(mkdtemp())
@@ -76,7 +77,7 @@ def library(precision, *flags):
         shutil.rmtree(folder)  # a loaded library stays loaded
 
 
-def run(precision, name, *arguments, flags=("-O2",)):
+def run(precision: Precision, name: str, *arguments, flags: tuple[str, ...] = ("-O2",)):
     """Results of a routine for arrays of arguments: a list of arrays."""
     ffi, compiled = library(precision, *flags)
     arguments = [np.ascontiguousarray(a, dtype=precision.scalar) for a in arguments]

@@ -8,46 +8,47 @@ import numpy as np
 
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import Precision
 from mahovik.core.routines import atan2, sincos, square_root
 
 BITS = 200  # of the reference: arguments near multiples of pi/2 cancel about 60 + 24 of them
 
 
 @cache
-def interpreter(precision):
+def interpreter(precision: Precision) -> Interpreter:
     """All routines of one precision."""
     functions = tuple(make(precision) for make in (sincos, square_root, atan2))
     return Interpreter(Program("routines", precision, (), (), functions))
 
 
-def call_sincos(precision, x):
+def call_sincos(precision: Precision, x):
     """(sine, cosine) of a number that is rounded to the element type first."""
     sine, cosine = [precision.scalar(0)], [precision.scalar(0)]
     interpreter(precision).call("sincos", precision.scalar(x), sine, cosine)
     return sine[0], cosine[0]
 
 
-def call(precision, name, *arguments):
+def call(precision: Precision, name: str, *arguments):
     """The value of a routine that returns one."""
     return interpreter(precision).call(name, *(precision.scalar(a) for a in arguments))
 
 
-def exact(value):
+def exact(value) -> mp.mpf:
     """A machine number as an mpmath number."""
     return mp.mpf(float(value))
 
 
-def last_place(precision, value):
+def last_place(precision: Precision, value) -> mp.mpf:
     """The unit in the last place of the machine number next to a real number."""
     return mp.mpf(float(np.spacing(np.abs(precision.scalar(float(value))))))
 
 
-def error_in_last_places(precision, got, expected):
+def error_in_last_places(precision: Precision, got, expected) -> float:
     """|got - expected| in units in the last place of `expected`."""
     return float(abs(exact(got) - expected) / last_place(precision, expected))
 
 
-def neighbours(precision, value, reach=3):
+def neighbours(precision: Precision, value, reach: int = 3):
     """The machine number next to `value` and `reach` more on each side."""
     middle = precision.scalar(float(value))
     for direction in (-np.inf, np.inf):
@@ -58,7 +59,7 @@ def neighbours(precision, value, reach=3):
     yield middle
 
 
-def convergents(value, largest) -> Iterator[tuple[int, int]]:
+def convergents(value, largest: float) -> Iterator[tuple[int, int]]:
     """p/q of the continued fraction of `value`, with p below `largest`."""
     p0, q0, p1, q1 = 0, 1, 1, 0
     while True:
@@ -70,7 +71,7 @@ def convergents(value, largest) -> Iterator[tuple[int, int]]:
         value = 1 / (value - whole)
 
 
-def closest_to_quarter_turns(precision, largest):
+def closest_to_quarter_turns(precision: Precision, largest: float):
     """Machine numbers up to `largest` that are extraordinarily close to a multiple of pi/2.
 
     x = S 2^e is close to k pi/2 where S/k is a convergent of (pi/2)/2^e (Kahan); multiples of a convergent fill

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.program.cost import cost
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import atan2
 from routines.run import BITS, call, error_in_last_places, exact, neighbours
 
@@ -15,7 +15,7 @@ PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p:
 LAST_PLACES = 1.75  # the bound of the module's docstring
 
 
-def largest_error(precision, points):
+def largest_error(precision: Precision, points) -> float:
     worst = 0.0
     with mp.workprec(BITS):
         for y, x in points:
@@ -26,7 +26,7 @@ def largest_error(precision, points):
 
 
 @PRECISIONS
-def test_all_directions(precision):
+def test_all_directions(precision: Precision) -> None:
     draw = np.random.default_rng(1)
     directions = draw.uniform(-np.pi, np.pi, 8000)
     radii = np.exp(draw.uniform(-10, 10, 8000))
@@ -35,7 +35,7 @@ def test_all_directions(precision):
 
 
 @PRECISIONS
-def test_where_the_two_cases_meet(precision):
+def test_where_the_two_cases_meet(precision: Precision) -> None:
     """b = a/2 is where the result is least accurate."""
     draw = np.random.default_rng(2)
     points = []
@@ -47,7 +47,7 @@ def test_where_the_two_cases_meet(precision):
 
 
 @PRECISIONS
-def test_axes_and_diagonals(precision):
+def test_axes_and_diagonals(precision: Precision) -> None:
     expected = {(0, 1): 0, (1, 1): 1, (1, 0): 2, (1, -1): 3, (0, -1): 4}
     for (y, x), quarter in expected.items():
         for size in (1.0, 1e-30, 1e30):
@@ -58,7 +58,7 @@ def test_axes_and_diagonals(precision):
 
 
 @PRECISIONS
-def test_zeros_have_the_signs_of_c(precision):
+def test_zeros_have_the_signs_of_c(precision: Precision) -> None:
     for y in (0.0, -0.0, 1.0, -1.0):
         for x in (0.0, -0.0, 1.0, -1.0):
             got, expected = call(precision, "atan2", y, x), math.atan2(y, x)
@@ -67,7 +67,7 @@ def test_zeros_have_the_signs_of_c(precision):
 
 
 @PRECISIONS
-def test_largest_numbers_do_not_overflow(precision):
+def test_largest_numbers_do_not_overflow(precision: Precision) -> None:
     huge = float(np.finfo(precision.scalar).max)
     fractions = (1.0, 0.75, 0.5, 0.4, 0.25, 0.1)
     points = [(s * a * huge, b * huge) for s in (1, -1) for a in fractions for b in (*fractions, -1.0)]
@@ -75,14 +75,14 @@ def test_largest_numbers_do_not_overflow(precision):
 
 
 @PRECISIONS
-def test_subnormals_have_a_direction_too(precision):
+def test_subnormals_have_a_direction_too(precision: Precision) -> None:
     smallest = float(np.finfo(precision.scalar).smallest_subnormal)
     points = [(y * smallest, x * smallest) for y in range(-9, 10) for x in (-7, -3, -2, -1, 1, 2, 3, 1000, 12345)]
     assert largest_error(precision, [(y, x) for y, x in points if y]) <= LAST_PLACES
 
 
 @PRECISIONS
-def test_extreme_ratios_end_on_an_axis(precision):
+def test_extreme_ratios_end_on_an_axis(precision: Precision) -> None:
     information = np.finfo(precision.scalar)
     large, small = float(information.max), float(information.smallest_subnormal)
     assert call(precision, "atan2", large, small) == precision.scalar(math.pi / 2)
@@ -93,5 +93,5 @@ def test_extreme_ratios_end_on_an_axis(precision):
 
 
 @PRECISIONS
-def test_divides_once(precision):
+def test_divides_once(precision: Precision) -> None:
     assert cost(atan2(precision)).divisions == 1

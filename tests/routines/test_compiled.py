@@ -6,7 +6,7 @@ References: NumPy's sqrt (an IEEE operation), double for float, and long double 
 import numpy as np
 import pytest
 
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from routines.compiled import run
 from routines.run import call, call_sincos
 
@@ -18,7 +18,7 @@ LONGER = {"double": np.longdouble, "float": np.float64}
 
 
 @pytest.fixture
-def longer(precision):
+def longer(precision: Precision):
     """A type in which NumPy's functions serve as reference."""
     kind = LONGER[precision.name]
     if np.finfo(kind).nmant <= precision.significand + 8:
@@ -26,13 +26,13 @@ def longer(precision):
     return kind
 
 
-def error(got, expected, precision):
+def error(got, expected, precision: Precision) -> float:
     """The largest error in units in the last place."""
     unit = np.spacing(np.abs(expected.astype(precision.scalar)))
     return float(np.max(np.abs(got - expected) / unit))
 
 
-def angles_of_every_kind(precision, count):
+def angles_of_every_kind(precision: Precision, count: int):
     draw = np.random.default_rng(1)
     near = draw.uniform(-NEAR_ZERO, NEAR_ZERO, count)
     eighths = draw.integers(-32, 33, count) * np.pi / 4
@@ -41,21 +41,21 @@ def angles_of_every_kind(precision, count):
     return angles[np.abs(angles) <= NEAR_ZERO]
 
 
-def points_of_every_kind(precision, count):
+def points_of_every_kind(precision: Precision, count: int):
     draw = np.random.default_rng(2)
     x, y = draw.normal(size=(2, count)) * np.exp(draw.uniform(-20, 20, (2, count)))
     half = draw.uniform(0.5, 1, count)
     return np.concatenate([y, half * draw.uniform(0.45, 0.55, count)]), np.concatenate([x, half])
 
 
-def numbers_of_every_size(precision, count):
+def numbers_of_every_size(precision: Precision, count: int):
     draw = np.random.default_rng(3)
     infinity = int(np.array(np.inf, precision.scalar).view(precision.word))
     return draw.integers(0, infinity, count, dtype=precision.word).view(precision.scalar)
 
 
 @PRECISIONS
-def test_compiled_sincos_is_the_interpreter_bit_for_bit(precision):
+def test_compiled_sincos_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
     angles = np.concatenate([angles_of_every_kind(precision, 1500), [0.0, -0.0, 1e-40, precision.max_phase]])
     angles = angles.astype(precision.scalar)
     compiled = np.array(run(precision, "sincos", angles)).T
@@ -63,14 +63,14 @@ def test_compiled_sincos_is_the_interpreter_bit_for_bit(precision):
 
 
 @PRECISIONS
-def test_compiled_square_root_is_the_interpreter_bit_for_bit(precision):
+def test_compiled_square_root_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
     numbers = numbers_of_every_size(precision, 2000)
     (compiled,) = run(precision, "sqrt", numbers)
     assert compiled.tobytes() == np.array([call(precision, "sqrt", x) for x in numbers]).tobytes()
 
 
 @PRECISIONS
-def test_compiled_arc_tangent_is_the_interpreter_bit_for_bit(precision):
+def test_compiled_arc_tangent_is_the_interpreter_bit_for_bit(precision: Precision) -> None:
     y, x = (v.astype(precision.scalar) for v in points_of_every_kind(precision, 1000))
     (compiled,) = run(precision, "atan2", y, x)
     assert compiled.tobytes() == np.array([call(precision, "atan2", *p) for p in zip(y, x, strict=True)]).tobytes()
@@ -78,7 +78,7 @@ def test_compiled_arc_tangent_is_the_interpreter_bit_for_bit(precision):
 
 @PRECISIONS
 @pytest.mark.parametrize("flags", (("-O0",), ("-O3",), ("-Os",)), ids=lambda f: f[0])
-def test_optimisation_changes_no_bit(precision, flags):
+def test_optimisation_changes_no_bit(precision: Precision, flags: tuple[str, ...]) -> None:
     """-O3 vectorises the loop over sincos."""
     angles = angles_of_every_kind(precision, 50_000)
     numbers = numbers_of_every_size(precision, 100_000)
@@ -90,7 +90,7 @@ def test_optimisation_changes_no_bit(precision, flags):
 
 
 @PRECISIONS
-def test_million_angles_up_to_eight_pi(precision, longer):
+def test_million_angles_up_to_eight_pi(precision: Precision, longer: str) -> None:
     angles = angles_of_every_kind(precision, 1_000_000)
     sine, cosine = run(precision, "sincos", angles)
     assert error(sine, np.sin(angles.astype(longer)), precision) <= SINCOS
@@ -98,7 +98,7 @@ def test_million_angles_up_to_eight_pi(precision, longer):
 
 
 @PRECISIONS
-def test_million_angles_of_the_accepted_range(precision, longer):
+def test_million_angles_of_the_accepted_range(precision: Precision, longer: str) -> None:
     angles = np.random.default_rng(4).uniform(-1, 1, 1_000_000) * precision.max_phase
     angles = angles.astype(precision.scalar)
     sine, cosine = run(precision, "sincos", angles)
@@ -106,7 +106,7 @@ def test_million_angles_of_the_accepted_range(precision, longer):
     assert np.max(np.abs(cosine - np.cos(angles.astype(longer)))) <= ABSOLUTE[precision.name]
 
 
-def test_every_float_angle_of_two_binades():
+def test_every_float_angle_of_two_binades() -> None:
     """1/2 to 2: both reductions, and the largest reduced angles."""
     for first in range(126 << 23, 128 << 23, 1 << 22):
         angles = np.arange(first, first + (1 << 22), dtype=np.uint32).view(np.float32)
@@ -115,7 +115,7 @@ def test_every_float_angle_of_two_binades():
         assert error(cosine, np.cos(angles.astype(np.float64)), FLOAT) <= SINCOS
 
 
-def test_every_float_significand_has_the_right_root():
+def test_every_float_significand_has_the_right_root() -> None:
     for first in range(127 << 23, 129 << 23, 1 << 22):
         numbers = np.arange(first, first + (1 << 22), dtype=np.uint32).view(np.float32)
         (root,) = run(FLOAT, "sqrt", numbers)
@@ -123,14 +123,14 @@ def test_every_float_significand_has_the_right_root():
 
 
 @PRECISIONS
-def test_million_roots(precision):
+def test_million_roots(precision: Precision) -> None:
     numbers = numbers_of_every_size(precision, 2_000_000)
     (root,) = run(precision, "sqrt", numbers)
     assert np.array_equal(root, np.sqrt(numbers))
 
 
 @PRECISIONS
-def test_million_subnormal_roots(precision):
+def test_million_subnormal_roots(precision: Precision) -> None:
     draw = np.random.default_rng(5)
     words = draw.integers(0, 1 << (precision.significand - 1), 500_000, dtype=precision.word)
     numbers = (words >> draw.integers(0, precision.significand - 1, len(words), dtype=precision.word)).view(
@@ -141,7 +141,7 @@ def test_million_subnormal_roots(precision):
 
 
 @PRECISIONS
-def test_million_directions(precision, longer):
+def test_million_directions(precision: Precision, longer: str) -> None:
     y, x = (v.astype(precision.scalar) for v in points_of_every_kind(precision, 500_000))
     (angle,) = run(precision, "atan2", y, x)
     assert error(angle, np.arctan2(y.astype(longer), x.astype(longer)), precision) <= ATAN2

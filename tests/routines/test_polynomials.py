@@ -4,11 +4,12 @@ import minimax
 import mpmath as mp
 import pytest
 
+from mahovik.core.program.types import Precision
 from mahovik.core.routines import arc_tangent
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
 
 
-def used(name, precision):
+def used(name: str, precision: Precision):
     """Coefficients a routine uses, as numbers of the element type, and the error it claims for them."""
     if name == "sine":
         coefficients, error = SINCOS[precision].sine, SINCOS[precision].sine_error
@@ -26,7 +27,7 @@ PROBLEMS = pytest.mark.parametrize("problem", minimax.PROBLEMS, ids=lambda p: p.
 
 @EACH
 @PROBLEMS
-def test_polynomial_keeps_the_error_it_claims(problem, precision):
+def test_polynomial_keeps_the_error_it_claims(problem: str, precision: Precision) -> None:
     coefficients, claimed = used(problem.name, precision)
     found = float(minimax.largest_deviation(problem, coefficients, samples=1500))
     assert 0.9 * claimed < found <= claimed
@@ -35,13 +36,13 @@ def test_polynomial_keeps_the_error_it_claims(problem, precision):
 @pytest.mark.slow
 @EACH
 @PROBLEMS
-def test_coefficients_are_those_the_tool_derives(problem, precision):
+def test_coefficients_are_those_the_tool_derives(problem: str, precision: Precision) -> None:
     coefficients, _ = used(problem.name, precision)
     assert coefficients == minimax.coefficients_of(problem, precision)
 
 
 @PROBLEMS
-def test_error_alternates_as_chebyshev_demands(problem):
+def test_error_alternates_as_chebyshev_demands(problem: str) -> None:
     """A best polynomial of n terms has n + 1 extrema of one size and alternating sign."""
     terms = problem.terms["float"]
     with mp.workdps(minimax.DIGITS):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.program.cost import cost
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import sincos
 from mahovik.core.routines.real_constants import PI
 from mahovik.core.routines.sincos import SMALL_TURNS, half_pi_parts
@@ -30,7 +30,7 @@ def references(x):
     return mp.sin(exact(x)), mp.cos(exact(x))
 
 
-def largest_error_in_last_places(precision, arguments):
+def largest_error_in_last_places(precision: Precision, arguments) -> float:
     with mp.workprec(BITS):
         return max(
             error_in_last_places(precision, got, expected)
@@ -39,7 +39,7 @@ def largest_error_in_last_places(precision, arguments):
         )
 
 
-def largest_absolute_error(precision, arguments):
+def largest_absolute_error(precision: Precision, arguments) -> float:
     with mp.workprec(BITS):
         return max(
             float(abs(exact(got) - expected))
@@ -49,14 +49,14 @@ def largest_absolute_error(precision, arguments):
 
 
 @PRECISIONS
-def test_angles_up_to_eight_pi_are_accurate_to_a_unit_in_the_last_place(precision):
+def test_angles_up_to_eight_pi_are_accurate_to_a_unit_in_the_last_place(precision: Precision) -> None:
     draw = np.random.default_rng(1)
     angles = [*draw.uniform(-NEAR_ZERO, NEAR_ZERO, 8000), *draw.uniform(-1, 1, 2000)]
     assert largest_error_in_last_places(precision, angles) <= LAST_PLACES
 
 
 @PRECISIONS
-def test_multiples_of_an_eighth_turn_up_to_eight_pi_lose_no_digit(precision):
+def test_multiples_of_an_eighth_turn_up_to_eight_pi_lose_no_digit(precision: Precision) -> None:
     angles = [x for k in range(-32, 33) for x in neighbours(precision, k * np.pi / 4, reach=8)]
     angles = [x for x in angles if abs(x) <= NEAR_ZERO]
     angles += closest_to_quarter_turns(precision, NEAR_ZERO)
@@ -64,14 +64,14 @@ def test_multiples_of_an_eighth_turn_up_to_eight_pi_lose_no_digit(precision):
 
 
 @PRECISIONS
-def test_tiny_angles_are_their_own_sine(precision):
+def test_tiny_angles_are_their_own_sine(precision: Precision) -> None:
     for size in (np.finfo(precision.scalar).smallest_subnormal, np.finfo(precision.scalar).tiny, 1e-30, 1e-10):
         for x in (precision.scalar(size), precision.scalar(-size)):
             assert call_sincos(precision, x) == (x, 1)
 
 
 @PRECISIONS
-def test_zero_keeps_its_sign(precision):
+def test_zero_keeps_its_sign(precision: Precision) -> None:
     for zero in (0.0, -0.0):
         sine, cosine = call_sincos(precision, zero)
         assert (sine, cosine) == (0, 1)
@@ -79,7 +79,7 @@ def test_zero_keeps_its_sign(precision):
 
 
 @PRECISIONS
-def test_whole_accepted_range_keeps_the_absolute_bound(precision):
+def test_whole_accepted_range_keeps_the_absolute_bound(precision: Precision) -> None:
     draw = np.random.default_rng(2)
     largest = precision.max_phase
     angles = [*draw.uniform(-largest, largest, 5000), largest, -largest]
@@ -88,7 +88,7 @@ def test_whole_accepted_range_keeps_the_absolute_bound(precision):
 
 
 @PRECISIONS
-def test_multiples_of_an_eighth_turn_in_the_whole_range_keep_the_absolute_bound(precision):
+def test_multiples_of_an_eighth_turn_in_the_whole_range_keep_the_absolute_bound(precision: Precision) -> None:
     draw = np.random.default_rng(3)
     turns = draw.integers(0, int(precision.max_phase / (np.pi / 4)), 500)
     angles = [x for k in turns for x in neighbours(precision, int(k) * np.pi / 4, reach=1)]
@@ -98,7 +98,7 @@ def test_multiples_of_an_eighth_turn_in_the_whole_range_keep_the_absolute_bound(
 
 
 @PRECISIONS
-def test_sine_is_odd_and_cosine_even_to_the_last_bit(precision):
+def test_sine_is_odd_and_cosine_even_to_the_last_bit(precision: Precision) -> None:
     draw = np.random.default_rng(4)
     for x in draw.uniform(0, precision.max_phase, 1000):
         sine, cosine = call_sincos(precision, x)
@@ -106,13 +106,13 @@ def test_sine_is_odd_and_cosine_even_to_the_last_bit(precision):
 
 
 @PRECISIONS
-def test_refused_angles_do_no_harm(precision):
+def test_refused_angles_do_no_harm(precision: Precision) -> None:
     for x in (2 * precision.max_phase, np.finfo(precision.scalar).max, np.inf, np.nan):
         assert len(call_sincos(precision, x)) == 2
 
 
 @PRECISIONS
-def test_products_with_the_first_part_of_half_pi_are_exact(precision):
+def test_products_with_the_first_part_of_half_pi_are_exact(precision: Precision) -> None:
     turns = int(precision.max_phase / (np.pi / 2)) + 1
     first, second, _ = (Fraction(p) for p in half_pi_parts(precision))
     assert turns.bit_length() + significant_bits(first) <= precision.significand
@@ -120,7 +120,7 @@ def test_products_with_the_first_part_of_half_pi_are_exact(precision):
 
 
 @PRECISIONS
-def test_parts_of_half_pi_sum_up_to_it(precision):
+def test_parts_of_half_pi_sum_up_to_it(precision: Precision) -> None:
     with mp.workprec(BITS):
         total = mp.fsum(mp.mpf(p) for p in half_pi_parts(precision))
         # two exact parts reach 2^-77 (float: 2^-32), the last adds a significand
@@ -128,17 +128,17 @@ def test_parts_of_half_pi_sum_up_to_it(precision):
         assert abs(total - mp.pi / 2) < mp.mpf(2) ** -places
 
 
-def test_pi_is_that_of_mpmath():
+def test_pi_is_that_of_mpmath() -> None:
     with mp.workprec(300):
         assert abs(mp.mpf(PI.numerator) / PI.denominator - mp.pi) < mp.mpf(2) ** -256
 
 
 @PRECISIONS
-def test_operations_stay_few(precision):
+def test_operations_stay_few(precision: Precision) -> None:
     assert cost(sincos(precision)).total <= {"double": 47, "float": 35}[precision.name]
 
 
-def significant_bits(value):
+def significant_bits(value) -> int:
     """Bits from the first to the last 1 of a dyadic fraction."""
     numerator = value.numerator
     return (numerator // (numerator & -numerator)).bit_length()

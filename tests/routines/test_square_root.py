@@ -5,13 +5,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from routines.run import call, neighbours
 
 PRECISIONS = pytest.mark.parametrize("precision", (DOUBLE, FLOAT), ids=lambda p: p.name)
 
 
-def is_nearest_root(precision, x, root):
+def is_nearest_root(precision: Precision, x, root) -> bool:
     """The midpoints beside `root` enclose the square root of x."""
     up = np.nextafter(root, precision.scalar(np.inf))
     down = np.nextafter(root, precision.scalar(0))
@@ -20,13 +20,13 @@ def is_nearest_root(precision, x, root):
     return below**2 < Fraction(float(x)) < above**2
 
 
-def assert_all_nearest(precision, arguments):
+def assert_all_nearest(precision: Precision, arguments) -> None:
     wrong = [x for x in arguments if not is_nearest_root(precision, x, call(precision, "sqrt", x))]
     assert wrong == []
 
 
 @PRECISIONS
-def test_random_numbers_of_every_size(precision):
+def test_random_numbers_of_every_size(precision: Precision) -> None:
     draw = np.random.default_rng(1)
     largest = np.frombuffer(precision.scalar(np.inf).tobytes(), precision.word)[0]
     words = draw.integers(1, int(largest), 8000, dtype=precision.word)
@@ -34,7 +34,7 @@ def test_random_numbers_of_every_size(precision):
 
 
 @PRECISIONS
-def test_subnormals(precision):
+def test_subnormals(precision: Precision) -> None:
     draw = np.random.default_rng(2)
     bits = precision.significand - 1
     words = [1, 2, 3, 4, (1 << bits) - 1, *(int(draw.integers(1, 1 << int(n))) for n in draw.integers(1, bits, 500))]
@@ -42,14 +42,14 @@ def test_subnormals(precision):
 
 
 @PRECISIONS
-def test_powers_of_two_and_their_neighbours(precision):
+def test_powers_of_two_and_their_neighbours(precision: Precision) -> None:
     exponents = range(2 - precision.bias, precision.bias)
     powers = (precision.scalar(2.0**e) for e in exponents)
     assert_all_nearest(precision, [x for p in powers for x in neighbours(precision, p, reach=2)])
 
 
 @PRECISIONS
-def test_ends_of_the_binades(precision):
+def test_ends_of_the_binades(precision: Precision) -> None:
     information = np.finfo(precision.scalar)
     ends = [information.max, information.tiny, precision.scalar(4), precision.scalar(1)]
     below = [np.nextafter(x, precision.scalar(0)) for x in ends]
@@ -57,14 +57,14 @@ def test_ends_of_the_binades(precision):
 
 
 @PRECISIONS
-def test_squares_are_exact(precision):
+def test_squares_are_exact(precision: Precision) -> None:
     draw = np.random.default_rng(3)
     for root in draw.integers(1, 1 << (precision.significand // 2), 2000):
         assert call(precision, "sqrt", float(root) ** 2) == root
 
 
 @PRECISIONS
-def test_roots_next_to_a_midpoint_are_rounded_right(precision):
+def test_roots_next_to_a_midpoint_are_rounded_right(precision: Precision) -> None:
     """Squares of (k + 1/2) units in the last place, rounded: the hardest arguments there are."""
     draw = np.random.default_rng(4)
     ones = 1 << (precision.significand - 1)
@@ -76,7 +76,7 @@ def test_roots_next_to_a_midpoint_are_rounded_right(precision):
     assert_all_nearest(precision, hard)
 
 
-def test_float_significands_of_two_binades():
+def test_float_significands_of_two_binades() -> None:
     """Every 1021st; tests of the compiled routine take all."""
     words = np.arange(127 << 23, 129 << 23, 1021, dtype=np.uint32)
     numbers = words.view(np.float32)
@@ -85,7 +85,7 @@ def test_float_significands_of_two_binades():
 
 
 @PRECISIONS
-def test_zero_is_its_own_root(precision):
+def test_zero_is_its_own_root(precision: Precision) -> None:
     for zero in (0.0, -0.0):
         root = call(precision, "sqrt", zero)
         assert root == 0

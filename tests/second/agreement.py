@@ -3,6 +3,8 @@
 import numpy as np
 
 from mahovik.contract.functions import wants_of
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.verify.compare import difference
@@ -16,7 +18,7 @@ NOT_THERE = ("I0", "J0")  # of `generalized`: matrices of (11), that the second 
 AGREEMENT = 1e-12
 
 
-def expectations(stand, state, wants=WANTS):
+def expectations(stand: Stand, state: State, wants=WANTS):
     """want -> what the reference gives and its natural scales; None where it refuses."""
     found = {}
     with np.errstate(all="ignore"):
@@ -27,7 +29,7 @@ def expectations(stand, state, wants=WANTS):
     return found
 
 
-def differences(evaluate, state, expected):
+def differences(evaluate, state: State, expected):
     """(want, quantity) -> largest difference over natural scale, of all that the reference gives at this state.
 
     `evaluate(state, want)`. Refusing what the reference evaluates is an infinite difference, and the other way round.
@@ -47,7 +49,7 @@ def differences(evaluate, state, expected):
     return found
 
 
-def attempt(evaluate, state, want):
+def attempt(evaluate, state: State, want: str):
     """What evaluate gives; None where it refuses."""
     try:
         with np.errstate(all="ignore"):

@@ -9,6 +9,7 @@ import pytest
 from mahovik import stands
 from mahovik.contract.functions import wants_of
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
 from mahovik.proof import reference
 from mahovik.proof.second import Second, evaluate
@@ -21,7 +22,7 @@ EXAMPLES = sorted(Path(stands.__file__).parent.glob("*.toml"))
 KINDS = {"everything": EVERYTHING, "bare": BARE, "drawn": Features()}
 
 
-def agrees(stand, seed, count):
+def agrees(stand: Stand, seed: int, count: int):
     """Asserts agreement at `count` states, extreme ones among them; returns the quantities that were compared."""
     second = Second(stand)
     compared = set()
@@ -33,7 +34,7 @@ def agrees(stand, seed, count):
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_example_stands_agree_in_every_want(path):
+def test_example_stands_agree_in_every_want(path: Path) -> None:
     stand = load(path)
     compared = agrees(stand, 1, 3 * len(EXTREMES) + 1)
     assert {want for want, _ in compared} == set(WANTS)
@@ -41,7 +42,7 @@ def test_example_stands_agree_in_every_want(path):
 
 @pytest.mark.parametrize("flywheels", [0, 1, 5, 6, 7, 12])
 @pytest.mark.parametrize("kind", KINDS)
-def test_random_general_stands_agree_in_every_want(flywheels, kind):
+def test_random_general_stands_agree_in_every_want(flywheels: int, kind) -> None:
     angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]
     stand = random_stand(np.random.default_rng(flywheels), flywheels, replace(KINDS[kind], angles=angles))
     compared = agrees(stand, flywheels, 3 * len(EXTREMES) + 1)
@@ -49,17 +50,17 @@ def test_random_general_stands_agree_in_every_want(flywheels, kind):
 
 
 @pytest.mark.parametrize("seed", range(30))
-def test_many_small_random_stands_agree(seed):
+def test_many_small_random_stands_agree(seed: int) -> None:
     stand = random_stand(np.random.default_rng(seed), seed % 4)
     assert agrees(stand, seed, 6)
 
 
-def test_64_flywheels_agree():
+def test_64_flywheels_agree() -> None:
     stand = random_stand(np.random.default_rng(64), 64, EVERYTHING)
     assert agrees(stand, 64, 6)
 
 
-def test_singular_attitudes_are_refused_by_both():
+def test_singular_attitudes_are_refused_by_both() -> None:
     for seed, angles in enumerate(SEQUENCES):
         rng = np.random.default_rng(seed)
         stand = random_stand(rng, 2, replace(EVERYTHING, angles=angles))
@@ -72,7 +73,7 @@ def test_singular_attitudes_are_refused_by_both():
             assert all(off <= AGREEMENT for off in found.values())
 
 
-def test_the_values_have_the_types_of_the_reference():
+def test_the_values_have_the_types_of_the_reference() -> None:
     stand = random_stand(np.random.default_rng(3), 3, EVERYTHING)
     _, state = draw(stand, 3, 2)[1]
     state = replace(state, quaternion=None, angles=(0.3, 0.7, -0.2))

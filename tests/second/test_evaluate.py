@@ -18,7 +18,7 @@ WANTS = wants_of("second")
 
 
 @pytest.mark.parametrize("want", ["matrices", "mounts", "inverse", "forwards"])
-def test_wants_that_are_not_there_are_named(want):
+def test_wants_that_are_not_there_are_named(want: str) -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match=f"second derivation .* has no '{want}'"):
         evaluate(stand, state, ["momentum", want])
@@ -28,13 +28,13 @@ def test_wants_that_are_not_there_are_named(want):
     ("want", "message"),
     [([], "empty"), (["forward", "coupled"], "both give 'V_dot'"), (["coupled", "forward"], "both")],
 )
-def test_refused_wants(want, message):
+def test_refused_wants(want: str, message: str) -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match=message):
         evaluate(stand, state, want)
 
 
-def test_wants_together_give_what_each_gives_alone():
+def test_wants_together_give_what_each_gives_alone() -> None:
     stand, state = draw(1, 3)
     wants = ["momentum", "forward", "torque", "generalized", "points"]
     together = evaluate(stand, state, wants)
@@ -46,14 +46,14 @@ def test_wants_together_give_what_each_gives_alone():
                 np.testing.assert_array_equal(together[name], value)
 
 
-def test_generalized_needs_angles():
+def test_generalized_needs_angles() -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match="needs `angles`"):
         evaluate(stand, replace(state, angles=None, quaternion=(1.0, 0.0, 0.0, 0.0)), ["generalized"])
 
 
 @pytest.mark.parametrize(("angles", "theta"), [("ship", np.pi / 2), ("aircraft", -np.pi / 2), ("euler", np.pi)])
-def test_singular_attitudes_are_refused(angles, theta):
+def test_singular_attitudes_are_refused(angles, theta) -> None:
     stand, state = draw(1, 2)
     stand = replace(stand, angles=angles)
     with pytest.raises(StateError, match=f"singular attitude of the {angles} sequence"):
@@ -61,7 +61,7 @@ def test_singular_attitudes_are_refused(angles, theta):
     assert np.isfinite(evaluate(stand, replace(state, angles=(0.1, theta, 0.2)), ["forward"])["V_dot"]).all()
 
 
-def test_left_out_angles_are_zero():
+def test_left_out_angles_are_zero() -> None:
     stand, state = draw(1, 2)
     given, left_out = replace(state, angles=(0.0, 0.0, 0.0)), replace(state, angles=None)
     for angles in ("ship", "aircraft"):
@@ -73,7 +73,7 @@ def test_left_out_angles_are_zero():
 
 
 @pytest.mark.parametrize("want", WANTS)
-def test_a_leg_without_length_is_refused_for_every_want(want):
+def test_a_leg_without_length_is_refused_for_every_want(want: str) -> None:
     stand, state = draw(1, 2)
     leg = replace(legs_of(stand)[0], ground=(1.0, 2.0, 3.0 + 5e-10), carrier=(0.0, 0.0, 0.0))
     state = replace(state, position=(1.0, 2.0, 3.0))
@@ -83,7 +83,7 @@ def test_a_leg_without_length_is_refused_for_every_want(want):
     assert evaluate(stand.with_laws(Legs((legs_of(stand)[1], longer))), state, [want])
 
 
-def test_a_stand_without_mass_has_no_momentum_want():
+def test_a_stand_without_mass_has_no_momentum_want() -> None:
     stand, state = draw(1, 0, instruments=0)
     weightless = replace(stand, carrier=replace(stand.carrier, mass=0.0, inertia_about="origin"))
     with pytest.raises(StateError, match="no body of the stand has a mass"):
@@ -92,32 +92,32 @@ def test_a_stand_without_mass_has_no_momentum_want():
 
 
 @pytest.mark.parametrize("want", ["momentum", "forward", "torque", "coupled", "points"])
-def test_overflow_is_reported_not_returned(want):
+def test_overflow_is_reported_not_returned(want: str) -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match="not finite"):
         evaluate(stand, replace(state, V=(1e200, 0.0, 0.0, 1e200, 1e200, 0.0)), [want])
 
 
 @pytest.mark.parametrize("name", ["V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau"])
-def test_a_wrong_number_of_inputs_is_refused(name):
+def test_a_wrong_number_of_inputs_is_refused(name: str) -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match=f"{name}: expected . numbers, found 1"):
         evaluate(stand, replace(state, **{name: (1.0,)}), ["momentum"])
 
 
-def test_a_wrench_on_nothing_is_refused():
+def test_a_wrench_on_nothing_is_refused() -> None:
     stand, state = draw(1, 2)
     with pytest.raises(StateError, match="'w9' is no body of the stand"):
         evaluate(stand, replace(state, wrench={"w9": (0.0,) * 6}), ["forward"])
 
 
-def test_a_stand_without_points_has_none():
+def test_a_stand_without_points_has_none() -> None:
     stand = replace(random_stand(np.random.default_rng(1), 1, EVERYTHING), instruments=(), points=())
     stand = replace(stand, flywheels=tuple(replace(s, mount="carrier") for s in stand.flywheels))
     assert evaluate(stand, rest_state(stand), ["points"]) == {"points": {}}
 
 
-def test_64_flywheels_are_there_at_once_and_a_state_costs_little():
+def test_64_flywheels_are_there_at_once_and_a_state_costs_little() -> None:
     """Bounds that a slow machine keeps; a function per flywheel, or built anew a state, would not."""
     rng = np.random.default_rng(1)
     stand, small = random_stand(rng, 64, EVERYTHING), random_stand(rng, 8, EVERYTHING)
@@ -135,7 +135,7 @@ def test_64_flywheels_are_there_at_once_and_a_state_costs_little():
     assert (time.perf_counter() - start) / len(states) < 0.05
 
 
-def test_functions_are_built_once():
+def test_functions_are_built_once() -> None:
     stand, _ = draw(1, 2)
     second = Second(stand)
     assert second.function("forward") is second.function("forward")

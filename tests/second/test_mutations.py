@@ -13,6 +13,7 @@ import pytest
 
 import mahovik.proof.second
 from mahovik import laws
+from mahovik.core.motion.laws import Law
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, random_stand
 from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
@@ -73,7 +74,7 @@ def worst(package):
     )
 
 
-def with_one_changed(law, there, instead):
+def with_one_changed(law: Law, there, instead):
     """`laws.parts` with the second derivation of one law changed."""
     names = [f"laws.{each}" for each in laws.LAWS]
     found = list(laws.parts("second"))
@@ -86,12 +87,12 @@ def with_one_changed(law, there, instead):
     return lambda name: tuple(found)
 
 
-def test_without_a_mutation_there_is_no_difference():
+def test_without_a_mutation_there_is_no_difference() -> None:
     assert worst(mahovik.proof.second) <= AGREEMENT
 
 
 @pytest.mark.parametrize("name", MUTATIONS)
-def test_mutations_are_noticed(name, tmp_path, monkeypatch):
+def test_mutations_are_noticed(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     module, there, instead = MUTATIONS[name]
     if module.startswith("laws."):
         monkeypatch.setattr(laws, "parts", with_one_changed(module, there, instead))

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.second import Second, evaluate
@@ -18,7 +20,7 @@ FROM_DIFFERENCES = 1e-10  # 1e-16 of the largest term over STEP, some hundred op
 ROUNDING = 1e-12
 
 
-def without_damping(stand):
+def without_damping(stand: Stand):
     """The stand without damping of its bodies in the fluid."""
     return replace(
         stand,
@@ -28,14 +30,14 @@ def without_damping(stand):
     )
 
 
-def consistent(stand, state):
+def consistent(stand: Stand, state: State):
     """The state with V* of its own equations and the drive torques of it: a moment of a real motion."""
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
     return replace(state, tau=vec(evaluate(stand, state, ["torque"])["tau"]))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_momentum_in_E0_changes_by_the_wrench_alone_and_energy_by_its_power(seed):
+def test_momentum_in_E0_changes_by_the_wrench_alone_and_energy_by_its_power(seed: int) -> None:
     """Kinetic energy and momentum are differenced along the motion: nothing but these two is used of the model."""
     stand, state = draw(seed, 4)
     stand, state = (
@@ -54,7 +56,7 @@ def test_momentum_in_E0_changes_by_the_wrench_alone_and_energy_by_its_power(seed
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_weight_and_springs_keep_total_energy(seed):
+def test_weight_and_springs_keep_total_energy(seed: int) -> None:
     """Potential energy by the mass centre and the legs' lengths."""
     stand, state = draw(seed, 3)
     legs = tuple(replace(leg, damping=0.0) for leg in legs_of(stand))
@@ -62,7 +64,7 @@ def test_weight_and_springs_keep_total_energy(seed):
     state = consistent(stand, without_wrench(state))
     along = motion(stand, state)
 
-    def energies(t):
+    def energies(t: float):
         now = along(t)
         at, C, O1 = evaluate(stand, now, ["momentum"]), rotation(stand, now), np.array(now.position)
         mass = sum(body.mass for body in stand.bodies)
@@ -78,7 +80,7 @@ def test_weight_and_springs_keep_total_energy(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_coupled_returns_what_forward_and_torque_started_from(seed):
+def test_coupled_returns_what_forward_and_torque_started_from(seed: int) -> None:
     stand, state = draw(seed, 5, stream=True)
     state = consistent(stand, state)
     found = evaluate(stand, state, ["coupled"])
@@ -88,7 +90,7 @@ def test_coupled_returns_what_forward_and_torque_started_from(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_a_stream_is_a_change_of_frame(seed):
+def test_a_stream_is_a_change_of_frame(seed: int) -> None:
     """An observer who drifts with the fluid sees V less the stream, and the same forces on the same accelerations."""
     stand, state = draw(seed, 4, stream=True)
     stand = stand.without_laws()  # they are fixed in E0
@@ -108,7 +110,7 @@ def test_a_stream_is_a_change_of_frame(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed):
+def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed: int) -> None:
     stand, state = draw(seed, 3, stream=True)
     stand = stand.without_laws(Suspension)  # its equilibrium is fixed in E0 by angles
     C, turn = rotation(stand, state), Rotation.random(rng=seed)
@@ -132,7 +134,7 @@ def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed):
 @pytest.mark.parametrize(
     ("want", "inputs"), [("forward", ("V", "phi", "phi_dot", "phi_ddot")), ("coupled", ("V", "phi", "tau"))]
 )
-def test_functions_can_be_differentiated(want, inputs):
+def test_functions_can_be_differentiated(want: str, inputs) -> None:
     """CasADi's derivatives of the whole chain, the solve as well, against differences."""
     stand, state = draw(2, 2, stream=True)
     stand = without_damping(stand)  # |V_r| has a corner where a component passes zero, differences do not see it
@@ -145,7 +147,7 @@ def test_functions_can_be_differentiated(want, inputs):
         found = exact[f"jac_{want}_V_dot_{name}"].full()
         for k in range(len(given[name])):
 
-            def moved(h, name=name, k=k):
+            def moved(h, name: str = name, k=k):
                 values = {**given, name: given[name] + h * np.eye(len(given[name]))[k]}
                 return function(**values)[f"{want}_V_dot"].full()[:, 0]
 

@@ -13,8 +13,9 @@ import pytest
 from mahovik import stands
 from mahovik.core.motion import loads, steady
 from mahovik.core.stand import load, rest_state
-from mahovik.core.stand.model import Motor
+from mahovik.core.stand.model import Motor, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.proof import reference
 from mahovik.use.simulate import Case, Run, simulate
@@ -57,23 +58,23 @@ ramp = { from = -10, to = 80, duration = 0.03, start = 0.01 }
 
 
 @cache
-def busy():
+def busy() -> Stand:
     """Three flywheels with motors, every kind of wrench."""
     return random_stand(np.random.default_rng(5), 3, EVERYTHING, name="busy")
 
 
 @cache
-def free():
+def free() -> Stand:
     """Three flywheels, no external wrench."""
     return random_stand(np.random.default_rng(6), 3, BARE, name="freely")
 
 
-def start(stand):
+def start(stand: Stand) -> State:
     """A moving carrier, attitude by angles."""
     return replace(rest_state(stand), angles=(0.2, 0.4, -0.3), V=(0.1, -0.2, 0.1, 0.3, 0.2, -0.4), phi=(0.1, 0.2, 0.3))
 
 
-def case(stand, text: str, until: float = 0.05, **more) -> Case:
+def case(stand: Stand, text: str, until: float = 0.05, **more) -> Case:
     return Case(stand, loads(text, stand, until), start(stand), until, **{"every": 0.01, **more})
 
 
@@ -134,7 +135,7 @@ def test_speed_laws_are_kept_exactly(text: str, first: int) -> None:
             np.testing.assert_array_equal(found[column], motion[k][:, s])
 
 
-def energy(stand, found: Run, row: int) -> float:
+def energy(stand: Stand, found: Run, row: int) -> float:
     """Kinetic energy by the reference at a row of a run."""
     x = found.data[row]
     names = [s.name for s in stand.flywheels]
@@ -168,7 +169,7 @@ def test_energy_is_the_work_of_the_torques_that_speed_laws_need(text: str) -> No
     assert energy(free(), found, len(power) - 1) - energy(free(), found, 0) == pytest.approx(work, rel=1e-5)
 
 
-def with_motors(motor: Motor):
+def with_motors(motor: Motor) -> Stand:
     """shaker2 with the motor on both flywheels."""
     stand = load(stands.path("shaker2"))
     return replace(stand, flywheels=tuple(replace(s, motor=motor) for s in stand.flywheels))

@@ -16,4 +16,4 @@ def test_the_small_matrix_has_the_least_eigenvalue_of_the_whole(flywheels: int, 
     coupling = size * rng.normal(size=(6, flywheels))
     whole = np.block([[root @ root.T, coupling], [coupling.T, np.eye(flywheels)]])
     expected = np.linalg.eigvalsh(whole)[0]
-    assert _least(whole) == pytest.approx(expected, rel=0, abs=1e-12 * np.linalg.norm(whole))
+    assert _least(whole) == pytest.approx(expected, rel=0, abs=1e-12 * float(np.linalg.norm(whole)))

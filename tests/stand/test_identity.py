@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from random import Random
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, load, loads, structure
-from mahovik.core.stand.model import Factor
+from mahovik.core.stand.model import Factor, Stand
 from mahovik.stands import names, path
 from strategies import stands
 
@@ -75,7 +76,7 @@ def test_identities_are_eight_hexadecimal_digits_and_differ_between_examples() -
 
 @settings(max_examples=30, deadline=None)
 @given(stands(max_flywheels=4))
-def test_writing_and_reading_back_is_the_same_stand(stand) -> None:
+def test_writing_and_reading_back_is_the_same_stand(stand: Stand) -> None:
     again = loads(dumps(stand))
     assert stand == again
     assert identities(stand) == identities(again)
@@ -83,7 +84,7 @@ def test_writing_and_reading_back_is_the_same_stand(stand) -> None:
 
 @settings(max_examples=20, deadline=None)
 @given(stands(min_flywheels=2, max_flywheels=4), st.randoms(use_true_random=False))
-def test_the_order_of_flywheels_is_structure(stand, random) -> None:
+def test_the_order_of_flywheels_is_structure(stand: Stand, random: Random) -> None:
     i, j = random.sample(range(len(stand.flywheels)), 2)
     wheels = list(stand.flywheels)
     wheels[i], wheels[j] = wheels[j], wheels[i]

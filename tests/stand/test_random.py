@@ -10,13 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, loads, rest_state, structure
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, extreme_state, random_stand, random_state
+from mahovik.core.stand.state import State
 from strategies import stands, states
 
 
 @settings(max_examples=40, deadline=None)
 @given(st.data())
-def test_random_stands_and_states_are_valid(data) -> None:
+def test_random_stands_and_states_are_valid(data: st.DataObject) -> None:
     stand = data.draw(stands(max_flywheels=6))
     assert stand == loads(dumps(stand))  # passes every check of the reader
     state = data.draw(states(stand, extreme=True))
@@ -35,7 +37,7 @@ def test_random_stands_and_states_are_valid(data) -> None:
 
 
 def test_the_same_seed_gives_the_same_stand_and_states() -> None:
-    def draw():
+    def draw() -> tuple[Stand, list[State]]:
         rng = np.random.default_rng(7)
         stand = random_stand(rng, 5, EVERYTHING)
         return stand, [random_state(stand, rng, extreme=bool(k % 2)) for k in range(20)]

@@ -8,6 +8,7 @@ import math
 import pytest
 
 from mahovik.core.stand import load, loads
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.stands import path
 
@@ -23,7 +24,7 @@ def wheel(extra: str = "") -> str:
     )  # fmt: skip
 
 
-def stand(angles: str = "ship", gravity: str = "[0, 0, 0]", extra: str = ""):
+def stand(angles: str = "ship", gravity: str = "[0, 0, 0]", extra: str = "") -> Stand:
     return loads((BASE + wheel(extra)).format(angles=angles, gravity=gravity))
 
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 import io
 import json
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.io import loadmat
 
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand, random_state
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.second.linear import linear
 from mahovik.stands import path
@@ -24,7 +26,7 @@ AGREEMENT = 1e-10
 """Of the largest number of its row; the largest seen in a hundred stands is 6e-12, where rows nearly cancel."""
 
 
-def disagreement(found, expected):
+def disagreement(found: dict[str, Any], expected: dict[str, Any]) -> float:
     """The largest, of each row's largest number."""
     worst = 0.0
     for name in "ABCD":
@@ -36,7 +38,7 @@ def disagreement(found, expected):
     return worst
 
 
-def drawn(seed, flywheels, **kinds):
+def drawn(seed: int, flywheels: int, **kinds: Any) -> tuple[Stand, State]:
     """A random stand with all that is named, and a state of it."""
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, flywheels, Features(**kinds))
@@ -60,26 +62,26 @@ def drawn(seed, flywheels, **kinds):
         ),
     ],
 )
-def test_it_is_the_derivative_of_the_second_derivation(seed, kinds):
+def test_it_is_the_derivative_of_the_second_derivation(seed: int, kinds: dict[str, Any]) -> None:
     stand, state = drawn(seed, 3, **kinds)
     assert disagreement(linear_model(stand, state), linear(stand, state)) < AGREEMENT
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(60))
-def test_it_is_the_derivative_on_any_stand(seed):
+def test_it_is_the_derivative_on_any_stand(seed: int) -> None:
     stand, state = drawn(1000 + seed, seed % 7)
     assert disagreement(linear_model(stand, state), linear(stand, state)) < AGREEMENT
 
 
 @pytest.mark.parametrize("name", ["shaker2", "sat4", "auv6"])
-def test_at_rest_and_with_flywheels_turning_steadily(name):
+def test_at_rest_and_with_flywheels_turning_steadily(name: str) -> None:
     stand = load(path(name))
     state = replace(rest(stand).state, phi_dot=(100.0,) * len(stand.flywheels))
     assert disagreement(linear_model(stand, state), linear(stand, state)) < AGREEMENT
 
 
-def test_locked_flywheels_are_one_with_the_carrier():
+def test_locked_flywheels_are_one_with_the_carrier() -> None:
     """By the second derivation with the drives' answers: tau that keeps phi'' whatever the carrier does."""
     stand, state = drawn(5, 2, laws={"suspension": 1}, points=1)
     free, locked = linear_model(stand, state), linear_model(stand, state, locked=True)
@@ -90,7 +92,7 @@ def test_locked_flywheels_are_one_with_the_carrier():
     assert [str(x) for x in locked.inputs] == [f"wrench {x} [{'N' if x in 'XYZ' else 'N m'}]" for x in "XYZKMN"]
 
 
-def test_the_state_keeps_its_accelerations():
+def test_the_state_keeps_its_accelerations() -> None:
     """V* and tau of the state are those that belong to its phi''; those given are not read."""
     stand, state = drawn(6, 3)
     found = linear_model(stand, replace(state, V_dot=(0.0,) * 6, tau=(7.0,) * 3)).state
@@ -99,7 +101,7 @@ def test_the_state_keeps_its_accelerations():
     assert 7.0 not in found.tau
 
 
-def test_points_are_those_named_in_that_order():
+def test_points_are_those_named_in_that_order() -> None:
     stand = load(path("sat4"))
     assert linear_model(stand, rest_state(stand)).points == ("acc1",)
     assert linear_model(stand, rest_state(stand), ["carrier", "acc1"]).points == ("carrier", "acc1")
@@ -110,14 +112,14 @@ def test_points_are_those_named_in_that_order():
         linear_model(stand, rest_state(stand), ["acc1", "acc1"])
 
 
-def test_what_is_not_finite_is_refused():
+def test_what_is_not_finite_is_refused() -> None:
     stand = load(path("sat4"))
     with pytest.raises(StateError, match="not finite"):
         linear_model(stand, replace(rest_state(stand), V=(1e200, 0, 0, 0, 0, 1e200)))
 
 
 @pytest.mark.parametrize("locked", [False, True])
-def test_both_formats_read_back_to_the_same_bits(locked):
+def test_both_formats_read_back_to_the_same_bits(locked: bool) -> None:
     stand, state = drawn(7, 2, points=2, wrench_inputs=True)
     model = linear_model(stand, state, locked=locked)
     text = json.loads(rendered(model, ".json"))

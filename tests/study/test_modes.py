@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load, loads
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.stands import path
 from mahovik.use.study.linear import linear_model, modes
@@ -25,8 +26,8 @@ damping = [8, 0, 100, 0.8, 0, 0]
 """
 
 
-def sprung():
-    def diagonal(line):
+def sprung() -> Stand:
+    def diagonal(line: str) -> list[list[float]]:
         numbers = line.split("[")[1].rstrip("]").split(",")
         return [[float(numbers[i]) if i == j else 0.0 for j in range(6)] for i in range(6)]
 
@@ -37,7 +38,7 @@ def sprung():
     return loads("\n".join(lines), "sprung.toml")
 
 
-def test_a_mass_on_springs():
+def test_a_mass_on_springs() -> None:
     """Every direction for itself: frequency sqrt(k/m), ratio c / 2 sqrt(k m); one is overdamped."""
     stand = sprung()
     found = modes(linear_model(stand, rest_state(stand)))
@@ -55,7 +56,7 @@ def test_a_mass_on_springs():
     assert [str(x) for x in found.coordinates][:2] == ["x [m]", "y [m]"]
 
 
-def test_a_floating_stand_is_free_in_all_directions():
+def test_a_floating_stand_is_free_in_all_directions() -> None:
     stand = load(path("sat4"))
     found = modes(linear_model(stand, rest_state(stand), locked=True))
     assert [mode.kind for mode in found.modes] == ["free"] * 6
@@ -64,7 +65,7 @@ def test_a_floating_stand_is_free_in_all_directions():
     assert len(modes(linear_model(stand, rest_state(stand))).modes) == 10
 
 
-def test_a_spinning_flywheel_makes_it_nod():
+def test_a_spinning_flywheel_makes_it_nod() -> None:
     """Nutation of a gyrostat about its principal axes: H / sqrt(J2 J3), H of a flywheel along the first."""
     stand = load(path("sat4"))
     wheel = replace(stand.flywheels[0], position=(0.0, 0.0, 0.0))
@@ -85,7 +86,7 @@ def test_a_spinning_flywheel_makes_it_nod():
     assert nod.damping == 0.0
 
 
-def test_free_flywheels_hang_like_pendulums():
+def test_free_flywheels_hang_like_pendulums() -> None:
     """shaker2: unbalance that hangs swings by sqrt(m g c / J), unbalance that stands falls; locked, neither."""
     stand = load(path("shaker2"))
     J = 0.0009 + 0.5 * 0.004**2
@@ -99,7 +100,7 @@ def test_free_flywheels_hang_like_pendulums():
         assert not modes(linear_model(stand, state, locked=True)).unstable
 
 
-def test_drag_leaves_a_place_free_and_stops_a_speed():
+def test_drag_leaves_a_place_free_and_stops_a_speed() -> None:
     stand = load(path("auv6"))
     found = modes(linear_model(stand, rest(stand).state, locked=True))
     assert [mode.kind for mode in found.modes].count("free") == 4

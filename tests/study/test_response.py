@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.stands import path
@@ -25,11 +26,11 @@ RPM = math.pi / 30
 
 
 @pytest.fixture(scope="module")
-def bench8():
+def bench8() -> Scene:
     return Scene.of(load(path("bench8")))
 
 
-def unbalanced(stand, share):
+def unbalanced(stand: Stand, share: float) -> Stand:
     """The stand with a share of the first flywheel's static unbalance, the others without any, all symmetric."""
     wheels = []
     for k, wheel in enumerate(stand.flywheels):
@@ -44,7 +45,7 @@ def unbalanced(stand, share):
     ).with_laws(replace(stand.law(Suspension), position=(0.0, 0.0, 0.0)))
 
 
-def test_small_unbalance_is_answered_as_the_linear_model_says():
+def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
     """Its wrench at rest through A, B, C, D; what is left is of the second order in the unbalance."""
     stand, Omega = load(path("bench8")), 40.0
     left = []
@@ -62,7 +63,7 @@ def test_small_unbalance_is_answered_as_the_linear_model_says():
     assert left[1] < left[0] / 5
 
 
-def test_it_solves_the_equations_between_its_nodes(bench8):
+def test_it_solves_the_equations_between_its_nodes(bench8: Scene) -> None:
     found = periodic_response(bench8, [60.0, -40.0, 20.0, 0, 0, 0, 0, 0])
     M = 4 * len(found.y) + 1
     y = resample(found.y, M)
@@ -73,7 +74,7 @@ def test_it_solves_the_equations_between_its_nodes(bench8):
     assert np.abs(off).max() < 1e-9 * np.abs(derivative(y, found.turning.base)).max()
 
 
-def test_the_jacobian_is_that_of_the_rate(bench8):
+def test_the_jacobian_is_that_of_the_rate(bench8: Scene) -> None:
     rng = np.random.default_rng(3)
     y = rng.normal(size=(4, 12)) * 0.05
     given = bench8.drive(rng.normal(size=(4, 8)), rng.normal(size=(4, 8)) * 50)
@@ -85,7 +86,7 @@ def test_the_jacobian_is_that_of_the_rate(bench8):
         assert np.abs(J[:, :, i] - column).max() < 2e-5 * np.abs(J).max()  # the third order in r, and the difference
 
 
-def test_shifting_all_phases_shifts_time(bench8):
+def test_shifting_all_phases_shifts_time(bench8: Scene) -> None:
     speeds, angle = [30.0] * 8, 0.7
     plain = periodic_response(bench8, speeds, ["carrier"]).points["carrier"].harmonics("velocity")
     later = periodic_response(bench8, speeds, ["carrier"], [angle] * 8).points["carrier"].harmonics("velocity")
@@ -94,7 +95,7 @@ def test_shifting_all_phases_shifts_time(bench8):
     assert np.abs(turned - later[:count]).max() < 1e-10 * np.abs(plain).max()
 
 
-def test_effects_of_flywheels_do_not_add_up(bench8):
+def test_effects_of_flywheels_do_not_add_up(bench8: Scene) -> None:
     """The reason why speeds without a common period are refused, and not superposed."""
     alone = [periodic_response(bench8, row, ["carrier"]) for row in np.diag([9.4, 9.4] + [0.0] * 6)[:2].tolist()]
     both = periodic_response(bench8, [9.4, 9.4] + [0.0] * 6, ["carrier"])
@@ -103,14 +104,14 @@ def test_effects_of_flywheels_do_not_add_up(bench8):
     assert 1e-4 < missed < 0.3
 
 
-def test_displacement_velocity_and_acceleration_belong_together(bench8):
+def test_displacement_velocity_and_acceleration_belong_together(bench8: Scene) -> None:
     point = periodic_response(bench8, [20.0] * 8, ["carrier"]).points["carrier"]
     for first, second in (("displacement", "velocity"), ("velocity", "acceleration")):
         rate = derivative(getattr(point, first), 20.0)
         assert np.abs(rate - getattr(point, second)).max() < 1e-9 * np.abs(getattr(point, second)).max()
 
 
-def test_a_floating_stand_keeps_its_centre_of_mass():
+def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     """sat4: no wrench is needed to hold its mean place, and its momentum is the same at all nodes, in E0: none."""
     from scipy.spatial.transform import Rotation
 
@@ -137,7 +138,7 @@ def test_a_floating_stand_keeps_its_centre_of_mass():
     assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
 
 
-def test_drag_pushes_a_free_stand_and_a_wrench_holds_it():
+def test_drag_pushes_a_free_stand_and_a_wrench_holds_it() -> None:
     stand = load(path("auv6"))
     found = periodic_response(stand, [100.0] + [0.0] * 5, ["sonar"])
     assert 1e-6 < np.abs(found.hold).max() < 1e-2
@@ -145,7 +146,7 @@ def test_drag_pushes_a_free_stand_and_a_wrench_holds_it():
     assert np.abs(free).max() < 1e-12
 
 
-def test_flywheels_at_rest_make_nothing_move(bench8):
+def test_flywheels_at_rest_make_nothing_move(bench8: Scene) -> None:
     found = periodic_response(bench8, [0.0] * 8, ["carrier"], [0.5] * 8)
     assert found.turning.period == math.inf
     assert np.array_equal(found.frequencies, [0.0])
@@ -153,7 +154,7 @@ def test_flywheels_at_rest_make_nothing_move(bench8):
     assert np.abs(found.y[0, 3:6]).max() > 1e-4  # turned by the weight of the unbalance
 
 
-def test_a_stand_that_falls_has_no_steady_state():
+def test_a_stand_that_falls_has_no_steady_state() -> None:
     with pytest.raises(CheckError, match="nothing carries"):
         Scene.of(load(path("remus6")))
 
@@ -167,7 +168,7 @@ def test_a_stand_that_falls_has_no_steady_state():
         ((100 / 3, 100 / 7), 100 / 21, (7, 3)),
     ],
 )
-def test_common_periods(speeds, base, turns):
+def test_common_periods(speeds: tuple[float, ...], base: float, turns: tuple[int, ...]) -> None:
     found = common_period(speeds)
     assert found.turns == turns
     assert found.base == pytest.approx(base, rel=1e-12)
@@ -175,12 +176,12 @@ def test_common_periods(speeds, base, turns):
 
 
 @pytest.mark.parametrize("speeds", [(100.0, 100.0 * math.sqrt(2)), (1.0, 1000.5), (100.0, 100.001)])
-def test_speeds_without_a_common_period_are_refused(speeds):
+def test_speeds_without_a_common_period_are_refused(speeds: tuple[float, ...]) -> None:
     with pytest.raises(UsageError, match="no common period within 1000 turns"):
         common_period(speeds)
 
 
-def test_speeds_as_asked():
+def test_speeds_as_asked() -> None:
     stand = load(path("shaker2"))
     asked = read_speeds(stand, ["left=0..600rpm", "right=-0.5*left"])
     assert asked.swept == 0
@@ -208,13 +209,13 @@ def test_speeds_as_asked():
         (["left=1e5", "right=2*left"], "right would turn at"),
     ],
 )
-def test_speeds_that_are_refused(given, words):
+def test_speeds_that_are_refused(given: list[str], words: str) -> None:
     with pytest.raises(UsageError, match=words.replace("*", r"\*")) as error:
         read_speeds(load(path("shaker2")), given)
     assert "\n" not in str(error.value)
 
 
-def test_a_sweep_finds_the_resonance(bench8):
+def test_a_sweep_finds_the_resonance(bench8: Scene) -> None:
     stand = bench8.stand
     found = sweep(stand, read_speeds(stand, ["w1=30..150rpm", "w2=w1"]), 13, "carrier", quantity="displacement")
     (first, *_) = found.lines()
@@ -226,7 +227,7 @@ def test_a_sweep_finds_the_resonance(bench8):
     assert not found.interrupted
 
 
-def test_a_sweep_can_be_cut_and_says_so(bench8):
+def test_a_sweep_can_be_cut_and_says_so(bench8: Scene) -> None:
     asked = read_speeds(bench8.stand, ["w1=0..100rpm"])
     found = sweep(bench8.stand, asked, 11, "carrier", go_on=lambda done: done < 2)
     assert found.interrupted
@@ -234,13 +235,13 @@ def test_a_sweep_can_be_cut_and_says_so(bench8):
     assert np.isnan(found.steps[0].at(0)[0])
 
 
-def undamped(share):
+def undamped(share: float) -> Stand:
     """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
     stand = unbalanced(load(path("bench8")), share)
     return stand.with_laws(replace(stand.law(Suspension), damping=((0.0,) * 6,) * 6))
 
 
-def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():
+def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
     stand = undamped(1.0)
     found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
     assert [step.problem is None for step in found.steps] == [True, False, True]
@@ -254,15 +255,15 @@ def test_an_undamped_resonance_is_told_and_the_sweep_goes_on():
         sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
 
 
-def test_a_steady_state_that_does_not_last_is_named():
+def test_a_steady_state_that_does_not_last_is_named() -> None:
     """Parametric resonance of large unbalance: the multiplier of its linear equations."""
     found = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])
     assert found.multiplier > 1.1
     assert not found.stable
 
 
-def test_control_c_keeps_what_is_done(bench8):
-    def interrupted(done):
+def test_control_c_keeps_what_is_done(bench8: Scene) -> None:
+    def interrupted(done: float) -> bool:
         if done == 2:
             raise KeyboardInterrupt
         return True
@@ -272,13 +273,13 @@ def test_control_c_keeps_what_is_done(bench8):
     assert len(found.steps) == 2
 
 
-def test_lines_that_fall_together_are_one(bench8):
+def test_lines_that_fall_together_are_one(bench8: Scene) -> None:
     found = sweep(bench8.stand, read_speeds(bench8.stand, ["w1=60..100rpm", "w2=0.5*w1"]), 2, "carrier")
     assert found.lines()[0].name in ("1 x w1 = 2 x w2", "1 x w2")
     assert {line.name for line in found.lines()} >= {"1 x w1 = 2 x w2", "1 x w2", "3 x w2"}
 
 
-def test_rms_of_a_band():
+def test_rms_of_a_band() -> None:
     amplitudes = np.array([[9.0, 0, 0], [3.0, 0, 0], [4.0j, 1.0, 0]])
     frequencies = np.array([0.0, 10.0, 20.0])
     assert np.allclose(rms(amplitudes, frequencies), [5 / math.sqrt(2), 1 / math.sqrt(2), 0])
@@ -286,7 +287,7 @@ def test_rms_of_a_band():
     assert np.allclose(rms(amplitudes, frequencies, (20.0, 30.0))[0], 4 / math.sqrt(2))
 
 
-def test_nodes_can_be_more_or_fewer():
+def test_nodes_can_be_more_or_fewer() -> None:
     t = np.arange(9) / 9 * 2 * np.pi
     y = np.stack([1 + np.cos(t) + np.sin(3 * t), np.cos(2 * t)], axis=1)
     many = resample(y, 15)

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core import motion
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Point
+from mahovik.core.stand.model import Point, Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
@@ -46,7 +46,7 @@ def returned(found, periods, backend="scipy", **more):
     return max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts))
 
 
-def test_the_reference_comes_back_after_a_period():
+def test_the_reference_comes_back_after_a_period() -> None:
     assert returned(periodic_response(load(path("bench8")), [62.8] * 8), 1) < 1e-8
 
 
@@ -54,19 +54,19 @@ def test_the_reference_comes_back_after_a_period():
 @pytest.mark.parametrize(
     ("name", "speeds"), [("bench8", [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]), ("shaker2", [125.0, -125.0])]
 )
-def test_the_reference_comes_back_at_several_speeds(name, speeds):
+def test_the_reference_comes_back_at_several_speeds(name: str, speeds) -> None:
     assert returned(periodic_response(load(path(name)), speeds), 1) < 1e-8
 
 
 @pytest.mark.slow
-def test_a_floating_stand_comes_back_after_a_period():
+def test_a_floating_stand_comes_back_after_a_period() -> None:
     """In place as well: nothing drifts. SciPy's absolute tolerance, 1e-12, is felt beside an amplitude of 2e-8 m."""
     found = periodic_response(load(path("sat4")), [628.0, 0.0, -314.0, 0.0])
     assert np.abs(found.hold).max() < 1e-14
     assert returned(found, 4) < 1e-6
 
 
-def resting_case(stand, speeds, until, every):
+def resting_case(stand: Stand, speeds, until, every):
     """From rest, flywheels at speed at once."""
     from mahovik.use.study.rest import rest
 
@@ -75,7 +75,7 @@ def resting_case(stand, speeds, until, every):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("speeds", [[9.4] + [0.0] * 7, [62.8] * 8, [20.0, -30.0, 0, 0, 0, 0, 0, 10.0]])
-def test_a_long_simulation_from_rest_ends_there(speeds):
+def test_a_long_simulation_from_rest_ends_there(speeds) -> None:
     """bench8 for the C, from rest, until what it began with has died out; at resonance, fast, and with beats."""
     stand = load(path("bench8"))
     stand = replace(stand, points=(Point("edge", "carrier", (0.2, -0.1, 0.05), (0.3, -0.2, 0.1)),))
@@ -97,7 +97,7 @@ def test_a_long_simulation_from_rest_ends_there(speeds):
         assert off < 1e-6 * np.ptp(wanted, axis=0).max(), kind
 
 
-def simulated_point(stand, found, run, rows):
+def simulated_point(stand: Stand, found, run, rows):
     """Displacement and acceleration of the point from a run's pose, V and V*, by plain kinematics."""
     column = {name: rows[:, i] for i, name in enumerate(run.names)}
     vector = lambda names: np.stack([column[name] for name in names], axis=1)  # noqa: E731
@@ -115,7 +115,7 @@ def simulated_point(stand, found, run, rows):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
-def test_random_suspended_stands_come_back(seed):
+def test_random_suspended_stands_come_back(seed: int) -> None:
     rng = np.random.default_rng(seed)
     stand = random_stand(
         rng, 3, Features(gravity=False, stream=False, fluid=seed % 2 == 0, laws={"suspension": 1, "leg": 0})

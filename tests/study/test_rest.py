@@ -9,7 +9,9 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
+from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.laws.leg.data import Leg, Legs
 from mahovik.laws.suspension.data import Suspension
@@ -20,7 +22,7 @@ from mahovik.use.study.rest import rest
 LIMIT = 1e-12  # the contract of `mahovik rest`, absolute
 
 
-def acceleration(stand, state) -> np.ndarray:
+def acceleration(stand: Stand, state: State) -> np.ndarray:
     return np.abs(reference.evaluate(stand, state, ["forward"])["V_dot"])
 
 

@@ -2,6 +2,7 @@
 
 import os
 import stat
+from pathlib import Path
 
 import pytest
 
@@ -23,20 +24,20 @@ WARNINGS = {
 
 
 @pytest.fixture
-def no_tools(monkeypatch, tmp_path):
+def no_tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A PATH without any compiler."""
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
 
 
-def one_line(error):
+def one_line(error: pytest.ExceptionInfo[ToolchainError]) -> str:
     """The message of an error, which is a single line."""
     text = str(error.value)
     assert "\n" not in text
     return text
 
 
-def test_no_compiler(no_tools, tmp_path):
+def test_no_compiler(no_tools: None, tmp_path: Path) -> None:
     with pytest.raises(ToolchainError) as error:
         find_compiler()
     text = one_line(error)
@@ -49,27 +50,27 @@ def test_no_compiler(no_tools, tmp_path):
     assert not (tmp_path / "x.so").exists()
 
 
-def test_verification_without_a_compiler(no_tools):
+def test_verification_without_a_compiler(no_tools: None) -> None:
     with pytest.raises(ToolchainError, match="apt-get install gcc"):
         CBackend(stand("demo3"))
 
 
 @pytest.mark.parametrize("chosen", ["no-such-cc", "no-such-cc -m32", "/no/such/cc"])
-def test_cc_that_is_none(chosen, monkeypatch):
+def test_cc_that_is_none(chosen: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", chosen)
     with pytest.raises(ToolchainError) as error:
         find_compiler()
     assert one_line(error).startswith(f"CC={chosen}: no such command")
 
 
-def test_cc_that_cannot_be_read(monkeypatch):
+def test_cc_that_cannot_be_read(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", "gcc '-O2")
     with pytest.raises(ToolchainError) as error:
         find_compiler()
     assert one_line(error) == "CC=gcc '-O2: No closing quotation"
 
 
-def test_cc_that_cannot_be_run(monkeypatch, tmp_path):
+def test_cc_that_cannot_be_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     broken = tmp_path / "broken-cc"
     broken.write_bytes(b"\x7fELF no program")
     broken.chmod(0o755)
@@ -81,7 +82,7 @@ def test_cc_that_cannot_be_run(monkeypatch, tmp_path):
     assert one_line(error) == f"{broken} cannot be run: Exec format error"
 
 
-def test_a_compiler_whose_words_are_no_utf_8(monkeypatch, tmp_path):
+def test_a_compiler_whose_words_are_no_utf_8(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     odd = tmp_path / "odd-cc"
     odd.write_bytes(b"#!/bin/sh\nprintf 'x.c:1: error: \\351t\\351\\n' >&2\nexit 1\n")
     odd.chmod(0o755)
@@ -91,14 +92,14 @@ def test_a_compiler_whose_words_are_no_utf_8(monkeypatch, tmp_path):
     assert "x.c:1: error: " in one_line(error)
 
 
-def test_cc_with_options_is_split(monkeypatch):
+def test_cc_with_options_is_split(monkeypatch: pytest.MonkeyPatch) -> None:
     require("gcc", "gcc")
     monkeypatch.setenv("CC", "  gcc -g0 ")
     assert find_compiler() == ["gcc", "-g0"]
 
 
 @pytest.mark.parametrize("name", CANDIDATES)
-def test_the_first_compiler_there_is(name, monkeypatch, tmp_path):
+def test_the_first_compiler_there_is(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
     for candidate in CANDIDATES[CANDIDATES.index(name) :]:
@@ -111,7 +112,7 @@ def test_the_first_compiler_there_is(name, monkeypatch, tmp_path):
 
 
 @pytest.mark.parametrize("text", WARNINGS.values(), ids=WARNINGS)
-def test_a_warning_is_refused(text, tmp_path):
+def test_a_warning_is_refused(text: str, tmp_path: Path) -> None:
     source = tmp_path / "warned.c"
     source.write_text(text)
     with pytest.raises(ToolchainError) as error:
@@ -121,7 +122,7 @@ def test_a_warning_is_refused(text, tmp_path):
     assert not (tmp_path / "warned.so").exists()
 
 
-def test_a_compiler_that_says_nothing(monkeypatch, tmp_path):
+def test_a_compiler_that_says_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("CC", "false")
     source = tmp_path / "x.c"
     source.write_text(GOOD)
@@ -130,7 +131,7 @@ def test_a_compiler_that_says_nothing(monkeypatch, tmp_path):
     assert one_line(error) == "false refused x.c: no message"
 
 
-def test_good_c_in_a_folder_with_a_blank(tmp_path):
+def test_good_c_in_a_folder_with_a_blank(tmp_path: Path) -> None:
     folder = tmp_path / "a folder; with 'signs'"
     folder.mkdir()
     source = folder / "x.c"
@@ -139,7 +140,7 @@ def test_good_c_in_a_folder_with_a_blank(tmp_path):
     assert (folder / "x.so").stat().st_size > 0
 
 
-def test_headers_lose_their_directives(tmp_path):
+def test_headers_lose_their_directives(tmp_path: Path) -> None:
     source = write(generated("bench8").files, tmp_path)
     text = preprocess(source.with_suffix(".h"))
     assert "#" not in text
@@ -148,13 +149,13 @@ def test_headers_lose_their_directives(tmp_path):
     assert "BENCH8_W1" in text
 
 
-def test_a_header_that_is_missing(tmp_path):
+def test_a_header_that_is_missing(tmp_path: Path) -> None:
     with pytest.raises(ToolchainError) as error:
         preprocess(tmp_path / "none.h")
     assert "refused none.h" in one_line(error)
 
 
-def test_a_library_whose_header_is_no_declaration(tmp_path):
+def test_a_library_whose_header_is_no_declaration(tmp_path: Path) -> None:
     (tmp_path / "x.h").write_text("int answer(void);\n__extension__ typedef __typeof__(1) odd;\n")
     source = tmp_path / "x.c"
     source.write_text(f'#include "x.h"\n{GOOD}')
@@ -162,7 +163,7 @@ def test_a_library_whose_header_is_no_declaration(tmp_path):
         Library(tmp_path / "x.h", source, tmp_path, "x")
 
 
-def test_a_library_without_the_constant(tmp_path):
+def test_a_library_without_the_constant(tmp_path: Path) -> None:
     (tmp_path / "x.h").write_text("int answer(void);\n")
     source = tmp_path / "x.c"
     source.write_text(f'#include "x.h"\n{GOOD}')
@@ -172,7 +173,7 @@ def test_a_library_without_the_constant(tmp_path):
         library.default("default")
 
 
-def test_nothing_is_left_in_the_working_folder(tmp_path, monkeypatch):
+def test_nothing_is_left_in_the_working_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = tmp_path / "source"
     folder.mkdir()
     source = write(generated("demo3").files, folder)

@@ -1,6 +1,7 @@
 """Static checks: a new deviation and a stale one are told; the emitted C has none."""
 
 from collections import Counter
+from pathlib import Path
 
 import pytest
 
@@ -11,13 +12,13 @@ from mahovik.stands import names
 from toolchain.tools import require
 
 
-def test_a_rule_that_is_not_listed_is_told():
+def test_a_rule_that_is_not_listed_is_told() -> None:
     assert Finding("15.5", "a.c", 1).listed
     assert not Finding("21.3", "a.c", 1).listed
     assert counted([Finding("15.5", "a.c", 1), Finding("15.5", "a.c", 2)]) == Counter({"15.5": 2})
 
 
-def test_every_reason_is_a_sentence():
+def test_every_reason_is_a_sentence() -> None:
     for rule, reason in {**DEVIATIONS, **KNOWN}.items():
         assert len(reason) > 10, rule
         assert not reason.endswith("."), rule
@@ -25,7 +26,7 @@ def test_every_reason_is_a_sentence():
 
 
 @pytest.mark.slow
-def test_new_deviations_and_warnings_are_seen(tmp_path):
+def test_new_deviations_and_warnings_are_seen(tmp_path: Path) -> None:
     require("cppcheck", "cppcheck")
     require("clang", "clang")
     files = delivery(stand("demo3"))

@@ -4,6 +4,8 @@ import os
 import shutil
 import subprocess
 from functools import cache
+from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
@@ -25,7 +27,7 @@ FIRMWARE_WARNINGS = (
 """What strict firmware projects compile with."""
 
 
-def require(tool, package):
+def require(tool: str, package: str) -> str:
     """Path of a tool; without it the test is skipped, in CI it fails: there nothing is left out."""
     found = shutil.which(tool)
     if found is None:
@@ -33,7 +35,7 @@ def require(tool, package):
     return found
 
 
-def require_32_bit():
+def require_32_bit() -> str:
     """gcc that builds for 32 bits; else as `require`."""
     gcc = require("gcc", "gcc")
     if not _builds_32_bit():
@@ -41,12 +43,12 @@ def require_32_bit():
     return gcc
 
 
-def compile_c(compiler, source, *flags):
+def compile_c(compiler: str, source: Path, *flags: str | Path) -> None:
     """Runs a compiler on one file with the strict warnings; asserts that it has no complaint."""
     run(compiler, *FIRMWARE_WARNINGS, "-ffp-contract=off", *flags, source)
 
 
-def run(*command):
+def run(*command: str | Path) -> str:
     """Runs a command that must succeed in silence, and returns what it printed."""
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{' '.join(str(c) for c in command)}\n{done.stderr}"
@@ -55,13 +57,13 @@ def run(*command):
 
 
 @cache
-def _builds_32_bit():
+def _builds_32_bit() -> bool:
     command = ["gcc", "-m32", "-fsyntax-only", "-x", "c", "-"]
     text = "#include <stdint.h>\n#include <sys/types.h>\nuint64_t x;\n"
     return subprocess.run(command, input=text, text=True, capture_output=True, check=False).returncode == 0
 
 
-def _absent(message):
+def _absent(message: str) -> NoReturn:
     if os.environ.get("CI"):
         pytest.fail(message)
     pytest.skip(message)

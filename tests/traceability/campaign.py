@@ -195,7 +195,8 @@ class _Noticed:
 
 def tested(function: Function, number: int | None, first: bool) -> list[str]:
     """Tests that fail with a mutant (None: with none) in all programs, in a process of their own."""
-    return in_a_fork(lambda: _tested(function, number, first), LIMIT, LATE)
+    found: list[str] = in_a_fork(lambda: _tested(function, number, first), LIMIT, LATE)
+    return found
 
 
 def _tested(function: Function, number: int | None, first: bool) -> list[str]:

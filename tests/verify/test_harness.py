@@ -39,7 +39,8 @@ class Wrong(NumpyBackend):
         self._change = change
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        return self._change(super().evaluate(state, want))
+        changed: dict[str, Any] = self._change(super().evaluate(state, want))
+        return changed
 
 
 def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict[str, Row]:

@@ -15,6 +15,7 @@ import pytest
 from cli.run import AUV6, BENCH8, DEMO3, refused, run
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import BARE, random_stand
+from mahovik.errors import UsageError
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.judges import compare
 from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near, verify_judges
@@ -76,7 +77,7 @@ def massless(body: Any) -> Any:
 
 
 def refused_stand(stand: Stand) -> str:
-    with pytest.raises(compare.UsageError) as caught:
+    with pytest.raises(UsageError) as caught:
         load_judges(stand)
     return str(caught.value)
 

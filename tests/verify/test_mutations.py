@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.core.derive import accumulate, attitude, carrier, carrying, flywheel, wrench
+from mahovik.core.derive import accumulate, attitude, carrier, carrying, flywheel, order, symbols, wrench
 from mahovik.core.derive.symbols import matrix, vector
 from mahovik.core.lower import forward, laws, values, wrenches
 from mahovik.core.lower.thresholds import THRESHOLDS
@@ -164,14 +164,14 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
         {"K", "I"},
     ),
     "inertia about the mass centre taken for that about the origin": (
-        taken_as_a_body(derivation(flywheel, "central_to_origin", lambda original: lambda m, b, J: flywheel.six_of(J))),
+        taken_as_a_body(derivation(flywheel, "central_to_origin", lambda original: lambda m, b, J: symbols.six_of(J))),
         {"K"},
     ),
     "moment of inertia taken about Os": (
         derivation(
             flywheel,
             "shifted_inertia",
-            lambda original: lambda m, b, J, O: (original(m, b, J, O)[0], flywheel.six_of(J)),
+            lambda original: lambda m, b, J, O: (original(m, b, J, O)[0], symbols.six_of(J)),
         ),
         {"K"},
     ),
@@ -229,7 +229,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
         {"V_dot"},
     ),
     "angles of another sequence": (
-        lambda monkeypatch: monkeypatch.setitem(attitude.SEQUENCES, "ship", (2, 3, 1)),
+        lambda monkeypatch: monkeypatch.setitem(order.SEQUENCES, "ship", (2, 3, 1)),
         {"A", "q_dot"},
     ),
     "moment of I about Os": (
@@ -288,6 +288,11 @@ def stress_free_legs(stand: Stand) -> Stand:
     return stand.with_laws(Legs(tuple(replace(leg, length=0.0) for leg in legs_of(stand))))
 
 
+def against_the_stream(stand: Stand) -> Stand:
+    x, y, z = stand.stream or (0.0, 0.0, 0.0)
+    return replace(stand, stream=(-x, -y, -z))
+
+
 def untilted(stand: Stand) -> Stand:
     law = stand.law(Suspension)
     assert law is not None
@@ -301,7 +306,7 @@ NUMBERS: dict[str, tuple[Callable[[Stand], Stand], set[str]]] = {
     "zero of the phase dropped": (counted_from_elsewhere, {"K", "I"}),
     "unstretched length dropped": (stress_free_legs, {"F"}),
     "equilibrium attitude dropped": (untilted, {"F"}),
-    "stream reversed": (lambda s: replace(s, stream=tuple(-x for x in s.stream or ())), {"F", "V_dot", "M"}),
+    "stream reversed": (against_the_stream, {"F", "V_dot", "M"}),
 }
 
 

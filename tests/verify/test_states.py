@@ -36,7 +36,8 @@ def test_missing_inputs_are_zero_and_the_attitude_is_not_given() -> None:
     assert request.want == ("forward",)
     assert request.state.phi == request.state.tau == (0.0,) * N
     assert request.state.V == request.state.V_dot == (0.0,) * 6
-    assert request.state.angles is request.state.quaternion is None
+    assert request.state.angles is None
+    assert request.state.quaternion is None
     assert dict(request.state.wrench) == {}
 
 
@@ -113,7 +114,7 @@ def test_ranges_end_at_their_limit(key: str, index: int, limit: float) -> None:
     for sign in (1, -1):
         numbers = [0.0] * count
         numbers[index] = sign * limit
-        assert getattr(read(**{key: numbers}).state, key)[index] == sign * limit
+        assert getattr(read("double", **{key: numbers}).state, key)[index] == sign * limit
         numbers[index] = sign * math.nextafter(limit, math.inf)
         assert f"{key}[{index}]: " in refusal(json.dumps({"want": ["forward"], key: numbers}))
 

@@ -15,7 +15,6 @@ from mahovik.core.stand import State, load
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
-from mahovik.proof.verify import compare
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.compare import Row, Three
 from mahovik.proof.verify.draw import draw
@@ -89,7 +88,7 @@ def test_second_alone() -> None:
 
 def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     backend, right = Judged(), reference.evaluate
-    monkeypatch.setattr(compare.reference, "evaluate", lambda *given: off(right(*given), 1e-6))
+    monkeypatch.setattr(reference, "evaluate", lambda *given: off(right(*given), 1e-6))
     (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
     assert row.failed
     assert row.disagreement == "C and second agree, reference differs"

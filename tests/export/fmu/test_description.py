@@ -15,6 +15,7 @@ from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS, STANDS
 from mahovik.core.lower.fmu import units
 from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.stand.model import Instrument, Point
 from mahovik.core.stand.state import rest_state
 from mahovik.laws.suspension.data import Suspension
 from mahovik.out.export.fmu import export_fmu
@@ -75,7 +76,8 @@ def test_every_flywheel_instrument_and_input_has_its_variables() -> None:
     found = fmus.stand("driven")
     for s in found.flywheels:
         assert {f"{s.name}.{x}" for x in ("tau", "phi", "phi_dot", "phi_ddot", "mount_wrench[6]", "mass")} <= names
-    for reading in (*found.instruments, *found.points):
+    readings: list[Instrument | Point] = [*found.instruments, *found.points]
+    for reading in readings:
         assert {
             f"{reading.name}.reading.{x}" for x in ("specific_force[3]", "twist[6]", "C[3,3]", "position[1]")
         } <= names

@@ -11,6 +11,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.motion.required import load_motion, read_motion
+from mahovik.core.motion.required.course import Harmonics
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import MotionError
 
@@ -22,7 +23,7 @@ FINITE = {"schema": 1, "type": "finite", "duration": 2.0}
 
 def rest_to_rest(x: np.ndarray) -> np.ndarray:
     """Zero to one with q' = q'' = 0 at both ends."""
-    return x**3 * (10 - 15 * x + 6 * x**2)
+    return np.asarray(x**3 * (10 - 15 * x + 6 * x**2))
 
 
 def rows(z: np.ndarray) -> list[list[float]]:
@@ -57,6 +58,7 @@ def test_every_example_is_read() -> None:
     assert found["demo3.motion.json"].harmonics == (1, 2)
     bench8 = found["bench8.motion.json"]
     assert bench8.bounds.speed == (50 * math.pi,) * 8
+    assert isinstance(bench8.course, Harmonics)
     assert bench8.course.cos[0].tolist() == [2e-4, 1e-4, -5e-5, 3e-4, 2e-4, 0.0]  # mm, mrad: rounded once
     assert bench8.objective.acceleration == (1.0,) * 8
     assert not any(bench8.objective.torque)
@@ -86,6 +88,7 @@ def test_units_bounds_and_weights() -> None:
     )
     assert motion.span == 0.05
     assert motion.mean.tolist() == [0.01, 0.0, 0.0, 0.0, 0.0, math.pi]
+    assert isinstance(motion.course, Harmonics)
     assert motion.course.cos[0, 2] == 1e-6
     assert motion.free_mean == (True, False, True, True, True, True)
     assert (motion.winding, motion.runup) == ((1, -1), 0.5)

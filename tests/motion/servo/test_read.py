@@ -11,6 +11,7 @@ from mahovik import stands
 from mahovik.core.motion.servo import Servo, Trim, load_servo, read_servo
 from mahovik.core.motion.servo.read import TrimTable
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.errors import ServoError
 
 SHAKER, SAT4, REMUS = (load(stands.path(name)) for name in ("shaker2", "sat4", "remus6"))
@@ -18,7 +19,7 @@ LEAST = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "50 Hz"\n'
 INF = (math.inf, math.inf)
 
 
-def problems(text: str, stand=SHAKER) -> list[str]:
+def problems(text: str, stand: Stand = SHAKER) -> list[str]:
     with pytest.raises(ServoError) as caught:
         read_servo(text, stand, "s.toml")
     assert all(line.startswith("s.toml: ") and "\n" not in line for line in caught.value.problems)

@@ -1,7 +1,10 @@
 """A headless browser for tests of pages, and what it says of them."""
 
+from __future__ import annotations
+
 import shutil
 from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 
@@ -34,7 +37,7 @@ def launched():
 class Opened:
     """A page in the browser that notes errors and requests: `complaints`, `requests`."""
 
-    def __init__(self, browser, path, **context):
+    def __init__(self, browser, path: Path, **context) -> None:
         self.context = browser.new_context(**{"viewport": {"width": 1100, "height": 900}} | context)
         self.page = self.context.new_page()
         self.complaints, self.requests = [], []
@@ -60,10 +63,10 @@ class Opened:
             self.page.wait_for_timeout(50)
         pytest.fail("the picture stays as it was")
 
-    def show(self):
+    def show(self) -> None:
         """Brings the animation into sight."""
         self.page.locator("#stage").scroll_into_view_if_needed()
 
-    def wait_until(self, script):
+    def wait_until(self, script) -> None:
         """Waits for a condition on the page."""
         self.page.wait_for_function(script, timeout=10_000)

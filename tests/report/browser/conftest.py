@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, Features, random_stand
 from mahovik.out.report.stand.gather import gather
 from mahovik.out.report.stand.run import Run
@@ -18,7 +19,7 @@ from .chromium import Opened, launched
 assembled = import_module("mahovik.out.report.stand.page")  # its name is that of its function, too
 
 
-def made_run(stand, rows=400, span=0.4, amplitude=3e-5):
+def made_run(stand: Stand, rows=400, span=0.4, amplitude=3e-5):
     """A run that no simulation has made: the carrier vibrates by tens of micrometres, flywheels turn evenly."""
     t = np.linspace(0.0, span, rows)
     columns = {name: np.sin(40.0 * t + i) for i, name in enumerate(column_names(stand, False))}
@@ -39,7 +40,7 @@ def browser():
 
 
 @pytest.fixture(scope="session")
-def reports(tmp_path_factory):
+def reports(tmp_path_factory: pytest.TempPathFactory):
     """Reports by name: whole ones of bench8 with a run; of other stands drawing and animation alone."""
     folder = tmp_path_factory.mktemp("reports")
     bench8 = load(path("bench8"))
@@ -67,7 +68,7 @@ def opened(browser, reports):
     """Opens a report by its name; options are those of a browser's context."""
     open_ones = []
 
-    def one(name, **context):
+    def one(name: str, **context):
         open_ones.append(Opened(browser, reports[name], **context))
         return open_ones[-1]
 

@@ -1,6 +1,7 @@
 """Charts in the browser: numbers under the pointer are those that were drawn; nothing is wider than the page."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,7 +24,7 @@ def read(page, label, share):
     return {name: float(value.replace("\N{MINUS SIGN}", "-")) for name, value in page.evaluate(READING)}
 
 
-def move(page, picture, share):
+def move(page, picture, share) -> None:
     """Move the pointer to a share of the frame's width, in the middle of its height."""
     box = picture.bounding_box()
     left, _, across, _ = json.loads(picture.locator("xpath=../..").get_attribute("data-axes"))["box"]
@@ -31,7 +32,7 @@ def move(page, picture, share):
     page.mouse.move(box["x"] + unit * (left + share * across), box["y"] + 0.5 * box["height"])
 
 
-def test_values_under_the_pointer(opened):
+def test_values_under_the_pointer(opened) -> None:
     page = opened("bench8").page
     found = read(page, "O1, mm, from the start", 0.5)
     t = found["t"]
@@ -43,7 +44,7 @@ def test_values_under_the_pointer(opened):
     assert speeds["w3"] == pytest.approx(110.0 * 30.0 / np.pi, rel=1e-3)
 
 
-def test_of_an_envelope_least_and_largest_are_told(browser, tmp_path):
+def test_of_an_envelope_least_and_largest_are_told(browser, tmp_path: Path) -> None:
     t = np.linspace(0.0, 1.0, 100_000)
     panel = Panel("y, m", (Line("a", t, 3.0 * np.sin(1e4 * t)), Line("b", t, 2.0 + 0.0 * t)))
     script = template("report_chart.js.j2").render()
@@ -55,7 +56,7 @@ def test_of_an_envelope_least_and_largest_are_told(browser, tmp_path):
     assert page.evaluate(READING) == [["t", "0.25"], ["a", "\N{MINUS SIGN}3 \N{HORIZONTAL ELLIPSIS} 3"], ["b", "2"]]
 
 
-def test_the_reading_goes_with_the_pointer(opened):
+def test_the_reading_goes_with_the_pointer(opened) -> None:
     page = opened("bench8").page
     assert read(page, "O1, mm, from the start", 0.3)
     page.mouse.move(1, 1)
@@ -63,7 +64,7 @@ def test_the_reading_goes_with_the_pointer(opened):
 
 
 @pytest.mark.parametrize("width", [360, 1300])
-def test_charts_fit(opened, width):
+def test_charts_fit(opened, width: int) -> None:
     page = opened("bench8", viewport={"width": width, "height": 800}).page
     right = (
         "Math.max(...[...document.querySelectorAll('.chart, .chart *')].map((e) => e.getBoundingClientRect().right))"
@@ -76,7 +77,7 @@ def test_charts_fit(opened, width):
     assert len(sizes) > 50 and min(sizes) >= 11.0
 
 
-def test_lines_change_with_the_theme(opened):
+def test_lines_change_with_the_theme(opened) -> None:
     page = opened("bench8", color_scheme="light").page
     stroke = "getComputedStyle(document.querySelector('.chart .line path')).stroke"
     light = page.evaluate(stroke)

@@ -14,7 +14,7 @@ INSIDE = """([d, points]) => {
 }"""
 
 
-def test_a_cylinder_fills_its_silhouette(browser):
+def test_a_cylinder_fills_its_silhouette(browser) -> None:
     """Every place of both rims is inside the outline, moved a little inwards, and none outside, moved outwards."""
     page = browser.new_page()
     page.set_content("<p></p>")

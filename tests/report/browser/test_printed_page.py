@@ -8,7 +8,7 @@ BEYOND = """() => [...document.querySelectorAll("main *")]
   .map((each) => `${each.tagName} ${each.textContent.slice(0, 40)}`)"""
 
 
-def test_nothing_is_wider_than_the_paper(opened):
+def test_nothing_is_wider_than_the_paper(opened) -> None:
     found = opened("bench8", viewport={"width": A4, "height": 970})
     assert found.page.evaluate(BEYOND) != []  # on the screen tables scroll
     found.page.emulate_media(media="print")

@@ -15,7 +15,7 @@ def still(opened):
 
 
 @pytest.mark.parametrize("name", ["bench8", "demo3", "none", "many"])
-def test_no_errors_and_no_requests(opened, name):
+def test_no_errors_and_no_requests(opened, name: str) -> None:
     """Nothing is loaded but the file, nothing is complained of."""
     found = opened(name)
     found.show()
@@ -24,7 +24,7 @@ def test_no_errors_and_no_requests(opened, name):
     assert found.requests == [found.address]
 
 
-def test_it_plays_by_itself_and_pauses(opened):
+def test_it_plays_by_itself_and_pauses(opened) -> None:
     """Pictures differ while it plays, not while it is paused; the clock goes on and the button says what it does."""
     found = opened("bench8")
     found.show()
@@ -41,7 +41,7 @@ def test_it_plays_by_itself_and_pauses(opened):
     assert found.page.locator("#play").text_content() == "Pause"
 
 
-def test_reduced_motion_starts_paused(still):
+def test_reduced_motion_starts_paused(still) -> None:
     """Who asks the system for less motion has none before asking for it."""
     first = still.picture()
     still.page.wait_for_timeout(120)
@@ -49,7 +49,7 @@ def test_reduced_motion_starts_paused(still):
     assert still.page.locator("#play").text_content() == "Play"
 
 
-def test_scrubbing_sets_the_time(still):
+def test_scrubbing_sets_the_time(still) -> None:
     """The slider moves to a time; its picture is the same whenever it is asked for."""
     pictures = []
     for value in ("0.25", "0.5", "0.25"):
@@ -59,7 +59,7 @@ def test_scrubbing_sets_the_time(still):
     assert still.page.locator("#clock").text_content().startswith("0.1000 s")
 
 
-def test_keys_change_the_picture(still):
+def test_keys_change_the_picture(still) -> None:
     """The canvas is used by the keyboard: 0 sets the view back, a comma takes back a full stop, Space plays."""
     still.page.locator("#stage").focus()
     first, keyboard = still.picture(), still.page.keyboard
@@ -76,7 +76,7 @@ def test_keys_change_the_picture(still):
     assert still.page.locator("#play").text_content() == "Play"
 
 
-def test_dragging_turns_the_view(still):
+def test_dragging_turns_the_view(still) -> None:
     """By a pointer: a mouse or a finger."""
     box, first = still.page.locator("#stage").bounding_box(), still.picture()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
@@ -91,7 +91,7 @@ def test_dragging_turns_the_view(still):
     assert still.picture() == first
 
 
-def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still):
+def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still) -> None:
     """A reader who scrolls past the animation is not caught by it."""
     box, first = still.page.locator("#stage").bounding_box(), still.picture()
     still.page.mouse.move(box["x"] + 50, box["y"] + 50)
@@ -104,7 +104,7 @@ def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still):
     still.changed(first)
 
 
-def test_a_finger_turns_the_view(opened):
+def test_a_finger_turns_the_view(opened) -> None:
     """Sideways; up and down it scrolls the page, which would be caught otherwise."""
     found = opened("bench8", has_touch=True, is_mobile=True, viewport={"width": 400, "height": 800}, **REDUCED)
     found.show()
@@ -117,7 +117,7 @@ def test_a_finger_turns_the_view(opened):
     found.changed(first)
 
 
-def test_fine_screens_have_fine_pictures(opened):
+def test_fine_screens_have_fine_pictures(opened) -> None:
     """As many pixels as the screen has."""
     found = opened("demo3", device_scale_factor=2, **REDUCED)
     found.show()
@@ -128,7 +128,7 @@ def test_fine_screens_have_fine_pictures(opened):
     assert drawn == round(2 * shown)
 
 
-def test_views_magnification_and_trace_change_the_picture(still):
+def test_views_magnification_and_trace_change_the_picture(still) -> None:
     """Each control does something, and the magnification is written beside its slider."""
     page = still.page
     seen = [still.picture()]
@@ -147,7 +147,7 @@ def test_views_magnification_and_trace_change_the_picture(still):
     assert len(set(seen)) == len(seen)
 
 
-def test_small_motion_is_magnified_from_the_start(still):
+def test_small_motion_is_magnified_from_the_start(still) -> None:
     """Tens of micrometres are not seen on a stand of decimetres."""
     assert int(still.page.locator("#magnified").text_content().removeprefix("× ")) > 100
 
@@ -155,7 +155,7 @@ def test_small_motion_is_magnified_from_the_start(still):
 INK = "getComputedStyle(document.querySelector('svg.drawing text')).fill"
 
 
-def test_dark_mode_changes_page_and_picture(still):
+def test_dark_mode_changes_page_and_picture(still) -> None:
     """By the button; the canvas follows the page."""
     first, ink = still.picture(), still.page.evaluate(INK)
     still.page.locator("#theme").click()
@@ -165,7 +165,7 @@ def test_dark_mode_changes_page_and_picture(still):
     assert still.picture() == first
 
 
-def test_dark_mode_follows_the_system(opened):
+def test_dark_mode_follows_the_system(opened) -> None:
     """As the system has it, and when it changes."""
     found = opened("demo3", color_scheme="dark", **REDUCED)
     found.show()
@@ -175,13 +175,13 @@ def test_dark_mode_follows_the_system(opened):
 
 
 @pytest.mark.parametrize("width", [320, 400])
-def test_narrow_pages_do_not_overflow(opened, width):
+def test_narrow_pages_do_not_overflow(opened, width: int) -> None:
     """On a phone what is wide scrolls in its own frame."""
     found = opened("bench8", viewport={"width": width, "height": 800}, **REDUCED)
     assert found.page.evaluate("document.scrollingElement.scrollWidth") <= width
 
 
-def test_paper_shows_everything_but_controls(opened):
+def test_paper_shows_everything_but_controls(opened) -> None:
     """In print colours, dark or not; parts that are closed on screen are opened, buttons are left out."""
     found = opened("bench8", color_scheme="dark", **REDUCED)
     found.show()
@@ -196,7 +196,7 @@ def test_paper_shows_everything_but_controls(opened):
     assert found.page.evaluate("[...document.querySelectorAll('details')].every((each) => each.open)")
 
 
-def test_every_control_has_a_name(still):
+def test_every_control_has_a_name(still) -> None:
     """For readers who hear the page."""
     nameless = still.page.evaluate(
         """[...document.querySelectorAll("button, input, select, canvas")].filter((each) =>
@@ -206,7 +206,7 @@ def test_every_control_has_a_name(still):
     assert nameless == []
 
 
-def test_focus_is_seen(still):
+def test_focus_is_seen(still) -> None:
     """The canvas comes in the order of tabs, before the button that plays it, with a ring."""
     still.page.locator("#play").focus()
     still.page.keyboard.press("Shift+Tab")

@@ -1,5 +1,7 @@
 """What the animation is given: the motion in few numbers, nothing lost that is seen."""
 
+from __future__ import annotations
+
 import base64
 import json
 import re
@@ -33,7 +35,7 @@ def data_of(html):
     return json.loads(re.search(r'id="moving-data">(.*?)</script>', html, re.DOTALL)[1])
 
 
-def test_a_slow_motion_is_thinned_over_the_whole():
+def test_a_slow_motion_is_thinned_over_the_whole() -> None:
     """Enough rows remain for straight lines between them; the last row is one of them."""
     motion = vibration(20_000, 20.0, 2.0)
     found, words = thinned(motion, 1500)
@@ -43,7 +45,7 @@ def test_a_slow_motion_is_thinned_over_the_whole():
     assert words == "every 14th row"
 
 
-def test_of_a_fast_motion_the_end_is_kept_instead():
+def test_of_a_fast_motion_the_end_is_kept_instead() -> None:
     """A vibration at 90 Hz cannot be seen in rows 20 ms apart."""
     motion = vibration(20_000, 20.0, 90.0)
     found, words = thinned(motion, 1000)
@@ -53,13 +55,13 @@ def test_of_a_fast_motion_the_end_is_kept_instead():
     assert "of the end, from" in words
 
 
-def test_what_fits_is_left_alone():
+def test_what_fits_is_left_alone() -> None:
     """No words, every row."""
     motion = vibration(500, 1.0, 90.0)
     assert thinned(motion, 500) == (motion, "")
 
 
-def test_rows_give_the_motion_back():
+def test_rows_give_the_motion_back() -> None:
     """Single precision keeps a vibration of 10 um three metres from the origin."""
     motion = vibration(300, 1.0, 5.0)
     position, quaternion = reference(motion)
@@ -72,7 +74,7 @@ def test_rows_give_the_motion_back():
     assert np.diff(few[:, 7:], axis=0) == approx(np.diff(motion.phi, axis=0), abs=1e-4)
 
 
-def test_an_attitude_and_its_negative_are_one():
+def test_an_attitude_and_its_negative_are_one() -> None:
     """A run whose quaternion changes sign does not turn."""
     motion = vibration(10, 1.0, 5.0)
     sign = np.where(np.arange(10) % 2, -1.0, 1.0)[:, None]
@@ -81,7 +83,7 @@ def test_an_attitude_and_its_negative_are_one():
 
 
 @pytest.mark.parametrize(("moved", "turned"), [(1e-6, 1e-7), (3e-4, 0.0), (0.0, 1e-9), (2e-3, 1e-3)])
-def test_magnified_motion_is_seen_and_stays_in_sight(moved, turned):
+def test_magnified_motion_is_seen_and_stays_in_sight(moved, turned) -> None:
     """Steps of 1, 2, 5; begins where motion is a part of the stand; ends before it is larger than that."""
     steps, begin = magnifications(moved, turned, 0.4)
     assert steps[0] == 1.0
@@ -91,13 +93,13 @@ def test_magnified_motion_is_seen_and_stays_in_sight(moved, turned):
     assert steps[-1] * turned <= np.pi / 2 * (1 + 1e-9)
 
 
-def test_large_motion_is_not_magnified():
+def test_large_motion_is_not_magnified() -> None:
     """Nor one that is not there."""
     assert magnifications(0.3, 0.0, 0.4) == ([1.0], 0)
     assert magnifications(0.0, 0.0, 0.4) == ([1.0], 0)
 
 
-def test_rounding_is_not_magnified_to_a_motion():
+def test_rounding_is_not_magnified_to_a_motion() -> None:
     """Nor hidden: the words say that the carrier stands still."""
     stand = load(path("demo3"))
     columns = {name: np.zeros(6) for name in (f"{a} [m]" for a in "xyz")}
@@ -111,7 +113,7 @@ def test_rounding_is_not_magnified_to_a_motion():
         assert ('id="magnify"' in html) is not still
 
 
-def test_rows_that_are_no_numbers_are_left_out():
+def test_rows_that_are_no_numbers_are_left_out() -> None:
     """And an attitude that leaps from q to -q does not turn."""
     stand = load(path("demo3"))
     columns = {name: np.zeros(6) for name in (f"{a} [m]" for a in "xyz")}
@@ -127,7 +129,7 @@ def test_rows_that_are_no_numbers_are_left_out():
     assert "made.csv has less than two rows" in found.words
 
 
-def test_without_a_run_flywheels_turn_in_a_carrier_at_rest_and_it_says_so():
+def test_without_a_run_flywheels_turn_in_a_carrier_at_rest_and_it_says_so() -> None:
     """Nothing is invented: the words say that no run was given, no control speaks of the carrier's motion."""
     html = section(gather(load(path("bench8")), "bench8.toml")).html
     assert "no run was given" in html
@@ -135,7 +137,7 @@ def test_without_a_run_flywheels_turn_in_a_carrier_at_rest_and_it_says_so():
     assert 'id="trace"' not in html
 
 
-def test_a_programme_moves_the_carrier_as_its_motion_requires():
+def test_a_programme_moves_the_carrier_as_its_motion_requires() -> None:
     """q of the motion file at the start of the rows; the phases wind."""
     stand = load(path("bench8"))
     motion = load_motion(path("bench8").with_name("bench8.motion.json"), stand)
@@ -152,16 +154,16 @@ def test_a_programme_moves_the_carrier_as_its_motion_requires():
 class Constant:
     """As much of a programme as is asked here: flywheels that turn once a period."""
 
-    def __init__(self, motion, N):
+    def __init__(self, motion, N) -> None:
         self.span, self.periodic, self.bias, self.N = motion.span, True, np.zeros(6), N
 
-    def at(self, t):
+    def at(self, t: float):
         """Phases as of a programme."""
         phi = np.outer(2 * np.pi * t / self.span, np.ones(self.N))
         return type("Angles", (), {"phi": phi})
 
 
-def test_a_long_run_stays_small():
+def test_a_long_run_stays_small() -> None:
     """Ten seconds of eight flywheels at a millisecond and the scene, in less than 1.5 MB."""
     stand = load(path("bench8"))
     motion = vibration(10_001, 10.0, 10.0, N=8)

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from pytest import approx
 
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.out.report.stand.drawing import basis, draw, section
 from mahovik.out.report.stand.gather import gather
@@ -21,14 +22,14 @@ from strategies import stands
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def drawn(stand):
+def drawn(stand: Stand):
     """The drawing of a stand, parsed."""
     return ElementTree.fromstring(draw(shape_of(stand))[0])
 
 
 @settings(max_examples=25)
 @given(stands(max_flywheels=6))
-def test_any_stand_can_be_drawn(stand):
+def test_any_stand_can_be_drawn(stand: Stand) -> None:
     """Well-formed, finite, inside its frame, in colours of the page alone."""
     markup, left_out = draw(shape_of(stand))
     root = ElementTree.fromstring(markup)
@@ -45,7 +46,7 @@ def test_any_stand_can_be_drawn(stand):
 
 
 @pytest.mark.parametrize("name", names())
-def test_distances_are_to_scale(name):
+def test_distances_are_to_scale(name: str) -> None:
     """Faces of the first and the last flywheel in the front view, by the scale bar."""
     stand = load(path(name))
     shape, root = shape_of(stand), drawn(stand)
@@ -72,7 +73,7 @@ def test_distances_are_to_scale(name):
     assert found == approx([scale * distance @ right, -scale * distance @ up], abs=0.5)
 
 
-def test_up_is_against_gravity():
+def test_up_is_against_gravity() -> None:
     """z down in remus6, z up in bench8; a view is never a mirror image."""
     for name, up in (("remus6", [0, 0, -1]), ("bench8", [0, 0, 1])):
         axes = basis(shape_of(load(path(name))))
@@ -80,7 +81,7 @@ def test_up_is_against_gravity():
         assert np.linalg.det(axes) == approx(1.0)
 
 
-def test_names_do_not_cover_one_another():
+def test_names_do_not_cover_one_another() -> None:
     """64 flywheels have their numbers, or are counted as left out."""
     rng = np.random.default_rng(2)
     shape = shape_of(random_stand(rng, 64, Features(points=2, instruments=2)))
@@ -97,7 +98,7 @@ def test_names_do_not_cover_one_another():
             assert Box(x0, y0, x1, y1).shared(np.array(boxes[:i]).reshape(-1, 4)) < 1.0
 
 
-def test_places_run_out():
+def test_places_run_out() -> None:
     """In a frame with room for one name there is none for a second."""
     places = Places(Box(0.0, 0.0, 40.0, 30.0), [])
     at, away = np.array([10.0, 15.0]), np.array([1.0, 0.0])
@@ -105,7 +106,7 @@ def test_places_run_out():
     assert places.find("a name that is long", at, away, 2.0) is None
 
 
-def test_the_text_says_what_is_drawn():
+def test_the_text_says_what_is_drawn() -> None:
     """Equivalent shapes are named as such; signs that are not there are not explained."""
     html = section(gather(load(path("bench8")), "bench8.toml")).html
     assert "equivalent ellipsoid of inertia" in html
@@ -114,7 +115,7 @@ def test_the_text_says_what_is_drawn():
     assert "centre of buoyancy" not in html
 
 
-def test_names_are_escaped():
+def test_names_are_escaped() -> None:
     """A name of a point comes from a file."""
     stand = load(path("sat4"))
     stand = replace(stand, points=(replace(stand.points[0], name="<b>&"),))

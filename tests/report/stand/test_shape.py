@@ -8,6 +8,7 @@ from pytest import approx
 
 from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.model import Stand
 from mahovik.out.report.stand.shape import ellipsoid, shape_of
 from mahovik.stands import path
 from strategies import stands
@@ -15,7 +16,7 @@ from strategies import stands
 
 @settings(max_examples=30)
 @given(stands(max_flywheels=3))
-def test_an_ellipsoid_has_the_inertia_of_its_body(stand):
+def test_an_ellipsoid_has_the_inertia_of_its_body(stand: Stand) -> None:
     """J = m/5 (|A|^2 E - A A^T) of a homogeneous ellipsoid with semi-axes in the columns of A."""
     for body in stand.bodies:
         A = ellipsoid(body)
@@ -26,7 +27,7 @@ def test_an_ellipsoid_has_the_inertia_of_its_body(stand):
 
 @settings(max_examples=30)
 @given(stands(min_flywheels=1, max_flywheels=4))
-def test_a_disc_has_the_spin_inertia_of_its_flywheel(stand):
+def test_a_disc_has_the_spin_inertia_of_its_flywheel(stand: Stand) -> None:
     """m R^2/2 along the axis; across it m (3 R^2 + h^2)/12, where a cylinder can have as little."""
     for disc, body in zip(shape_of(stand).flywheels, stand.flywheels, strict=True):
         J = inertia_about_center(body)
@@ -35,7 +36,7 @@ def test_a_disc_has_the_spin_inertia_of_its_flywheel(stand):
         assert body.mass * (3 * disc.radius**2 + disc.thickness**2) / 12 == approx((J[1, 1] + J[2, 2]) / 2, rel=1e-9)
 
 
-def test_discs_stand_where_the_file_says():
+def test_discs_stand_where_the_file_says() -> None:
     """w1 of bench8 turns about x at (0, 0.2, 0.06); its unbalance is that of the file."""
     w1 = shape_of(load(path("bench8"))).flywheels[0]
     assert w1.C[:, 0] == approx([1.0, 0.0, 0.0])
@@ -44,7 +45,7 @@ def test_discs_stand_where_the_file_says():
     assert math.hypot(*w1.dynamic) == approx(math.hypot(-3e-5 - 0.8 * 0.0005 * 0.006, 0.8 * 0.0005 * 0.0008))
 
 
-def test_a_body_on_an_instrument_is_placed_through_it():
+def test_a_body_on_an_instrument_is_placed_through_it() -> None:
     """The centre of a flywheel of remus6's nose, by the rotations of the reference."""
     from mahovik.proof.reference.rotation import fixed_rotation, flywheel_mounting
 
