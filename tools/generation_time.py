@@ -50,7 +50,7 @@ MOST_GENERATION, MOST_MEMORY, MOST_COMPILE = 3.0, 300.0, 2.0
 Seconds of the processor, which are those of the clock on a machine without other work: each is a process of one thread.
 """
 
-AT_ONCE, SOON, REPORT = 0.25, 0.6, 8.0
+AT_ONCE, SOON, REPORT = 0.25, 0.6, 6.0
 """s: help, lists; what reads a stand; `report` of a run of ten seconds."""
 
 STARTS = (

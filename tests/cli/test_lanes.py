@@ -70,7 +70,7 @@ def test_a_stand_without_flywheels_has_no_lanes(tmp_path: Path) -> None:
     path = tmp_path / "alone.toml"
     path.write_text(Path(DEMO3).read_text().split("[[flywheel")[0].replace('"demo3"', '"alone"'))
     said = refused("generate", str(path), "--lanes", "2", "-o", str(tmp_path / "out"))
-    assert said == "error: --lanes 2: alone has no flywheels to lay side by side: leave it out\n"
+    assert said == "error: --lanes 2: alone has no flywheels: remove it\n"
     assert not (tmp_path / "out").exists()
 
 

@@ -87,7 +87,7 @@ def test_motors_that_fall_short_are_told() -> None:
     ramp = "schema = 1\ndefault = { ramp = { to = 100, duration = 0.01 } }\n"
     result = run("simulate", "weak.toml", "--until", "0.01", "--regime", regime(ramp), "-o", "run.csv")
     assert result.exit_code == 0
-    assert "motor of w8: cannot give what its law asks for" in result.stdout
+    assert "motor of w8: cannot give the torque of its law" in result.stdout
     assert min(columns("run.csv")["margin w8 [N m]"]) < 0.0
 
 
@@ -103,7 +103,7 @@ def test_motors_that_fall_short_are_told() -> None:
         (("--until", "1", "-o", "a.xls"), "expected a name that ends in .csv or .parquet"),
         (("--until", "1"), "Missing option '-o'"),
         (("-o", "a.csv"), "Missing option '--until'"),
-        (("--until", "1", "-o", "a.csv", "--regime", "none.toml"), "none.toml: cannot be read"),
+        (("--until", "1", "-o", "a.csv", "--regime", "none.toml"), "none.toml: no such file"),
         (("--until", "1", "-o", "a.csv", "--start", "none.json"), "none.json: cannot be read"),
         (("--until", "1", "-o", "a.csv", "--order", "3"), "'3' is not one of"),
         (("--until", "1", "-o", "a.csv", "--backend", "matlab"), "'matlab' is not one of"),
@@ -197,7 +197,7 @@ def test_no_equilibrium_asks_for_a_start() -> None:
 def test_a_long_step_is_warned_of() -> None:
     fast = regime("schema = 1\ndefault = { speed = 5000 }\n")
     result = run("simulate", DEMO3, "--until", "0.001", "--regime", fast, "-o", "a.csv")
-    assert "warning: a flywheel turns 0.5 rad a step" in result.stderr
+    assert "warning: a flywheel turns 0.5 rad per step" in result.stderr
 
 
 def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:

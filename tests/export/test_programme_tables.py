@@ -188,7 +188,7 @@ def test_what_means_nothing_is_refused() -> None:
     for limit in (0.0, -1.0, float("nan"), float("inf")):
         with pytest.raises(UsageError, match="expected a number above 0"):
             export_programme(stand(), spin(), limit=limit)
-    with pytest.raises(UsageError, match="is finite"):
+    with pytest.raises(UsageError, match="a finite programme"):
         export_programme(stand(), replace(spin(), periodic=False), kind="fourier")
     assert issubclass(CheckError, MahovikError)
     assert CheckError.exit_status == 1

@@ -64,7 +64,7 @@ def test_what_is_not_stable_is_refused(arguments: list[str], tmp_path: Path) -> 
 
 def test_bad_servo_files(arguments: list[str], tmp_path: Path) -> None:
     (tmp_path / "S.toml").write_text(HEAD + "gain = 3\n")
-    assert 'S.toml: unknown key "gain", expected one of schema, name' in refused(*arguments)
+    assert 'S.toml: unknown key "gain", expected one of name, sample_period' in refused(*arguments)
     (tmp_path / "S.toml").unlink()
     assert "S.toml: no such file" in refused(*arguments)
 

@@ -19,7 +19,7 @@ FEW = ("everything1", "hung5", "bare0")
 MAX_PARAMETER = limits(DOUBLE)["MAX_PARAMETER"].value
 
 # what prepare leaves alone: laws of wrenches, and in the frames what links them
-LAWS = {"gravity", "stream", "damper", "term", "suspension", "leg"}
+LAWS = {"gravity", "stream", "damper", "term", "suspension", "leg", "magnetic_field", "torquer"}
 LINKS = {"flywheel", "instrument", "damper", "wrench"}
 
 

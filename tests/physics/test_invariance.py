@@ -10,6 +10,7 @@ from mahovik.core.stand.model import Body, Damping, MountingAxes, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.torquer.data import Torquers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.rotation import flywheel_rotation
 from physics.general import draw, isolated, rows
@@ -82,8 +83,14 @@ def redescribed(stand: Stand, d, R):
         for p in stand.points
     )
     legs = tuple(replace(leg, carrier=place(leg.carrier)) for leg in legs_of(stand))
+
+    def turned(torquer):
+        return replace(torquer, dipole=vec(R.T @ np.array(torquer.dipole))) if torquer.mount == "carrier" else torquer
+
+    torquers = [law for law in stand.laws if isinstance(law, Torquers)]
+    torquers = [replace(law, torquers=tuple(map(turned, law.torquers))) for law in torquers]
     return replace(stand, carrier=carrier, instruments=instruments, flywheels=flywheels, points=points).with_laws(
-        Legs(legs)
+        Legs(legs), *torquers
     )
 
 

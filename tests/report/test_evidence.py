@@ -209,7 +209,7 @@ def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     done = command(monkeypatch, (GOOD, BAD), DEMO3, *place)
     assert (done.exit_code, done.stderr.splitlines()[-1]) == (
         1,
-        "error: demo3: bad: failed, or not run for want of a tool",
+        "error: demo3: bad: failed, or not run because a tool is missing",
     )
     done = command(monkeypatch, (ABLE,), DEMO3, *place)
     assert (done.exit_code, done.stderr.splitlines()[-1]) == (

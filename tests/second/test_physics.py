@@ -118,7 +118,12 @@ def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed: int) -> No
         stand,
         gravity=vec(turn.apply(stand.gravity)),
         stream=vec(turn.apply(stand.stream)),
-        laws=(Legs(tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in legs_of(stand))),),
+        laws=tuple(
+            Legs(tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in legs_of(stand)))
+            if isinstance(law, Legs)
+            else replace(law, magnetic_field=vec(turn.apply(law.magnetic_field)))
+            for law in stand.laws
+        ),
     )
     moved = with_rotation(replace(state, position=vec(turn.apply(state.position))), turn.as_matrix() @ C)
     expected, found = (evaluate(a, b, ["forward", "torque"]) for a, b in ((stand, state), (turned, moved)))

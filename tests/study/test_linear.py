@@ -48,9 +48,18 @@ def drawn(seed: int, flywheels: int, **kinds: Any) -> tuple[Stand, State]:
 @pytest.mark.parametrize(
     ("seed", "kinds"),
     [
-        (1, {"suspension": True, "gravity": True, "points": 2, "wrench_inputs": True}),
-        (2, {"fluid": True, "stream": True, "instruments": 2, "legs": 0}),
-        (4, {"suspension": True, "legs": 2, "fluid": True, "stream": True, "gravity": True, "wrench_inputs": True}),
+        (1, {"laws": {"suspension": 1}, "gravity": True, "points": 2, "wrench_inputs": True}),
+        (2, {"fluid": True, "stream": True, "instruments": 2, "laws": {"leg": 0}}),
+        (
+            4,
+            {
+                "laws": {"suspension": 1, "leg": 2},
+                "fluid": True,
+                "stream": True,
+                "gravity": True,
+                "wrench_inputs": True,
+            },
+        ),
     ],
 )
 def test_it_is_the_derivative_of_the_second_derivation(seed: int, kinds: dict[str, Any]) -> None:

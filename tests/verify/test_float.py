@@ -82,7 +82,7 @@ def test_rank_is_decided_by_the_thresholds_of_float() -> None:
 
 
 def test_float_is_of_the_generated_c_alone() -> None:
-    assert "--real float: of the generated C" in refused("verify", DEMO3, "--real", "float", "--judges")
+    assert "--real float: only for the generated C" in refused("verify", DEMO3, "--real", "float", "--judges")
 
 
 @pytest.mark.slow

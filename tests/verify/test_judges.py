@@ -54,7 +54,7 @@ def test_what_they_have_not_is_refused_by_name() -> None:
     for feature in ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream"):
         assert feature in words
     assert "add --bare" in words
-    assert "--bare goes with --judges" in refused("verify", AUV6, "--bare")
+    assert "--bare needs --judges" in refused("verify", AUV6, "--bare")
     assert missing(STANDS["auv6"]) == []
     assert missing(load(path("shaker2"))) == ["suspension"]
     assert "mass" in refused_stand(replace(DEMO, carrier=massless(DEMO.carrier), flywheels=()))

@@ -17,6 +17,7 @@ from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.model import MountingAngles, Stand
 from mahovik.laws.leg import derive as leg_formulas
 from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.suspension import derive as suspension_formulas
 from mahovik.laws.suspension.data import Suspension
 from verify.build import everything, failing, generated
 
@@ -202,7 +203,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
     ),
     "arm of a body's wrench dropped": (derivation(wrench, "moment_of_force", zeroed), {"F"}),
     "suspension turned the other way": (
-        derivation(wrench, "relative_quaternion", lambda original: lambda: sp.diag(1, -1, -1, -1) * original()),
+        derivation(suspension_formulas, "relative_quaternion", lambda found: lambda: sp.diag(1, -1, -1, -1) * found()),
         {"F", "V_dot"},
     ),
     "leg damping with the other sign": (

@@ -7,9 +7,8 @@ tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, for
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar, Literal, TypeVar
+from typing import Literal, TypeVar
 
 Vec3 = tuple[float, float, float]
 Vec6 = tuple[float, float, float, float, float, float]
@@ -211,9 +210,6 @@ class Stand:
     def bodies(self) -> tuple[Body, ...]:
         """Carrier, instruments, flywheels, in this order."""
         return (self.carrier, *self.instruments, *self.flywheels)
-
-    _repr_html_: ClassVar[Callable[[Stand], str]]
-    """What notebooks show; set by the Python interface."""
 
     def __repr__(self) -> str:
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}
