@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import LawData, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.torquer.data import Torquers
 from mahovik.proof.second import Second, evaluate
 from physics.general import draw, isolated, without_wrench
 from physics.motions import motion, rate, rotation, vec, with_rotation
@@ -114,16 +115,18 @@ def test_turning_E0_and_all_that_is_fixed_in_it_changes_nothing(seed: int) -> No
     stand, state = draw(seed, 3, stream=True)
     stand = stand.without_laws(Suspension)  # its equilibrium is fixed in E0 by angles
     C, turn = rotation(stand, state), Rotation.random(rng=seed)
+
+    def turned_law(law: LawData) -> LawData:
+        if isinstance(law, Legs):
+            return Legs(tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in law.legs))
+        assert isinstance(law, Torquers)
+        return replace(law, magnetic_field=vec(turn.apply(law.magnetic_field)))
+
     turned = replace(
         stand,
         gravity=vec(turn.apply(stand.gravity)),
         stream=vec(turn.apply(stand.stream)),
-        laws=tuple(
-            Legs(tuple(replace(leg, ground=vec(turn.apply(leg.ground))) for leg in legs_of(stand)))
-            if isinstance(law, Legs)
-            else replace(law, magnetic_field=vec(turn.apply(law.magnetic_field)))
-            for law in stand.laws
-        ),
+        laws=tuple(turned_law(law) for law in stand.laws),
     )
     moved = with_rotation(replace(state, position=vec(turn.apply(state.position))), turn.as_matrix() @ C)
     expected, found = (evaluate(a, b, ["forward", "torque"]) for a, b in ((stand, state), (turned, moved)))
