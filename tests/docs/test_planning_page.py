@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from types import ModuleType
 
 import plan_campaign as tool
 import pytest
@@ -59,6 +58,6 @@ def test_a_small_sample_of_the_campaign(number: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH"])
-def test_a_small_sample_of_the_refusals(refusals: ModuleType, kind: str) -> None:
+def test_a_small_sample_of_the_refusals(kind: str) -> None:
     """Refused for this reason, and not found."""
     assert refusals.outcome(5.0, kind, 31)[:2] == (True, False)

@@ -71,7 +71,7 @@ for state in states:
         for function in filter(c.has, (*QUANTITIES, "quaternion")):
             good += c.c(function, given)[0] == 0
 assert good > 200
-default = {"parameters": c.library.default("default_parameters"), "stand": c.table()}
+default = {"parameters": c.library.default("default_parameters"), "table": c.table()}
 assert c.c("prepare", default)[0] == 0
 """
 
