@@ -28,7 +28,7 @@ def differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict
 
 
 def slope_differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict[str, float]]:
-    """Of the Jacobians, which the reference has not: peers against our first build, by the largest of each block."""
+    """Differences of the Jacobians: peers against our first build, relative to the largest of each block."""
     found: dict[str, dict[str, float]] = {}
     for name, rows in (("forward_jacobian", 6), ("coupled_jacobian", 6 + case.N)):
         having = [c for c in contestants if name in c.peer.works]

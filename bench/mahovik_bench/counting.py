@@ -23,7 +23,7 @@ def available() -> bool:
 
 
 def instructions(peer: Peer, built: Built, case: Case) -> dict[str, int]:
-    """By work, at the case's first state. Raises ToolchainError where callgrind cannot run the peer."""
+    """Instructions a work at the case's first state. Raises ToolchainError where callgrind cannot run the peer."""
     symbols = [WORKS[name].symbol for name in peer.works]
     with tempfile.TemporaryDirectory(prefix="mahovik-") as folder:
         flat = Path(folder) / "input"

@@ -19,7 +19,7 @@ TARGET, REAL = "host", "double"
 
 
 def costs(sizes: Sequence[int] = SIZES) -> dict[int, Costs]:
-    """As `mahovik cost` measures them, of the stands of the benchmark, by N."""
+    """Costs of the stands of the benchmark, as `mahovik cost` measures them, by N."""
     return {N: measure(case(N).stand, [(TARGETS[TARGET], REAL)]) for N in sizes}
 
 

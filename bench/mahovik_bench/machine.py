@@ -32,7 +32,7 @@ def vectors() -> str:
 
 
 def versions() -> dict[str, str]:
-    """Of mahovik, compilers and installed packages of peers."""
+    """Versions of mahovik, compilers and installed packages of peers."""
     found = {"mahovik": __version__, "gcc": compiler_version("gcc"), "Python": platform.python_version()}
     for name in PACKAGES:
         try:

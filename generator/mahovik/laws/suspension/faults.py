@@ -25,7 +25,7 @@ def _of_data(**changes: object) -> Total:
         law = stand.law(Suspension)
         if law is None:
             return np.zeros(6)
-        law = replace(law, **changes)  # type: ignore[arg-type]
+        law = replace(law, **changes)  # type: ignore[arg-type]  # names and types of `changes` are those of the row
         return wrench(law, displacement(law, stand.angles, at), at.V)
 
     return total

@@ -37,5 +37,5 @@ def _method(row: PublicFunction) -> Callable[..., Result]:
     results = (f"`{name}`" + (f", {q.unit}: {q.axes}" if (q := QUANTITIES.get(name)) else "") for name in row.gives)
     method.__doc__ = f"{'; '.join(results)}. State by state. Raises InputError, RefusedError."
     method.__name__ = row.name
-    method.__signature__ = signature  # type: ignore[attr-defined]
+    method.__signature__ = signature  # type: ignore[attr-defined]  # inspect reads it
     return method
