@@ -1,8 +1,10 @@
-# Everything lives in .venv: `make demo` and `make test` need nothing but Python >= 3.11, gcc and make.
+# For developers; to use mahovik, `pip install ".[report]"` is enough. Everything lives in .venv: `make demo` and
+# `make test` need nothing but Python >= 3.11, gcc and make.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+TEST_READY := $(VENV)/.ready-test
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
 BENCH := .venv-bench
@@ -14,8 +16,9 @@ help:
 	@echo "make demo       set up, generate bench8, verify it, print the table"
 	@echo "make test       the same, then the tests"
 	@echo "make test-slow  the longest of the tests: minutes"
-	@echo "make setup      virtual environment with everything in .venv (run .venv/bin/mahovik)"
-	@echo "make generated  write generated/ anew from the example stands"
+	@echo "make setup      virtual environment in .venv with mahovik and its pictures (run .venv/bin/mahovik)"
+	@echo "make setup-test the same environment with judges, test tools and the site's builder added"
+	@echo "make generated  write generated/ again from the example stands"
 	@echo "make targets    install compilers and emulators of the targets (Debian)"
 	@echo "make verify-targets  the same bits on every target, of the other stands on some: minutes"
 	@echo "make targets-table   the same, written into docs/results/targets.md"
@@ -43,6 +46,7 @@ help:
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/results/planning.md, run-ups too; hours"
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/results/optimal-control.md; minutes"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/results/linear.md, docs/results/response.md"
+	@echo "make jitter-picture  the sweep that the README shows: docs/jitter.svg"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make quiet-campaign  how much quieter quiet makes sat4 and random satellites: docs/results/quiet.md; minutes"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/results/benchmarks.md; .venv-bench, about ten minutes at first"
@@ -52,7 +56,7 @@ help:
 	@echo "make proofs     Frama-C Eva on the C of the example stands, into docs/results/proofs.md, and the static checks"
 	@echo "make proofs-quick  Frama-C Eva on demo3, some minutes"
 	@echo "make static-checks  compilers, analyser, cppcheck with MISRA C:2012: fails at a new deviation"
-	@echo "make commands-page  what every command says of itself, into docs/commands.md"
+	@echo "make commands-page  the --help of every command, into docs/commands.md"
 	@echo "make lint       format, lint and type checks, and the words of tests/test_words.py"
 	@echo "make docs       the pages of docs/ as a site: build/docs/index.html; any warning is an error"
 	@echo "make clean      remove what the other targets made"
@@ -61,11 +65,14 @@ demo: setup
 	$(BIN)/mahovik generate generator/mahovik/stands/bench8.toml -o build/demo/bench8
 	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml
 
-test: demo
-	$(BIN)/python -m pytest -q -n 2
+test: demo setup-test
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal
 
-test-slow: setup
-	$(BIN)/python -m pytest -q -n 2 -m slow
+test-slow: setup-test
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m slow
+
+# Not compiled beforehand: less disk and time, and most modules are never imported.
+INSTALL := $(BIN)/python -m pip install --no-compile --disable-pip-version-check -c constraints.txt
 
 setup: $(READY)
 
@@ -74,9 +81,18 @@ $(READY): pyproject.toml constraints.txt
 	  || { echo "mahovik needs Python 3.11 or newer: try make PYTHON=python3.12"; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null \
 	  || { echo "this Python has no venv: on Debian, apt-get install python3-venv"; exit 1; }
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
+	@echo "setup: mahovik and what it needs, into $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
+	@$(INSTALL) -e '.[report]'
 	@touch $(READY)
+
+# in the same environment: judges, test tools, the site's builder
+setup-test: $(TEST_READY)
+
+$(TEST_READY): $(READY)
+	@echo "setup: judges, test tools and the site's builder, into $(VENV)"
+	@$(INSTALL) -e '.[test]'
+	@touch $(TEST_READY)
 
 generated: setup
 	@for stand in $(EXAMPLES); do \
@@ -85,110 +101,115 @@ generated: setup
 targets:
 	tools/targets-packages.sh
 
-verify-targets: setup
+verify-targets: setup-test
 	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml --targets all
 	@for stand in $(filter-out bench8,$(EXAMPLES)); do \
 	  $(BIN)/mahovik verify generator/mahovik/stands/$$stand.toml --targets quick || exit 1; done
 
-targets-table: setup
+targets-table: setup-test
 	$(BIN)/python tools/targets_table.py
 
-cost: setup
+cost: setup-test
 	@for stand in $(EXAMPLES); do \
 	  $(BIN)/mahovik cost generator/mahovik/stands/$$stand.toml -o generated/$$stand $(ACCEPT) || exit 1; done
 
-cost-check: setup
+cost-check: setup-test
 	@for stand in $(EXAMPLES); do \
 	  $(BIN)/mahovik cost generator/mahovik/stands/$$stand.toml -o generated/$$stand --check || exit 1; done
 
-verify-campaign: setup
-	$(BIN)/python tools/verify_campaign.py --stands 50
+verify-campaign: setup-test
+	$(BIN)/python tools/verify_campaign.py --stands 50 --write
 
-rigorous: setup
-	$(BIN)/python tools/rigorous.py
+rigorous: setup-test
+	$(BIN)/python tools/rounding_campaign.py
 
-math-campaign: setup
+math-campaign: setup-test
 	$(BIN)/python tools/math_campaign.py
 
-FUZZ_READERS := $(BIN)/python -m pytest -q -n 2 -m fuzz tests/fuzz
+FUZZ_READERS := $(BIN)/python -m pytest -q -n 2 --dist worksteal -m fuzz tests/fuzz
 
-fuzz: setup
+fuzz: setup-test
 	tools/fuzz-packages.sh
 	$(BIN)/python tools/fuzz_campaign.py
 	MAHOVIK_FUZZ_TIMES=20 $(FUZZ_READERS)
 
-fuzz-quick: setup
+fuzz-quick: setup-test
 	tools/fuzz-packages.sh
 	$(BIN)/python tools/fuzz_campaign.py --quick
 	$(FUZZ_READERS)
 
-explain-campaign: setup
+explain-campaign: setup-test
 	$(BIN)/python tools/explain_campaign.py --write
 
-flight: setup
+flight: setup-test
 	$(BIN)/python tools/flight.py
 
-following-campaign: setup
+following-campaign: setup-test
 	$(BIN)/python tools/following_campaign.py --write
 
-pil: setup
+pil: setup-test
 	mkdir -p build/demo
 	$(BIN)/mahovik plan generator/mahovik/stands/bench8.toml \
 	  --motion generator/mahovik/stands/bench8.motion.json -o build/demo/programme.json
 	$(BIN)/python tools/pil.py --programme build/demo/programme.json --write
 
-control-loop: setup
+control-loop: setup-test
 	$(BIN)/python tools/control_loop.py
 
-api-speed: setup
+api-speed: setup-test
 	$(BIN)/python tools/api_speed.py
 
-lanes-table: setup
+lanes-table: setup-test
 	$(BIN)/python tools/lanes_table.py
 
-verify-time: setup
+verify-time: setup-test
 	$(BIN)/python tools/verify_time.py
 
-generation-time: setup
+generation-time: setup-test
 	$(BIN)/python tools/generation_time.py
 
-faults: setup
+faults: setup-test
 	$(BIN)/python tools/planted_faults.py
 
-traceability: setup
-	$(BIN)/python tools/traceability.py
+traceability: setup-test
+	$(BIN)/python tools/traceability_campaign.py
 
-traceability-page: setup
-	$(BIN)/python tools/traceability.py --page
+traceability-page: setup-test
+	$(BIN)/python tools/traceability_campaign.py --page
 
-commands-page: setup
+commands-page: setup-test
 	$(BIN)/python tools/commands_page.py
 
-linear-campaign: setup
+linear-campaign: setup-test
 	$(BIN)/python tools/linear_campaign.py --write
 
-response-picture: setup
+response-picture: setup-test
 	$(BIN)/mahovik response generator/mahovik/stands/bench8.toml --at carrier \
 	  --speed w1=0..600rpm --speed w2=-0.5*w1 --steps 61 -o docs/response.svg
 
-programme-picture: setup
+jitter-picture: setup-test
+	mkdir -p build/demo
+	sed -n '/^```toml telescope.toml/,/^```$$/{/^```/!p}' README.md > build/demo/telescope.toml
+	$(BIN)/mahovik response build/demo/telescope.toml --at carrier --speed wheel=0..4000rpm --steps 81 -o docs/jitter.svg
+
+programme-picture: setup-test
 	mkdir -p build/demo
 	$(BIN)/mahovik plan generator/mahovik/stands/bench8.toml \
 	  --motion generator/mahovik/stands/bench8.motion.json -o build/demo/programme.json
-	$(BIN)/mahovik plot build/demo/programme.json --stand generator/mahovik/stands/bench8.toml \
+	$(BIN)/mahovik plot generator/mahovik/stands/bench8.toml --programme build/demo/programme.json \
 	  --motion generator/mahovik/stands/bench8.motion.json -o docs/programme.svg
 
-design-campaign: setup
+design-campaign: setup-test
 	$(BIN)/python tools/design_campaign.py --write
-quiet-campaign: setup
+quiet-campaign: setup-test
 	$(BIN)/python tools/quiet_campaign.py --stands 4 --jobs 2 --write
 
-plan-campaign: setup
-	$(BIN)/python tools/plan_campaign.py --stands 50 --jobs 2 --write
-	$(BIN)/python tools/refusal_campaign.py --stands 50 --jobs 2 --write
-	$(BIN)/python tools/runup_campaign.py --stands 10 --write
+plan-campaign: setup-test
+	$(BIN)/python tools/plan_campaign.py --stands 50 --first 50000 --jobs 2 --write
+	$(BIN)/python tools/refusal_campaign.py --stands 50 --first 60000 --jobs 2 --write
+	$(BIN)/python tools/runup_campaign.py --stands 10 --first 70000 --write
 
-ocp-campaign: setup
+ocp-campaign: setup-test
 	$(BIN)/python tools/ocp_campaign.py --write
 
 bench: $(BENCH_READY)
@@ -197,10 +218,10 @@ bench: $(BENCH_READY)
 bench-full: $(BENCH_READY)
 	PYTHONPATH=bench:generator $(BENCH)/bin/python -m mahovik_bench full
 
-bench-quick: setup
+bench-quick: setup-test
 	PYTHONPATH=bench:generator $(BIN)/python -m mahovik_bench quick
 
-bench-gate: setup
+bench-gate: setup-test
 	PYTHONPATH=bench:generator $(BIN)/python -m mahovik_bench gate $(ACCEPT)
 
 $(BENCH_READY): bench/requirements.txt bench/constraints.txt
@@ -208,24 +229,24 @@ $(BENCH_READY): bench/requirements.txt bench/constraints.txt
 	$(BENCH)/bin/python -m pip install --quiet --disable-pip-version-check -c bench/constraints.txt -r bench/requirements.txt
 	@touch $(BENCH_READY)
 
-proofs: setup static-checks
+proofs: setup-test static-checks
 	$(BIN)/python tools/proofs.py --page
 
-proofs-quick: setup
+proofs-quick: setup-test
 	tools/proofs-packages.sh
 	$(BIN)/python tools/proofs.py --quick
 
-static-checks: setup
+static-checks: setup-test
 	tools/proofs-packages.sh
 	$(BIN)/python tools/static_checks.py --page
 
-lint: setup
+lint: setup-test
 	$(BIN)/ruff check generator tests tools bench
 	$(BIN)/ruff format --check generator tests tools bench
 	$(BIN)/mypy
 	$(BIN)/python -m pytest -q tests/test_words.py
 
-docs: setup
+docs: setup-test
 	$(BIN)/python -m sphinx -W --keep-going -n -q -b html docs build/docs
 	@echo "build/docs/index.html"
 

@@ -1,6 +1,7 @@
 """Hypothesis draws the same examples in every run of CI; elsewhere new ones, so that daily work searches on.
 
-Commands keep their formulas here, not in the folder of the user. Linear algebra has one thread, as in the command.
+Commands keep their formulas here, not in the folder of the user; equal C is compiled once for all tests.
+Linear algebra has one thread, as in the command.
 Ctrl-C acts on commands that tests start, also where a shell runs the tests beside itself and has it ignored.
 """
 
@@ -9,15 +10,19 @@ import signal
 import sys
 from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 from mahovik.__main__ import ONE_THREAD
+from toolchain import build_cache
 
+CACHE = Path(__file__).resolve().parents[1] / ".pytest_cache"
 TOOLS = Path(__file__).resolve().parents[1] / "tools"
 
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
-os.environ["MAHOVIK_CACHE"] = str(Path(__file__).resolve().parents[1] / ".pytest_cache" / "formulas")
+os.environ["MAHOVIK_CACHE"] = str(CACHE / "formulas")
+build_cache.install(CACHE / "libraries")
 
 sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 
@@ -27,3 +32,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
 settings.load_profile("ci" if os.environ.get("CI") else "daily")
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """The process that the user started, no worker of it, tidies up."""
+    if not hasattr(session.config, "workerinput"):
+        build_cache.tidy(CACHE / "libraries")

@@ -8,10 +8,10 @@ from types import MappingProxyType
 import numpy as np
 from hypothesis import strategies as st
 
+from mahovik.contract.laws import LAWS
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
 from mahovik.core.stand.random_state import MAX_PHASE
-from mahovik.laws import LAWS
 
 _SEEDS = st.integers(0, 2**32 - 1)
 
@@ -27,7 +27,7 @@ def features(
     motors: bool | None = None,
     laws: Mapping[str, int] = MappingProxyType({}),
 ) -> st.SearchStrategy[Features]:
-    """Which kinds of wrench and body a stand has; what is not given is drawn, and shrinks to absent."""
+    """Strategy for the kinds of wrench and body of a stand; those not given are drawn and shrink to absent."""
 
     def flag(given: bool | None) -> st.SearchStrategy[bool]:
         return st.booleans() if given is None else st.just(given)

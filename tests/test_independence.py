@@ -19,10 +19,10 @@ DERIVATIONS = ("derive", "reference", "rigorous", "second")
 
 SHARED = {
     "mahovik.contract.functions",
+    "mahovik.contract.laws",
     "mahovik.core.stand.model",
     "mahovik.core.stand.state",
     "mahovik.errors",
-    "mahovik.laws",
 }
 """Names of wants, raw data, errors, and the list of laws; the `data` of each law as well."""
 
@@ -109,10 +109,10 @@ def moved(inertia, mass, r):
 
 
 def planted(folder: Path, source: str) -> dict[str, set[str]]:
-    """What the check says of two derivations that import the same function."""
+    """Finding of the check for two derivations that import the same function."""
     helper = folder / "parallel_axes.py"
     helper.write_text(STEINER, encoding="utf-8")
-    modules = dict(OURS) | {"mahovik.laws.leg.parallel_axes": helper}
+    modules = dict(OURS) | {f"mahovik.laws.{law}.parallel_axes": helper for law in ("leg", "buoyancy")}
     files = []
     for derivation in ("reference", "second"):
         path = folder / f"planted_{derivation}.py"
@@ -125,10 +125,12 @@ def planted(folder: Path, source: str) -> dict[str, set[str]]:
     "source",
     [
         "from mahovik.laws.leg.parallel_axes import moved\n",
+        "from mahovik.laws.buoyancy.parallel_axes import moved\n",
         "from mahovik.core.stand.physical import inertia_about_origin\n",
         "def inertia(body):\n    from mahovik.core.stand import physical\n    return physical\n",
         "from mahovik.core.stand.definite import placement\n",
         "from mahovik.laws.leg.scale import scale\n",
+        "from mahovik.laws.damping.plan import twist_law\n",
     ],
 )
 def test_a_planted_helper_is_found(tmp_path: Path, source: str) -> None:
@@ -136,11 +138,12 @@ def test_a_planted_helper_is_found(tmp_path: Path, source: str) -> None:
     assert planted(tmp_path, source)
 
 
-def test_a_derivation_that_imports_another_is_found(tmp_path: Path) -> None:
-    """Also through a third module."""
+@pytest.mark.parametrize("law", ["leg", "damping"])
+def test_a_derivation_that_imports_another_is_found(law: str, tmp_path: Path) -> None:
+    """Also through a third module, of a law on the carrier or of one on bodies."""
     path = tmp_path / "planted.py"
-    path.write_text("from mahovik.laws.leg.faults import FAULTS\n", encoding="utf-8")
-    assert "mahovik.laws.leg.reference" in shared_beyond_data([*own(), ("second", path)], OURS)
+    path.write_text(f"from mahovik.laws.{law}.faults import FAULTS\n", encoding="utf-8")
+    assert f"mahovik.laws.{law}.reference" in shared_beyond_data([*own(), ("second", path)], OURS)
 
 
 def test_arithmetic_is_recognised(tmp_path: Path) -> None:

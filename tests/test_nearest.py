@@ -1,4 +1,4 @@
-"""What is said of a name that is not known, here and at every door that takes names."""
+"""Messages about an unknown name, here and in every reader that takes names."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused
 from mahovik.core.stand.units import LENGTH, QuantityError, number
-from mahovik.nearest import LISTED, meant, nearest
+from mahovik.nearest import LISTED, nearest, suggestion
 from mahovik.stands import path
 
 SAT4 = str(path("sat4"))
@@ -29,16 +29,16 @@ NAMES = ("mass", "inertia", "position")
     ],
 )
 def test_the_end_of_a_message(name: object, words: str) -> None:
-    assert meant(name, NAMES) == words
+    assert suggestion(name, NAMES) == words
 
 
 def test_nothing_is_known() -> None:
-    assert meant("w1", (), "the stand has none") == ": the stand has none"
+    assert suggestion("w1", (), "the stand has none") == ": the stand has none"
 
 
 def test_a_long_list_is_cut() -> None:
-    assert meant("?", [f"w{k}" for k in range(1000)]).count(",") == 1 + LISTED
-    assert meant("?", [f"w{k}" for k in range(1000)]).endswith(", w23, ...")
+    assert suggestion("?", [f"w{k}" for k in range(1000)]).count(",") == 1 + LISTED
+    assert suggestion("?", [f"w{k}" for k in range(1000)]).endswith(", w23, ...")
 
 
 def test_the_first_of_equals() -> None:
@@ -72,7 +72,7 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
         (("cost", BENCH8, "--targets", "m77"), "m7"),
         (("verify", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
         (("evidence", BENCH8, "--only", "slftest"), "selftest"),
-        (("export", "target", "m77", BENCH8), "m7"),
+        (("export", "target", BENCH8, "--target", "m77"), "m7"),
         (("export", "tagret", "m7", BENCH8), "target"),
         (("design", DEMO3, "--motion", "m.json", "--free", "postion", "-o", "o.toml"), "position"),
         (("plan", BENCH8, *PLAN, "--partition", "w11,w2,w3,w4,w5,w6"), "w1"),

@@ -10,13 +10,13 @@ from collections.abc import Callable, Sequence
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures
 
 import mahovik
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 
-BLOCK = campaign.Block("docs/results/python.md", "speed")
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
 ROUNDS = 40
 ROUND = 0.01  # s, of each candidate
@@ -40,8 +40,8 @@ def seconds(candidates: Sequence[Callable[[], object]]) -> list[float]:
     return best
 
 
-def rows() -> list[list[str]]:
-    """A row a number of states."""
+def rows() -> list[tuple[float, ...]]:
+    """One row for each number of states."""
     stand = mahovik.example("bench8")
     model, library = mahovik.build(stand), compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
     rng = np.random.default_rng(1)
@@ -65,22 +65,43 @@ def rows() -> list[list[str]]:
                 lambda x=x, a=by_state: model.forward(x, a),
             ]
         )
-        found.append([f"{n:,}", *(f"{t / n * 1e9:,.0f}" for t in (alone, ready, turned)), f"{turned / alone - 1:.0%}"])
+        found.append((n, *(t / n * 1e9 for t in (alone, ready, turned)), turned / alone - 1))
     return found
 
 
-def main() -> None:
-    """Writes the table between the marks of the page."""
-    given = campaign.parser(__doc__, print=False).parse_args()
-    head = ("states", "C, ns a state", "`forward`, by component", "`forward`, by state", "more than C")
-    text = (
-        f"`forward` of `bench8`, one thread; {version(find_compiler()[0])}, {campaign.processor()}.\n\n"
-        f"{campaign.table(head, rows(), 0)}"
+TABLE = Columns(
+    {
+        "states": "{:,}", "C, ns a state": "{:,.0f}", "`forward`, by component": "{:,.0f}",
+        "`forward`, by state": "{:,.0f}", "more than C": "{:.0%}",
+    },
+    0,
+)  # fmt: skip
+
+
+def page(found: Figures) -> str:
+    """The table."""
+    return (
+        f"`forward` of `bench8`, one thread; {found['compiler']}, {found['processor']}.\n\n{TABLE.text(found['rows'])}"
     )
+
+
+CAMPAIGN = Campaign(
+    "python",
+    campaign.Block("docs/results/python.md", "speed"),
+    page,
+    ("out/api", "api_speed.py"),
+)
+
+
+def main() -> None:
+    """Measures, keeps, renders the page."""
+    given = campaign.parser(__doc__, print=False).parse_args()
+    compiler = version(find_compiler()[0])
+    found = {"compiler": compiler, "processor": campaign.processor(), "rows": TABLE.rows(rows())}
     if given.print:
-        print(text)
+        print(page(found))
     else:
-        BLOCK.write(text)
+        CAMPAIGN.keep(found)
 
 
 if __name__ == "__main__":

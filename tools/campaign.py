@@ -1,4 +1,4 @@
-"""What the tools share: their options, seeds and processes, and the block that each writes into a page.
+"""Common parts of the tools: options, seeds and processes, and the block that each writes into a page.
 
 Import it before NumPy: linear algebra then has one thread in each process.
 """
@@ -25,7 +25,7 @@ HELP = {
     "first": "first seed",
     "jobs": "processes at once",
     "page": "write the page",
-    "rows": "only rows whose line holds this text",
+    "rows": "only rows whose line holds this text; nothing is written",
     "seconds": "limit of each run, s",
     "seeds": "number of seeds",
     "stands": "number of stands, of each row where there are rows",
@@ -98,7 +98,7 @@ def seeds(first: int, count: int) -> range:
     return range(first, first + count)
 
 
-def each(function: Callable[..., Any], jobs: int, *columns: Sequence[Any]) -> Iterator[Any]:
+def map_rows(function: Callable[..., Any], jobs: int, *columns: Sequence[Any]) -> Iterator[Any]:
     """Results of the function for each row of the columns, in order: in `jobs` processes, or in this one."""
     if jobs == 1:
         yield from map(function, *columns)

@@ -1,4 +1,4 @@
-"""What a control loop costs on an emulated Cortex-M7 and M4: writes the tables of docs/results/control-loop.md.
+"""Cost of a control loop on an emulated Cortex-M7 and M4: writes the tables of docs/results/control-loop.md.
 
 python tools/control_loop.py [--ticks 100000]
 """
@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import math
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from random import Random
 
 import campaign
+from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.literal import real_literal
@@ -54,7 +56,7 @@ BENCH8 = Sway(
 
 @dataclass(frozen=True)
 class Counts:
-    """What a run printed: most instructions by stage and by kind of tick; the hash of the run; errors, SI.
+    """Figures of a run: most instructions by stage and by kind of tick; the hash of the run; errors, SI.
 
     followed   largest error of the carrier's position while it follows the sway
     strayed    farthest from its rest under the sway that is too large
@@ -95,7 +97,7 @@ def control_loop(stand: Stand, sway: Sway, real: str, ticks: int) -> dict[str, s
 
 
 def read_counts(printed: str) -> Counts:
-    """What the program printed."""
+    """Output of the program."""
     numbers = {name: int(value) for name, value in (line.rsplit(": ", 1) for line in printed.splitlines())}
     followed, strayed, observed = (
         numbers.pop(name) * 1e-6
@@ -110,8 +112,6 @@ def read_counts(printed: str) -> Counts:
     stages = {name: n for name, n in numbers.items() if not name.startswith("tick: ")}
     return Counts(stages, ticks, run, followed, strayed, observed)
 
-
-BLOCK = campaign.Block("docs/results/control-loop.md", "figures: tools/control_loop.py")
 
 CYCLES = 2.0
 """Cycles an instruction takes on silicon: an assumption, and a careful one. Both cores issue at least an instruction a
@@ -141,7 +141,7 @@ class Silicon:
 BOARDS = (Silicon("STM32H743", "m7", "double", 480), Silicon("STM32F407", "m4", "float", 168))
 
 
-def counted(board: Silicon, ticks: int) -> Counts:
+def counts_of(board: Silicon, ticks: int) -> Counts:
     """A run on the board's emulator, and the same on this machine. Raises ToolchainError, SystemExit: other bits."""
     texts = control_loop(load(path("bench8")), BENCH8, board.real, ticks)
     found = []
@@ -154,43 +154,98 @@ def counted(board: Silicon, ticks: int) -> Counts:
     return found[0]
 
 
-def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> str:
+SHORT = 4000
+"""Ticks of a run of the sample."""
+
+
+def _title(board: Silicon) -> str:
+    return f"{board.name}: {TARGETS[board.target].title.split(',')[0]}, {board.real}"
+
+
+def figures(results: Sequence[tuple[Silicon, Counts]], ticks: int) -> Figures:
+    """The figures to keep: counts, and how well the runs followed."""
+    counts = [c for _, c in results]
+    return {
+        "ticks": ticks,
+        "compiler": version(TARGETS["m7"].compiler[0]),
+        "cycles an instruction, assumed": CYCLES,
+        "stages": [
+            {"stage": name, **{_title(b): c.stages[name] for b, c in results}} for name in counts[0].stages
+        ],
+        "whole ticks": [{"tick": name, **{_title(b): c.ticks[name] for b, c in results}} for name in counts[0].ticks],
+        "runs": [
+            {
+                "board": _title(b), "followed, um": c.followed * 1e6, "strayed, mm": c.strayed * 1e3,
+                "observed, um/s": c.observed * 1e6, "hash": f"{c.hash:08x}",
+            }
+            for b, c in results
+        ],
+    }  # fmt: skip
+
+
+def page(found: Figures) -> str:
     """Both tables and what they rest on."""
-    head = [f"{b.name}: {TARGETS[b.target].title.split(',')[0]}, {b.real}" for b, _ in results]
-    stages = [[name, *(f"{c.stages[name]:,}" for _, c in results)] for name in results[0][1].stages]
+    titles = {_title(board): board for board in BOARDS}
+    stages = Columns({"stage": "{}", **dict.fromkeys(titles, "{:,}")})
     text = (
-        f"Most instructions of a stage in {ticks:,} ticks, at -O2 by {version(TARGETS['m7'].compiler[0])}. QEMU counts "
-        "them in steps of 40.\n\n" + campaign.table(["stage", *head], stages)
+        f"Most instructions of a stage in {found['ticks']:,} ticks, at -O2 by {found['compiler']}. QEMU counts them in "
+        f"steps of 40.\n\n{stages.text(found['stages'])}"
     )
     rows = []
-    for name in results[0][1].ticks:
-        for board, counts in results:
-            time = board.microseconds(counts.ticks[name])
+    for row in found["whole ticks"]:
+        for title, board in titles.items():
+            time = board.microseconds(row[title])
             shares = [time * 1e-6 * rate for rate in RATES]
             cells = [f"{share:.0%}{' no' if share > 1 else '' if share <= ROOM else ' tight'}" for share in shares]
-            rows.append([name, f"{board.name} at {board.mhz} MHz", f"{counts.ticks[name]:,}", f"{time:.0f}", *cells])
+            rows.append([row["tick"], f"{board.name} at {board.mhz} MHz", f"{row[title]:,}", f"{time:.0f}", *cells])
     text += (
         "\nMost instructions of a whole tick, and an **estimate** of time. It rests on an assumption, cycles an "
-        f"instruction:\n{CYCLES:g}; time is not measured. The last columns are the share of the period.\n\n"
+        f"instruction:\n{found['cycles an instruction, assumed']:g}; time is not measured. The last columns are the "
+        "share of the period.\n\n"
         + campaign.table(
             ["tick", "processor", "instructions", "estimate, us", *(f"{r / 1000:g} kHz" for r in RATES)], rows, 2
         )
     )
-    for board, counts in results:
+    for each in found["runs"]:
+        board = titles[each["board"]]
         text += (
-            f"\n{board.target}, {board.real}: the carrier follows to {counts.followed * 1e6:.0f} um; under three times "
-            f"the sway it stays within {counts.strayed * 1e3:.1f} mm of its rest. The observer's\nvelocity is right to "
-            f"{counts.observed * 1e6:.0f} um/s throughout. Bits as on the machine that made this page: hash "
-            f"{counts.hash:08x}.\n"
+            f"\n{board.target}, {board.real}: the carrier follows to {each['followed, um']:.0f} um; under three times "
+            f"the sway it stays within {each['strayed, mm']:.1f} mm of its rest. The observer's\nvelocity is right to "
+            f"{each['observed, um/s']:.0f} um/s throughout. Bits as on the machine that made this page: hash "
+            f"{each['hash']}.\n"
         )
     return text
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A shorter run of a board: its most costly tick and stages are nearly those of the long one."""
+    board = rng.choice(BOARDS)
+    title = _title(board)
+    now = counts_of(board, SHORT)
+    for key, counts in (("stages", now.stages), ("whole ticks", now.ticks)):
+        for row in found[key]:
+            name = row.get("stage", row.get("tick"))
+            yield Measured(f"{title}, {name}", row[title], counts[name], 1.05)
+    (kept,) = (each for each in found["runs"] if each["board"] == title)
+    yield Measured(
+        f"{title}, followed at most", kept["followed, um"], max(kept["followed, um"], now.followed * 1e6), 1.1
+    )
+
+
+CAMPAIGN = Campaign(
+    "control-loop",
+    campaign.Block("docs/results/control-loop.md", "figures: tools/control_loop.py"),
+    page,
+    ("control_loop.py",),
+    sample,
+)
 
 
 def main() -> None:
     """Run the loops, write the page."""
     ticks = campaign.parser(__doc__, ticks=100_000).parse_args().ticks
-    results = [(board, counted(board, ticks)) for board in BOARDS]
-    BLOCK.write(figures(results, ticks))
+    results = [(board, counts_of(board, ticks)) for board in BOARDS]
+    CAMPAIGN.keep(figures(results, ticks))
 
 
 if __name__ == "__main__":

@@ -9,22 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
 from explain_planting import Answers, Plant, answers_of, derived, edited, interpreted, literal, renumbered, rewritten
+from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.proof.diagnose.diagnosis import Clinic, Diagnosis
+from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
-from mahovik.proof.diagnose.predict import Faulty, Part
+from mahovik.proof.diagnose.predict import FaultyProgram, Part
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.proof.verify.states import Request
-
-BLOCK = campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write")
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)
 """Flywheels of the stands, in turn."""
@@ -39,12 +39,12 @@ SINGLE = (
 """Kinds of planting of one whole fault; those of the last lines are made without the dictionary's code."""
 
 LEAST = 0.95
-"""Of single faults that must be named first."""
+"""Fraction of single faults that must be named first."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one planted fault: named first `alone`, or with `equals` that the stand cannot tell from it, or else."""
+    """Result for one planted fault: named first `alone`, or with `equals` that the stand cannot distinguish."""
 
     fault: str
     kind: str
@@ -74,45 +74,45 @@ def verdict(found: Diagnosis, planted: Sequence[str]) -> str:
 def of_dictionary(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[Plant]:
     """The faults themselves: all; some of them in one flywheel alone; some as a float program would answer."""
     for fault in DICTIONARY:
-        yield Plant(fault.name, WHOLE, Faulty(stand, (Part(fault),)).answer)
+        yield Plant(fault.name, WHOLE, FaultyProgram(stand, (Part(fault),)).answer)
     turning = [fault for fault in DICTIONARY if fault.of_flywheels]
     for k in rng.choice(len(turning), min(some, len(turning)), replace=False):
         wheel = stand.flywheels[int(rng.integers(len(stand.flywheels)))].name
-        yield Plant(turning[k].name, ALONE, Faulty(stand, (Part(turning[k], wheel),)).answer)
+        yield Plant(turning[k].name, ALONE, FaultyProgram(stand, (Part(turning[k], wheel),)).answer)
     seen = [fault for fault in DICTIONARY if visible(stand, fault)]  # of the others nothing but rounding is there
     for k in rng.choice(len(seen), some, replace=False):
-        yield Plant(seen[k].name, ROUNDED, rounded(Faulty(stand, (Part(seen[k]),)).answer))
+        yield Plant(seen[k].name, ROUNDED, round_answers(FaultyProgram(stand, (Part(seen[k]),)).answer))
 
 
 def freer(stand: Stand, rng: np.random.Generator, some: int) -> Iterator[tuple[list[str], str, Answers]]:
     """Parts of faults, mixed into the answers; and two faults in one program."""
-    right = Faulty(stand).answer
+    right = FaultyProgram(stand).answer
     for k in rng.choice(len(DICTIONARY), some, replace=False):
-        wrong = Faulty(stand, (Part(DICTIONARY[k]),)).answer
-        yield [DICTIONARY[k].name], PART, mixed(right, wrong, float(rng.uniform(0.2, 0.8)))
+        wrong = FaultyProgram(stand, (Part(DICTIONARY[k]),)).answer
+        yield [DICTIONARY[k].name], PART, mix_answers(right, wrong, float(rng.uniform(0.2, 0.8)))
     for _ in range(some):
         a, b = (DICTIONARY[int(k)] for k in rng.choice(len(DICTIONARY), 2, replace=False))
         if all(visible(stand, fault) for fault in (a, b)):
-            yield [a.name, b.name], TWO, Faulty(stand, (Part(a), Part(b))).answer
+            yield [a.name, b.name], TWO, FaultyProgram(stand, (Part(a), Part(b))).answer
 
 
 def visible(stand: Stand, fault: Any) -> bool:
     """Whether a fault has any effect on a stand."""
-    return bool(np.any(~(np.abs(clinics(stand).predictions.error((Part(fault),), False)) < 1e-9)))
+    return bool(np.any(~(np.abs(diagnoser_of(stand).predictions.error((Part(fault),), False)) < 1e-9)))
 
 
-_clinics: dict[Stand, Clinic] = {}
+_diagnosers: dict[Stand, Diagnoser] = {}
 
 
-def clinics(stand: Stand) -> Clinic:
-    """The clinic of the stand at hand: its predictions are kept."""
-    if stand not in _clinics:
-        _clinics.clear()
-        _clinics[stand] = Clinic(stand)
-    return _clinics[stand]
+def diagnoser_of(stand: Stand) -> Diagnoser:
+    """The diagnoser of the stand at hand: its predictions are kept."""
+    if stand not in _diagnosers:
+        _diagnosers.clear()
+        _diagnosers[stand] = Diagnoser(stand)
+    return _diagnosers[stand]
 
 
-def rounded(answers: Answers) -> Answers:
+def round_answers(answers: Answers) -> Answers:
     """Answers with seven digits."""
 
     def to_float(value: Any) -> Any:
@@ -125,7 +125,7 @@ def rounded(answers: Answers) -> Answers:
     return lambda request: to_float(answers(request))
 
 
-def mixed(right: Answers, wrong: Answers, share: float) -> Answers:
+def mix_answers(right: Answers, wrong: Answers, share: float) -> Answers:
     """right + share (wrong - right), number by number."""
 
     def mix(a: Any, b: Any) -> Any:
@@ -150,28 +150,28 @@ def correct(stand: Stand) -> Iterator[tuple[str, Answers]]:
         yield "generated C, float", answers_of(CBackend(stand, "float"))
 
 
-def examined(number: int, some: int = 8) -> tuple[str, list[Outcome], list[Outcome]]:
+def examine(number: int, some: int = 8) -> tuple[str, list[Outcome], list[Outcome]]:
     """Everything that is planted on the stand of that number: outcomes, and those of correct programs."""
     *_, stand = campaign_stands(number + 1)
     rng = np.random.default_rng(number)
-    clinic = clinics(stand)
+    clinic = diagnoser_of(stand)
     plants: list[Plant] = [*of_dictionary(stand, rng, some), *renumbered(stand), *edited(stand)]
     found = [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in plants]
-    dearer = {0: (rewritten,), 1: (derived,), 4: (rewritten,)}  # they take long to make: of some stands only
-    for others in dearer.get(number, ()):
+    costly = {0: (rewritten,), 1: (derived,), 4: (rewritten,)}  # they take long to make: of some stands only
+    for others in costly.get(number, ()):
         found += [Outcome(p.fault, p.kind, verdict(clinic.diagnose(p.answers), [p.fault])) for p in others(stand)]
     for names, kind, answers in freer(stand, rng, some):
         found.append(Outcome(" + ".join(names), kind, verdict(clinic.diagnose(answers), names)))
-    forward = Clinic(stand, wants=("forward",))
+    forward = Diagnoser(stand, wants=("forward",))
     for k in rng.choice(len(DICTIONARY), 2 * some, replace=False):
         fault = DICTIONARY[k]
-        answers = Faulty(stand, (Part(fault),)).answer
+        answers = FaultyProgram(stand, (Part(fault),)).answer
         found.append(Outcome(fault.name, FORWARD, verdict(forward.diagnose(answers), [fault.name])))
     right = [Outcome(name, "correct", clinic.diagnose(answers).outcome) for name, answers in correct(stand)]
     return f"{stand.name}: {len(stand.flywheels)} flywheels", found, right
 
 
-def counted(outcomes: Sequence[Outcome]) -> tuple[int, int, int, int]:
+def count_outcomes(outcomes: Sequence[Outcome]) -> tuple[int, int, int, int]:
     """Seen, named first alone, named first with equals, of a set of outcomes; and the part named first, in percent."""
     seen = [each for each in outcomes if each.verdict != "unseen"]
     alone, equals = (sum(each.verdict == word for each in seen) for word in ("alone", "equals"))
@@ -179,42 +179,82 @@ def counted(outcomes: Sequence[Outcome]) -> tuple[int, int, int, int]:
 
 
 def rate(outcomes: Sequence[Outcome]) -> float:
-    """Of those that can be seen, the part that is named first."""
-    seen, alone, equals, _ = counted(outcomes)
+    """Fraction of the visible faults that are named first."""
+    seen, alone, equals, _ = count_outcomes(outcomes)
     return (alone + equals) / seen if seen else 1.0
 
 
-KINDS_HEAD = ("planted", "visible", "named first", "with equals", "not", "rate")
-RIGHT_HEAD = ("correct program", "stands", "given a fault")
+KINDS_TABLE = Columns(
+    {"planted": "{}", "visible": "{}", "named first": "{}", "with equals": "{}", "not": "{}", "rate": "{:.0%}"}
+)
+RIGHT_TABLE = Columns({"correct program": "{}", "stands": "{}", "given a fault": "{}"})
+FAULT_TABLE = Columns({"fault": "{}", "planted": "{}", "named first": "{}"})
 DICTIONARY_HEAD = ("fault", "equation", "what the program does", "planted", "named first")
 
 
-def summary(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> str:
-    """The results as Markdown: by kind of planting, of correct programs, fault by fault."""
-    single = [each for each in found if each.kind in SINGLE]
-    seen, alone, equals, _ = counted(single)
-    text = (
-        f"{stands} random stands. Of {seen} single faults that the stand lets one see, {alone + equals} were named "
-        f"first ({rate(single):.1%}),\n"
-        f"{equals} of them together with others that no state of the stand tells apart.\n\n"
-    )
-    rows = []
-    for kind in (*SINGLE, PART, TWO):
-        of_it = [each for each in found if each.kind == kind]
-        if of_it:
-            rows.append((kind, *map(str, counted(of_it)), f"{rate(of_it):.0%}"))
-    text += campaign.table(KINDS_HEAD, rows) + "\n"
-    rows = []
-    for name in dict.fromkeys(each.fault for each in right):
-        of_it = [each for each in right if each.fault == name]
-        rows.append((name, str(len(of_it)), str(sum(each.verdict not in ("equal", "rounding") for each in of_it))))
-    text += campaign.table(RIGHT_HEAD, rows) + "\n"
-    rows = []
+def figures(stands: int, found: Sequence[Outcome], right: Sequence[Outcome]) -> Figures:
+    """The figures to keep: by kind of planting, of correct programs, fault by fault."""
+    kinds = {kind: [each for each in found if each.kind == kind] for kind in (*SINGLE, PART, TWO)}
+    programs = {name: [each for each in right if each.fault == name] for name in dict.fromkeys(o.fault for o in right)}
+    faults = []
     for fault in DICTIONARY:
-        seen, alone, equals, _ = counted([each for each in single if each.fault == fault.name])
-        words = (each.replace("|", "\\|") for each in (fault.name, fault.equation, fault.words))
-        rows.append((*words, str(seen), str(alone + equals)))
-    return text + campaign.table(DICTIONARY_HEAD, rows, 3)
+        of_it = [each for each in found if each.kind in SINGLE and each.fault == fault.name]
+        seen, alone, equals, _ = count_outcomes(of_it)
+        faults.append((fault.name, seen, alone + equals))
+    return {
+        "stands": stands,
+        "kinds": KINDS_TABLE.rows((kind, *count_outcomes(of), rate(of)) for kind, of in kinds.items() if of),
+        "correct": RIGHT_TABLE.rows(
+            (name, len(of), sum(each.verdict not in ("equal", "rounding") for each in of))
+            for name, of in programs.items()
+        ),
+        "faults": FAULT_TABLE.rows(faults),
+    }
+
+
+def page(found: Figures) -> str:
+    """The results as Markdown. Faults of the dictionary that were not planted yet are listed as such."""
+    single = [row for row in found["kinds"] if row["planted"] in SINGLE]
+    seen, alone, equals = (sum(row[key] for row in single) for key in ("visible", "named first", "with equals"))
+    kept = {row["fault"]: row for row in found["faults"]}
+    rows = [
+        (*(each.replace("|", "\\|") for each in (fault.name, fault.equation, fault.words)), kept[fault.name]["planted"],
+         kept[fault.name]["named first"])
+        for fault in DICTIONARY if fault.name in kept
+    ]  # fmt: skip
+    new = [fault.name for fault in DICTIONARY if fault.name not in kept]
+    return (
+        f"{found['stands']} random stands. Of {seen} single faults that are visible on the stand, {alone + equals} "
+        f"were named first ({(alone + equals) / seen:.1%}),\n"
+        f"{equals} of them together with others that no state of the stand tells apart.\n\n"
+        f"{KINDS_TABLE.text(found['kinds'])}\n{RIGHT_TABLE.text(found['correct'])}\n"
+        + campaign.table(DICTIONARY_HEAD, rows, 3)
+        + (f"\nNot planted yet: {'; '.join(new)}.\n" if new else "")
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """Some faults of which every planting was named first, in the smallest stand; and a correct program."""
+    number = min(range(found["stands"]), key=lambda k: COUNTS[k % len(COUNTS)])
+    *_, stand = campaign_stands(number + 1)
+    named = {row["fault"] for row in found["faults"] if row["planted"] == row["named first"] > 0}
+    faults = [fault for fault in DICTIONARY if fault.name in named and visible(stand, fault)]
+    for fault in rng.sample(faults, 6):
+        found_first = diagnoser_of(stand).diagnose(FaultyProgram(stand, (Part(fault),)).answer)
+        yield Measured(f"{fault.name}, named", True, verdict(found_first, [fault.name]) in ("alone", "equals"))
+    for row in found["correct"]:
+        if row["correct program"] == "literal reference":
+            false = diagnoser_of(stand).diagnose(literal(stand)).outcome not in ("equal", "rounding")
+            yield Measured("literal reference, given a fault", row["given a fault"] > 0, false)
+
+
+CAMPAIGN = Campaign(
+    "diagnosis",
+    campaign.Block("docs/results/diagnosis.md", "campaign: tools/explain_campaign.py --write"),
+    page,
+    ("proof", "explain_campaign.py", "explain_planting.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -222,18 +262,18 @@ def main() -> None:
     given = campaign.parser(__doc__, stands=6, jobs=campaign.cores(), write=False).parse_args()
     found: list[Outcome] = []
     right: list[Outcome] = []
-    for line, outcomes, of_correct in campaign.each(examined, given.jobs, range(given.stands)):
+    for line, outcomes, of_correct in campaign.map_rows(examine, given.jobs, range(given.stands)):
         single = [each for each in outcomes if each.kind in SINGLE]
-        print(f"{line}: {rate(single):.1%} of {counted(single)[0]} single faults named first", flush=True)
+        print(f"{line}: {rate(single):.1%} of {count_outcomes(single)[0]} single faults named first", flush=True)
         for each in outcomes:
             if each.verdict in ("other", "none"):
                 print(f"  {each.kind}: {each.fault}: {each.verdict}", flush=True)
         found += outcomes
         right += of_correct
-    text = summary(given.stands, found, right)
-    print(f"\n{text}", end="")
+    kept = figures(given.stands, found, right)
+    print(f"\n{page(kept)}", end="")
     if given.write:
-        BLOCK.write(text)
+        CAMPAIGN.keep(kept, 0)
     false = [each for each in right if each.verdict not in ("equal", "rounding")]
     raise SystemExit(1 if false or rate([each for each in found if each.kind in SINGLE]) < LEAST else 0)
 

@@ -16,15 +16,15 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 from unittest.mock import patch
 
 import numpy as np
 import sympy as sp
 
-import mahovik.laws
+import mahovik.contract.laws
 import mahovik.proof.second
-from mahovik.core.derive import carrier, flywheel
+from mahovik.core.derive import carrier, flywheel, screw
 from mahovik.core.derive.symbols import vector
 from mahovik.core.emit.generate import Generated
 from mahovik.core.lower import forward, wrenches
@@ -32,10 +32,12 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.types import DOUBLE
-from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
+from mahovik.core.stand.model import Body, Flywheel, LawData, MountingAngles, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.structure import structure
 from mahovik.errors import StateError
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping.data import Damping
 from mahovik.laws.leg import derive as leg_formulas
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
@@ -57,7 +59,7 @@ class Plant:
 
 
 def answers_of(backend: Backend) -> Answers:
-    """What a backend says to a request; nothing where it refuses."""
+    """Answer of a backend to a request; empty if it refuses."""
 
     def answer(request: Request) -> Mapping[str, Any]:
         try:
@@ -108,15 +110,12 @@ def products_reversed(body: Body) -> Body:
     )
 
 
-def floating_at(point: Callable[[Body], tuple[float, float, float]]) -> Callable[[Body], Body]:
-    def change(body: Body) -> Body:
-        return replace(body, buoyancy=replace(body.buoyancy, center=point(body))) if body.buoyancy else body
-
-    return change
+def acting(kind: type[LawData], **changes: Any) -> Callable[[Body], Body]:
+    return lambda body: body.with_laws(*(replace(law, **changes) for law in body.laws if isinstance(law, kind)))
 
 
-def damped(**parts: Any) -> Callable[[Body], Body]:
-    return lambda body: replace(body, damping=replace(body.damping, **parts)) if body.damping else body
+def floating_at_mass_center(body: Body) -> Body:
+    return acting(Buoyancy, center=body.center_of_mass)(body)
 
 
 def from_zero(s: Flywheel) -> Flywheel:
@@ -150,12 +149,12 @@ STANDS: dict[str, Callable[[Stand], Stand]] = {
     "gravity ignored": lambda s: replace(s, gravity=ZERO3),
     "stream, sign": lambda s: replace(s, stream=negative(s.stream)),
     "stream ignored": lambda s: replace(s, stream=None),
-    "buoyancy missing": bodies(lambda b: replace(b, buoyancy=None)),
-    "buoyancy at O1": bodies(floating_at(lambda _: ZERO3)),
-    "buoyancy at the centre of mass": bodies(floating_at(lambda body: body.center_of_mass)),
-    "linear damping missing": bodies(damped(linear=None)),
-    "quadratic damping missing": bodies(damped(quadratic=None)),
-    "damping terms missing": bodies(damped(terms=())),
+    "buoyancy missing": bodies(lambda b: b.without_laws(Buoyancy)),
+    "buoyancy at O1": bodies(acting(Buoyancy, center=ZERO3)),
+    "buoyancy at the centre of mass": bodies(floating_at_mass_center),
+    "linear damping missing": bodies(acting(Damping, linear=None)),
+    "quadratic damping missing": bodies(acting(Damping, quadratic=None)),
+    "damping terms missing": bodies(acting(Damping, terms=())),
     "added mass missing": bodies(lambda b: replace(b, added_mass=None), wheels=False),
     "added mass of instruments missing": lambda s: replace(
         s, instruments=tuple(replace(p, added_mass=None) for p in s.instruments)
@@ -181,7 +180,7 @@ STANDS: dict[str, Callable[[Stand], Stand]] = {
 
 
 def wheels(key: str, change: Callable[[float], float]) -> Callable[[State], State]:
-    return lambda x: replace(x, **{key: tuple(change(each) for each in getattr(x, key))})
+    return lambda x: replace(x, **cast(Any, {key: tuple(change(each) for each in getattr(x, key))}))
 
 
 def conjugated(x: State) -> State:
@@ -285,16 +284,16 @@ SECOND: dict[str, tuple[str, str, str]] = {
     "added mass missing before V*": ("system", "Z + fluid_Z, K + self.Lambda", "Z + fluid_Z, K"),
     "added mass missing in Phi K": ("system", "carrier += lagrange", "carrier += 0 * lagrange"),
     "run-time wrench, sign": ("system", 'ca.horzsplit(self.inputs["wrench"])', 'ca.horzsplit(-self.inputs["wrench"])'),
-    "buoyancy, sign": ("force", "weight - buoyancy", "weight + buoyancy"),
-    "buoyancy missing": ("force", "weight - buoyancy", "weight"),
-    "buoyancy at O1": ("force", "body.place(body.center)", "body.place(ca.SX.zeros(3))"),
+    "buoyancy, sign": ("buoyancy/second", "return displaced_mass *", "return -displaced_mass *"),
+    "buoyancy missing": ("buoyancy/second", "return displaced_mass", "return 0"),
+    "buoyancy at O1": ("buoyancy/second", "body.place(center)", "body.place(ca.SX.zeros(3))"),
     "stream ignored in damping": ("force", "ca.SX.zeros(3))) - stream", "ca.SX.zeros(3)))"),
     "leg damping missing": ("leg/second", " - ca.gradient(rayleigh, chart.q_dot)", ""),
     "leg damping, sign": ("leg/second", " - ca.gradient(rayleigh", " + ca.gradient(rayleigh"),
     "unstretched length ignored": ("leg/second", "(distance - unstretched)", "distance"),
-    "linear damping missing": ("laws", "P -= ca.DM(damping.linear)", "P -= 0 * ca.DM(damping.linear)"),
-    "quadratic damping without |V|": ("laws", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
-    "damping terms, sign": ("laws", "P += _unit", "P -= _unit"),
+    "linear damping missing": ("damping/second", "P -= ca.DM(damping.linear)", "P -= 0 * ca.DM(damping.linear)"),
+    "quadratic damping without |V|": ("damping/second", "(V_r * ca.fabs(V_r))", "(V_r * V_r)"),
+    "damping terms, sign": ("damping/second", "P += _unit", "P -= _unit"),
     "suspension rotation, sign": ("suspension/second", "(equilibrium.T @ C)", "(C.T @ equilibrium)"),
     "suspension displacement in E0": ("suspension/second", "C.T @ away", "away"),
     "suspension damping missing": ("suspension/second", ' + ca.DM(law.damping) @ inputs["V"])', ")"),
@@ -315,17 +314,18 @@ SECOND: dict[str, tuple[str, str, str]] = {
 
 def rewritten(stand: Stand) -> Iterator[Plant]:
     """The second derivation and its part of the laws, copied with one place of their text replaced."""
-    source, laws = (Path(str(package.__file__)).parent for package in (mahovik.proof.second, mahovik.laws))
+    source, listed = (Path(str(module.__file__)) for module in (mahovik.proof.second, mahovik.contract.laws))
     for number, (name, (module, there, instead)) in enumerate(SECOND.items()):
         package = f"mutated_second_{number}"
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder) / package
-            for original, copy in ((source, root), (laws, root / "of_laws")):
+            for original, copy in ((source.parent, root), (listed.parents[1] / "laws", root / "of_laws")):
                 shutil.copytree(original, copy, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copy(listed, root / "of_laws" / "__init__.py")
             changed = root / ("of_laws" if "/" in module else "") / f"{module}.py"
             for path in root.rglob("*.py"):
                 text = path.read_text(encoding="utf-8").replace("mahovik.proof.second", package)
-                text = text.replace("from mahovik import laws", f"from {package} import of_laws as laws")
+                text = text.replace("from mahovik.contract import laws", f"from {package} import of_laws as laws")
                 text = text.replace('f"mahovik.laws.', f'f"{package}.of_laws.')
                 if path == changed:
                     if text.count(there) != 1:
@@ -335,7 +335,8 @@ def rewritten(stand: Stand) -> Iterator[Plant]:
             with patch.object(sys, "path", [folder, *sys.path]):
                 importlib.invalidate_caches()
                 found = importlib.import_module(package)
-                importlib.import_module(f"{package}.of_laws").parts("second")  # loaded while the folder exists
+                of_laws = importlib.import_module(f"{package}.of_laws")
+                of_laws.parts("second"), of_laws.body_parts("second")  # loaded while the folder exists
         yield Plant(name, "second derivation rewritten", answers_of(found.Second(stand)))
 
 
@@ -355,7 +356,7 @@ def hub_weight(*given: Any, original: Callable[..., None] = wrenches._weight) ->
     original(lib, body, table, x, turns, SimpleNamespace(mu=table.first_moment), g, F)
 
 
-def no_lower_left(V: sp.Matrix, original: Callable[..., sp.Matrix] = carrier.Phi) -> sp.Matrix:
+def no_lower_left(V: sp.Matrix, original: Callable[..., sp.Matrix] = screw.Phi) -> sp.Matrix:
     """Phi(V) without <v>."""
     made = original(V)
     made[3:, :3] = sp.zeros(3)

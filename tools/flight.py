@@ -26,7 +26,7 @@ from mahovik.stands import path
 def flight(stand: Stand, real: str, steps: int, dt: float = 1e-3, torque: float = 0.02) -> dict[str, str]:
     """C texts by file name for `board.build`: the stand, its recorder, and a `main` that prints the log.
 
-    Torques are drawn anew for each of `steps` steps of `dt` seconds, up to `torque` N m. Raises UsageError: a stand
+    New torques are drawn for each of `steps` steps of `dt` seconds, up to `torque` N m. Raises UsageError: a stand
     without flywheels, or with run-time wrenches.
     """
     generated = generate_all(stand, real)
@@ -58,7 +58,7 @@ def main() -> None:
     given.log.parent.mkdir(parents=True, exist_ok=True)
     given.log.write_text(printed, encoding="ascii")
     print(f"{given.log}   {printed.count(chr(10))} lines from {board.title}")
-    mahovik(["replay", str(given.log), str(path(given.stand))])
+    mahovik(["replay", str(path(given.stand)), "--log", str(given.log)])
 
 
 if __name__ == "__main__":

@@ -7,9 +7,11 @@ python tools/float_bounds.py [--stands 48] [--states 40] [--jobs 2]
 from __future__ import annotations
 
 from collections.abc import Iterator
+from random import Random
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 from random_stands import random_stands, verify_random
 
 from mahovik.core.stand.model import Stand
@@ -17,13 +19,13 @@ from mahovik.core.stand.summary import summarize
 from mahovik.proof import reference
 from mahovik.proof.verify.bounds import FLOAT
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.draw import rounded
+from mahovik.proof.verify.draw import round_to_float
 from mahovik.stands import names, path
 from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, states
 
-BLOCK = campaign.Block("docs/results/verification.md", "float: tools/float_bounds.py")
 Worst = dict[tuple[str, str], float]
 UNITS = "units of `check`"
+TABLE = Columns({"want": "`{}`", "quantity": "`{}`", "bound": "{:.0e}", "worst measured": "{:.0e}"}, 2)
 
 
 def stand_of(number: int) -> Stand:
@@ -36,7 +38,7 @@ def stand_of(number: int) -> Stand:
     return found
 
 
-def measured(number: int, count: int) -> tuple[int, Worst]:
+def measure_stand(number: int, count: int) -> tuple[int, Worst]:
     """States, and the worst difference of every quantity over its scale; for `check` in units of its terms."""
     stand = stand_of(number)
     found: Worst = {}
@@ -51,7 +53,7 @@ def units(stand: Stand) -> Iterator[float]:
     backend = CBackend(stand, "float")
     speeds = [row.speed for row in summarize(stand).unbalance]
     for motion in MOTIONS if speeds else ():
-        for state in map(rounded, states(stand, speeds, motion)):
+        for state in map(round_to_float, states(stand, speeds, motion)):
             at = reference.pieces(stand, state)
             for want, quantity in QUANTITIES.items():
                 expected = reference.evaluate(stand, state, [want], at)[quantity.key]
@@ -60,19 +62,53 @@ def units(stand: Stand) -> Iterator[float]:
                 yield float((off[terms > 0] / terms[terms > 0]).max(initial=0.0)) / UNIT
 
 
-def table(worst: Worst, stands: int, count: int) -> str:
-    """The block between the markers."""
+def figures(worst: Worst, stands: int, count: int) -> Figures:
+    """The figures to keep: a row for each quantity."""
     rows = [
-        (f"`{want}`", f"`{quantity}`", f"{FLOAT.of(want, quantity):.0e}", f"{off:.0e}")
+        (want, quantity, FLOAT.of(want, quantity), off)
         for (want, quantity), off in worst.items()
         if want != UNITS and quantity not in ("status", "rank")
     ]
-    words = (
-        f"Written by `python tools/float_bounds.py`: {stands} stands (the examples, then random ones of 0 to 64 "
-        f"flywheels), {count} states each.\nRounding in `check`: at most {worst[UNITS, '']:.1f} units of 2^-24 of the "
-        f"terms measured, {FACTOR:.0f} assumed."
+    return {
+        "stands": stands,
+        "states": count,
+        "units": worst[UNITS, ""],
+        "units_assumed": FACTOR,
+        "rows": TABLE.rows(rows),
+    }
+
+
+def page(found: Figures) -> str:
+    """The block between the markers."""
+    return (
+        f"{found['stands']} stands (the examples, then random ones of 0 to 64 flywheels), {found['states']} states "
+        f"each.\nRounding in `check`: at most {found['units']:.1f} units of 2^-24 of the terms measured, "
+        f"{found['units_assumed']:.0f} assumed.\n\n{TABLE.text(found['rows'])}"
     )
-    return f"{words}\n\n{campaign.table(('want', 'quantity', 'bound', 'worst measured'), rows, 2)}"
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """The bounds as they are now; a stand: no difference of it is above the largest that was found."""
+    for row in found["rows"]:
+        yield Measured(f"bound of {row['quantity']}", row["bound"], FLOAT.of(row["want"], row["quantity"]))
+    yield Measured("units assumed", found["units_assumed"], FACTOR)
+    number = rng.randrange(len(names()))
+    _, worst = measure_stand(number, found["states"])
+    kept = {(row["want"], row["quantity"]): row["worst measured"] for row in found["rows"]} | {
+        (UNITS, ""): found["units"]
+    }
+    for (want, quantity), most in kept.items():
+        now = worst.get((want, quantity), 0.0)
+        yield Measured(f"{names()[number]}, {want} {quantity} at most", most, max(most, now), 1.5)
+
+
+CAMPAIGN = Campaign(
+    "verification-float",
+    campaign.Block("docs/results/verification.md", "float: tools/float_bounds.py"),
+    page,
+    ("proof", "use/study", "float_bounds.py", "random_stands.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -80,10 +116,10 @@ def main() -> None:
     given = campaign.parser(__doc__, stands=48, states=40, jobs=campaign.cores()).parse_args()
     total = given.stands + len(names())
     worst: Worst = {}
-    for _, found in campaign.each(measured, given.jobs, range(total), [given.states] * total):
+    for _, found in campaign.map_rows(measure_stand, given.jobs, range(total), [given.states] * total):
         for key, off in found.items():
             worst[key] = max(worst.get(key, 0.0), off)
-    BLOCK.write(table(worst, total, given.states))
+    CAMPAIGN.keep(figures(worst, total, given.states), 0)
     beyond = [
         f"{want}: {quantity}"
         for (want, quantity), off in worst.items()

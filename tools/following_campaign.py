@@ -5,36 +5,38 @@ python tools/following_campaign.py [--seeds 10] [--mismatch 1] [--write]
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from random import Random
+from typing import Any
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.motion.required.model import Winding
 from mahovik.core.motion.servo import Servo, load_servo
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.stands import path, servos
 from mahovik.use.control.causes import contributions
-from mahovik.use.control.following import following
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.mismatch import with_mismatch
+from mahovik.use.control.record import following
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.control.wanted import Wanted
-from mahovik.use.plan.options import PlanOptions
+from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.planner import plan_motion
 
-BLOCK = campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write")
-
-WINDINGS = ("spin", "rock")
+WINDINGS: dict[str, Winding] = {"spin": "spin", "rock": "rock"}
 LIMIT, TRIMMED = 0.05, 0.01
-"""What must hold: shares of the carrier's amplitude, without and with trim."""
+"""Accepted errors: shares of the carrier's amplitude, without and with trim."""
 
 SETTLING, MEASURED, ROUNDS = 10, 10, 5
 ROWS = 128
-"""Of the programme's table, a period."""
+"""Rows of the programme's table in one period."""
 
 
 @dataclass(frozen=True)
@@ -57,48 +59,111 @@ def outcome(wanted: Wanted, servo: Servo, design: TrimDesign, share: float, seed
     return Outcome(plain.share, trimmed.share, float(max(plain.apart.max(), trimmed.apart.max())))
 
 
-HEAD = ("programme", "median", "worst", "within 5 %", "with trim: median", "worst", "within 1 %", "flywheels")
+PER_CENT = "{:.2g} %"
+TABLE = Columns(
+    {
+        "programme": "{}", "median": PER_CENT, "worst": PER_CENT, "within 5 %": "{} of {}",
+        "with trim: median": PER_CENT, "with trim: worst": PER_CENT, "within 1 %": "{} of {}",
+        "flywheels": "{:.2g} mrad",
+    }
+)  # fmt: skip
+CAUSES = Columns({"programme": "{}", "cause": "{}", "alone": PER_CENT, "without it": PER_CENT}, 2)
 
 
-def line(name: str, found: Sequence[Outcome]) -> list[str]:
-    """A row of the table."""
-    cells = [name]
+def line(name: str, found: Sequence[Outcome]) -> list[Any]:
+    """A row of the table: per cent, and mrad."""
+    cells: list[Any] = [name]
     for values, limit in ((np.array([o.plain for o in found]), LIMIT), (np.array([o.trimmed for o in found]), TRIMMED)):
-        cells += [
-            f"{100 * np.median(values):.2g} %",
-            f"{100 * values.max():.2g} %",
-            f"{int(np.sum(values <= limit))} of {len(values)}",
-        ]
-    cells.append(f"{1e3 * max(o.apart for o in found):.2g} mrad")
-    return cells
+        cells += [100 * np.median(values), 100 * values.max(), (int(np.sum(values <= limit)), len(values))]
+    return [*cells, 1e3 * max(o.apart for o in found)]
 
 
-def figures(stand: Stand, motion: RequiredMotion, programmes: dict[str, Programme], seeds: int, share: float) -> str:
-    """The tables."""
+def cause_lines(name: str, wanted: Wanted, servo: Servo, share: float) -> Iterator[tuple[object, ...]]:
+    """Rows of the second table, seed 1: per cent."""
+    case = Case(wanted, with_mismatch(wanted.stand, share, 1), servo, SETTLING + MEASURED)
+    for each in contributions(case):
+        yield name, each.cause.name, *(None if x is None else 100 * x for x in (each.alone, each.without))
+
+
+def figures(
+    stand: Stand, motion: RequiredMotion, programmes: dict[str, Programme], seeds: int, share: float
+) -> Figures:
+    """The figures to keep."""
     servo = load_servo(servos("bench8")[0], stand)
     assert servo.trim is not None
-    rows, causes, designs = [], [], []
+    rows, designs = [], []
+    causes: list[tuple[object, ...]] = []
     for name, programme in programmes.items():
         wanted = Wanted.of(stand, motion, programme, ROWS)
         design = design_trim(stand, motion, wanted.programme, servo.trim)
         found = [outcome(wanted, servo, design, share, seed) for seed in range(1, seeds + 1)]
         rows.append(line(f"{name}, winding {', '.join(map(str, programme.winding))}", found))
         print(campaign.row(*rows[-1]), flush=True)
-        wrong = f"{100 * design.margin:.2g} % wrong"
-        designs.append(f"{name} {design.radius:.2g} of an error is left by a round, and it may be {wrong}")
-        case = Case(wanted, with_mismatch(stand, share, 1), servo, SETTLING + MEASURED)
-        for each in contributions(case):
-            alone, without = ("lost" if x is None else f"{100 * x:.2g} %" for x in (each.alone, each.without))
-            causes.append((name, each.cause.name, alone, without))
+        designs.append({"programme": name, "left": design.radius, "wrong, per cent": 100 * design.margin})
+        causes += cause_lines(name, wanted, servo, share)
+    return {
+        "mismatch, per cent": 100 * share,
+        "seeds": seeds,
+        "nodes": ROWS,
+        "rounds": ROUNDS,
+        "rows": TABLE.rows(rows),
+        "designs": designs,
+        "causes": CAUSES.rows(causes),
+    }
+
+
+def page(found: Figures) -> str:
+    """The tables."""
+    designs = [
+        f"{each['programme']} {each['left']:.2g} of an error is left by a round, and it may be "
+        f"{each['wrong, per cent']:.2g} % wrong"
+        for each in found["designs"]
+    ]
     return (
         "Error of the carrier about its mean, largest over a period, as a share of the amplitude; mismatch "
-        f"{100 * share:g} %, seeds 1 to {seeds}; 1 kHz, latency a tenth of a sample, tables of {ROWS} nodes; trim "
-        f"after {ROUNDS} rounds. The last column: the largest distance of a flywheel from its programme.\n\n"
-        f"{campaign.table(HEAD, rows)}\n"
+        f"{found['mismatch, per cent']:g} %, seeds 1 to {found['seeds']}; 1 kHz, latency a tenth of a sample, tables "
+        f"of {found['nodes']} nodes; trim after {found['rounds']} rounds. The last column: the largest distance of a "
+        f"flywheel from its programme.\n\n{TABLE.text(found['rows'])}\n"
         f"By the nominal model of the trim: {'; '.join(designs)}.\n\n"
         "What limits it, seed 1, no trim: a run with each cause alone, and a run without it.\n\n"
-        + campaign.table(("programme", "cause", "alone", "without it"), causes, 2)
+        + CAUSES.text(found["causes"])
     )
+
+
+def programme_of(stand: Stand, motion: RequiredMotion, winding: Winding) -> Programme:
+    """The programme of a winding."""
+    return plan_motion(stand, motion, PlanOptions(0, None, winding, 1), None).programmes[0]
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """The causes of a programme again, and its winding and trim."""
+    name = rng.choice(list(WINDINGS))
+    stand = load(path("bench8"))
+    motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)
+    programme = programme_of(stand, motion, WINDINGS[name])
+    winding = ", ".join(map(str, programme.winding))
+    yield Measured("winding", True, f"{name}, winding {winding}" in [row["programme"] for row in found["rows"]])
+    wanted = Wanted.of(stand, motion, programme, found["nodes"])
+    servo = load_servo(servos("bench8")[0], stand)
+    assert servo.trim is not None
+    design = design_trim(stand, motion, wanted.programme, servo.trim)
+    (kept,) = (each for each in found["designs"] if each["programme"] == name)
+    yield Measured(f"{name}, left by a round", kept["left"], design.radius, 1.05)
+    yield Measured(f"{name}, wrong", kept["wrong, per cent"], 100 * design.margin, 1.05)
+    now = CAUSES.rows(cause_lines(name, wanted, servo, found["mismatch, per cent"] / 100))
+    for before, after in zip([row for row in found["causes"] if row["programme"] == name], now, strict=True):
+        yield Measured(f"{name}, cause", before["cause"], after["cause"])
+        for key in ("alone", "without it"):
+            yield Measured(f"{name}, {after['cause']}, {key}", before[key], after[key], 1.1)
+
+
+CAMPAIGN = Campaign(
+    "following",
+    campaign.Block("docs/results/following.md", "campaign: tools/following_campaign.py --write"),
+    page,
+    ("use/plan", "use/control", "proof", "following_campaign.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -108,14 +173,11 @@ def main() -> None:
     asked = options.parse_args()
     stand = load(path("bench8"))
     motion = load_motion(path("bench8").with_suffix(".motion.json"), stand)
-    programmes = {}
-    for winding in WINDINGS:
-        found = plan_motion(stand, motion, PlanOptions(0, None, winding, 1), None)
-        programmes[winding] = found.programmes[0]
-    text = figures(stand, motion, programmes, asked.seeds, asked.mismatch / 100.0)
-    print(text)
+    programmes = {name: programme_of(stand, motion, winding) for name, winding in WINDINGS.items()}
+    found = figures(stand, motion, programmes, asked.seeds, asked.mismatch / 100.0)
+    print(page(found))
     if asked.write:
-        BLOCK.write(text)
+        CAMPAIGN.keep(found, 1)
 
 
 if __name__ == "__main__":

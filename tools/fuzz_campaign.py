@@ -24,6 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import campaign
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import version
@@ -31,8 +32,6 @@ from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
 from mahovik.stands import path
-
-BLOCK = campaign.Block("docs/results/fuzzing.md", "figures: tools/fuzz_campaign.py")
 
 STANDS = ("demo3", "bench8", "shaker2", "auv6", "remus6", "sat4")
 """Together they have every kind of wrench: legs, suspension, added mass, buoyancy, damping, run-time wrenches."""
@@ -44,7 +43,7 @@ PIECE = 250_000
 
 
 @dataclass(frozen=True)
-class Fuzzed:
+class FuzzResult:
     """A harness after its runs."""
 
     stand: str
@@ -57,8 +56,8 @@ class Fuzzed:
     size: int
 
 
-def fuzzed(stand: str, real: str, runs: int) -> Fuzzed:
-    """One stand at one precision, until it has had so many executions. Raises CheckError with what was found."""
+def fuzz_stand(stand: str, real: str, runs: int) -> FuzzResult:
+    """One stand at one precision, until it has had this many executions. Raises CheckError with what was found."""
     folder, program, digest = _build(stand, real)
     corpus, record = folder / "corpus", folder / "executed.json"
     done = json.loads(record.read_text(encoding="utf-8")) if record.is_file() else {}
@@ -73,7 +72,9 @@ def fuzzed(stand: str, real: str, runs: int) -> Fuzzed:
         record.write_text(json.dumps(done) + "\n", encoding="utf-8")
     files = sorted(corpus.iterdir())
     size = sum(f.stat().st_size for f in files)
-    return Fuzzed(stand, real, done["executions"], done["seconds"], *covered(folder, stand, files), len(files), size)
+    return FuzzResult(
+        stand, real, done["executions"], done["seconds"], *covered_share(folder, stand, files), len(files), size
+    )
 
 
 def quick(stand: str, real: str, seconds: int) -> Run:
@@ -93,7 +94,7 @@ def _build(stand: str, real: str) -> tuple[Path, Path, str]:
     return folder, compile_harness(folder, sources(stand)), hashlib.sha256(made_of.encode()).hexdigest()
 
 
-def covered(folder: Path, stand: str, inputs: Sequence[Path]) -> tuple[float, float]:
+def covered_share(folder: Path, stand: str, inputs: Sequence[Path]) -> tuple[float, float]:
     """Percent of lines and of branch outcomes of the stand's C that a corpus reaches, by gcov."""
     scratch = folder / "coverage"
     shutil.rmtree(scratch, ignore_errors=True)
@@ -116,30 +117,40 @@ def _must(command: Sequence[str], folder: Path) -> str:
     return done.stdout
 
 
-def page(results: Sequence[Fuzzed]) -> str:
-    """The table and its sum."""
-    head = (
-        "stand",
-        "reals",
-        "executions",
-        "of them a second",
-        "lines reached",
-        "branches reached",
-        "inputs kept",
-        "kB",
-    )
-    rows = [
-        (r.stand, r.real, f"{r.executions:,}", f"{r.executions / r.seconds:,.0f}", f"{r.lines:.2f} %",
-         f"{r.branches:.2f} %", r.inputs, f"{r.size / 1000:.0f}")
+TABLE = Columns(
+    {
+        "stand": "{}", "reals": "{}", "executions": "{:,}", "of them a second": "{:,.0f}", "lines reached": "{:.2f} %",
+        "branches reached": "{:.2f} %", "inputs kept": "{}", "kB": "{:.0f}",
+    },
+    2,
+)  # fmt: skip
+
+
+def figures(results: Sequence[FuzzResult]) -> Figures:
+    """The figures to keep."""
+    lines = [
+        (r.stand, r.real, r.executions, r.executions / r.seconds, r.lines, r.branches, r.inputs, r.size / 1000)
         for r in results
-    ]  # fmt: skip
-    total = sum(r.executions for r in results)
-    minutes = sum(r.seconds for r in results) / 60
-    text = (
-        f"{total:,} executions, {minutes:.0f} minutes of a core that others used as well, by {version('clang')}; no "
-        "finding is open. Lines and branches of the stand's C that the kept inputs reach are counted by gcov.\n\n"
+    ]
+    return {"compiler": version("clang"), "seconds": sum(r.seconds for r in results), "rows": TABLE.rows(lines)}
+
+
+def page(found: Figures) -> str:
+    """The table and its sum."""
+    total = sum(row["executions"] for row in found["rows"])
+    return (
+        f"{total:,} executions, {found['seconds'] / 60:.0f} minutes of a core that others used as well, by "
+        f"{found['compiler']}; no finding is open. Lines and branches of the stand's C that the kept inputs reach are "
+        f"counted by gcov.\n\n{TABLE.text(found['rows'])}"
     )
-    return text + campaign.table(head, rows, 2)
+
+
+CAMPAIGN = Campaign(
+    "fuzzing",
+    campaign.Block("docs/results/fuzzing.md", "figures: tools/fuzz_campaign.py"),
+    page,
+    ("fuzz_campaign.py",),
+)
 
 
 def main() -> None:
@@ -159,7 +170,7 @@ def main() -> None:
             futures = [pool.submit(quick, *case, seconds) for case in cases]
         else:
             runs = [math.ceil(given.runs * share / sum(shares)) for share in shares]
-            futures = [pool.submit(fuzzed, *case, count) for case, count in zip(cases, runs, strict=True)]
+            futures = [pool.submit(fuzz_stand, *case, count) for case, count in zip(cases, runs, strict=True)]
         for case, future in zip(cases, futures, strict=True):
             try:
                 results.append(found := future.result())
@@ -168,7 +179,7 @@ def main() -> None:
                 failed = True
                 print(f"error: {error}", file=sys.stderr, flush=True)
     if not failed and not given.quick and set(given.stands) == set(STANDS):
-        BLOCK.write(page(results))
+        CAMPAIGN.keep(figures(results))
     raise SystemExit(1 if failed else 0)
 
 

@@ -2,7 +2,7 @@
 
 python tools/generation_time.py [--repeat 5] [--only generation|start] [--no-page]
 
-Every run is a process of its own: seconds of the clock and of the processor, and the most memory it held; the least of
+Every run is a process of its own: wall-clock and processor seconds, and peak memory; the least of
 the repetitions, of the start of commands also the median. Exit status 1 where a limit is exceeded.
 """
 
@@ -15,20 +15,18 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import campaign
+from kept import Campaign, Columns, Figures
 
 from mahovik.core.formula.cache import VARIABLE
 from mahovik.stands import path
 
 PARTS = ("generation", "start")
-BLOCKS = {
-    part: campaign.Block("docs/results/generation.md", f"figures: tools/generation_time.py {part}") for part in PARTS
-}
-
 COUNTS = (2, 8, 64, 1000)
 """Flywheels."""
 KINDS = ("bare", "everything")
@@ -47,7 +45,7 @@ print(dumps(random_stand(np.random.default_rng([1986, count]), count, features, 
 MOST_GENERATION, MOST_MEMORY, MOST_COMPILE = 3.0, 300.0, 2.0
 """s, MB, s: generation with at most 64 flywheels, also without a cache; memory; compiler.
 
-Seconds of the processor, which are those of the clock on a machine without other work: each is a process of one thread.
+Processor seconds, equal to wall-clock seconds on a machine without other work: each is a process of one thread.
 """
 
 AT_ONCE, SOON, REPORT = 0.25, 0.6, 6.0
@@ -68,16 +66,16 @@ STARTS = (
 
 @dataclass(frozen=True)
 class Spent:
-    """Of a process: seconds of the clock, seconds of the processor, MB."""
+    """Figures of a process: wall-clock seconds, processor seconds, MB."""
 
     clock: float
     processor: float
     memory: float
 
     @property
-    def cells(self) -> list[str]:
-        """As a row of a table has them."""
-        return [f"{self.clock:.2f}", f"{self.processor:.2f}", f"{self.memory:.0f}"]
+    def cells(self) -> tuple[float, float, float]:
+        """Cells of a row of a table."""
+        return self.clock, self.processor, self.memory
 
 
 def run(command: Sequence[str], env: Mapping[str, str], cwd: Path | None = None) -> Spent:
@@ -92,7 +90,7 @@ def run(command: Sequence[str], env: Mapping[str, str], cwd: Path | None = None)
 
 
 def median(command: Sequence[str], env: Mapping[str, str], repeat: int, cwd: Path) -> tuple[Spent, float]:
-    """The least of each figure over repetitions, and the median of the clock."""
+    """The least of each figure over repetitions, and the median wall-clock time."""
     found = [run(command, env, cwd) for _ in range(repeat)]
     return _least(found), statistics.median(s.clock for s in found)
 
@@ -104,6 +102,17 @@ def least(command: Sequence[str], env: Mapping[str, str], repeat: int) -> Spent:
 
 def _least(found: Sequence[Spent]) -> Spent:
     return Spent(min(s.clock for s in found), min(s.processor for s in found), max(s.memory for s in found))
+
+
+WHAT = ("cold", "warm", "gcc -O2")
+GENERATION = Columns({"stand, N": "{}", **dict.fromkeys(WHAT, "{:.2f}")})
+"""Each figure is a list of wall-clock seconds, processor seconds, MB."""
+START = Columns(
+    {
+        "command": "{}", "s": "{:.2f}", "processor, s": "{:.2f}", "MB": "{:.0f}", "median, s": "{:.2f}",
+        "limit, s": "{:g}",
+    }
+)  # fmt: skip
 
 
 class Measurement:
@@ -122,7 +131,7 @@ class Measurement:
     def _command(self, *arguments: str) -> list[str]:
         return [sys.executable, "-m", "mahovik", *arguments]
 
-    def generation(self) -> str:
+    def generation(self) -> list[dict[str, Any]]:
         """`generate` without a cache and with a warm one, and the compiler on what it made."""
         rows = []
         for kind in KINDS:
@@ -140,39 +149,74 @@ class Measurement:
                 warm = least(command, self._env, self._repeat)
                 flags = ["-std=c99", "-O2", "-ffp-contract=off", "-c", str(out / f"{name}.c"), "-o", os.devnull]
                 compiled = least(["gcc", *flags], self._env, self._repeat)
-                rows.append([f"{kind}, {count}", *cold.cells, *warm.cells, *compiled.cells])
+                rows.append((f"{kind}, {count}", cold.cells, warm.cells, compiled.cells))
                 print(*rows[-1], sep="   ", flush=True)
                 if count <= 64:
                     self._held(f"generation without a cache, {name}, s", cold.processor, MOST_GENERATION)
                     self._held(f"generation, {name}, s", warm.processor, MOST_GENERATION)
                 self._held(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
                 self._held(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
-        columns = [f"{what}, s" for what in ("cold", "warm", "gcc -O2")]
-        return campaign.table(["stand, N", *(c for first in columns for c in (first, "processor, s", "MB"))], rows)
+        return GENERATION.rows(rows)
 
-    def start(self) -> str:
+    def start(self) -> list[dict[str, Any]]:
         """Commands as a user starts them, in a folder with the stand and a run of it."""
         (self._folder / "STAND.toml").write_text(path("bench8").read_text(encoding="utf-8"), encoding="utf-8")
         run(self._command("simulate", "STAND.toml", "--until", "10", "-o", "run.csv"), self._env, self._folder)
         rows = []
         for arguments, most in STARTS:
             found, middle = median(self._command(*arguments), self._env, 2 * self._repeat, self._folder)
-            rows.append([f"`mahovik {' '.join(arguments)}`", *found.cells, f"{middle:.2f}", f"{most:g}"])
+            rows.append((f"`mahovik {' '.join(arguments)}`", *found.cells, middle, most))
             print(*rows[-1], sep="   ", flush=True)
             self._held(f"mahovik {' '.join(arguments)}, s", found.processor, most)
         for what, code in (("Python alone", "pass"), ("Python and `import numpy, pydantic`", "import numpy, pydantic")):
             found, middle = median([sys.executable, "-c", code], self._env, 2 * self._repeat, self._folder)
-            rows.append([what, *found.cells, f"{middle:.2f}", ""])
-        return campaign.table(["command", "s", "processor, s", "MB", "median, s", "limit, s"], rows)
+            rows.append((what, *found.cells, middle, None))
+        return START.rows(rows)
 
 
-def machine() -> str:
-    """What was measured on."""
+def machine() -> Figures:
+    """Machine of the measurement."""
     gcc = subprocess.run(["gcc", "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
+    return {
+        "processor": campaign.processor(),
+        "cores": os.cpu_count(),
+        "python": platform.python_version(),
+        "gcc": gcc,
+        "load": os.getloadavg()[1],
+    }
+
+
+def _with_machine(found: Figures, table: str) -> str:
+    on = found["machine"]
+    verdict = "".join(f"* {line}\n" for line in found["exceeded"]) or "None.\n"
     return (
-        f"On {campaign.processor()}, {os.cpu_count()} cores, Python {platform.python_version()}, gcc {gcc}; "
-        f"processes that wanted to run meanwhile, on average: {os.getloadavg()[1]:.1f}."
+        f"On {on['processor']}, {on['cores']} cores, Python {on['python']}, gcc {on['gcc']}; processes that wanted to "
+        f"run meanwhile, on average: {on['load']:.1f}.\n\n{table}\nLimits that were exceeded:\n\n{verdict}"
     )
+
+
+def generation_page(found: Figures) -> str:
+    """The table of `generate` and the compiler."""
+    head = ["stand, N", *(title for what in WHAT for title in (f"{what}, s", "processor, s", "MB"))]
+    rows = []
+    for row in found["rows"]:
+        cells = [f"{x:{form}}" for what in WHAT for x, form in zip(row[what], (".2f", ".2f", ".0f"), strict=True)]
+        rows.append([row["stand, N"], *cells])
+    return _with_machine(found, campaign.table(head, rows))
+
+
+def start_page(found: Figures) -> str:
+    """The table of commands."""
+    return _with_machine(found, START.text(found["rows"]))
+
+
+def _campaign(name: str, part: str, page: Callable[[Figures], str]) -> Campaign:
+    block = campaign.Block("docs/results/generation.md", f"figures: tools/generation_time.py {part}")
+    return Campaign(name, block, page, ("out", "use", "proof", "generation_time.py"))
+
+
+GENERATION_CAMPAIGN = _campaign("generation", "generation", generation_page)
+START_CAMPAIGN = _campaign("start", "start", start_page)
 
 
 def main() -> None:
@@ -185,13 +229,13 @@ def main() -> None:
     for part in PARTS if asked.only is None else (asked.only,):
         with tempfile.TemporaryDirectory() as scratch:
             found = Measurement(Path(scratch), asked.repeat)
-            figures = found.generation() if part == "generation" else found.start()
-        verdict = "".join(f"* {line}\n" for line in found.passed_limits) or "None.\n"
-        text = f"{machine()}\n\n{figures}\nLimits that were exceeded:\n\n{verdict}"
+            rows = found.generation() if part == "generation" else found.start()
+        each = GENERATION_CAMPAIGN if part == "generation" else START_CAMPAIGN
+        figures = {"machine": machine(), "rows": rows, "exceeded": found.passed_limits}
         failed |= bool(found.passed_limits)
-        print(text)
+        print(each.page(figures))
         if not asked.no_page:
-            BLOCKS[part].write(text)
+            each.keep(figures)
     raise SystemExit(1 if failed else 0)
 
 

@@ -5,34 +5,36 @@ python tools/judges_table.py [--states 200]
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from random import Random
+from typing import Any
 
 import campaign
+from kept import Campaign, Columns, Figures, Measured, Rows
 
 from mahovik.core.stand import Stand, load
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
-from mahovik.proof.verify.judges.basilisk_wheel import with_its_wheels
-from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION, QUANTITIES, verify_by, verify_judges
+from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand
+from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, compare_with_judges, verify_judges
 from mahovik.proof.verify.judges.rigid import missing, stripped
 from mahovik.proof.verify.report import Report
 from mahovik.stands import names, path
 
-BLOCK = campaign.Block("README.md", "judges: tools/judges_table.py")
 WORDS = (*QUANTITIES.values(), MOTION)
 ITS_WORDS = (*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), MOTION)
 """What Basilisk offers."""
 
 NOTE = (
-    "Basilisk: of stands whose flywheels are cut to what its reaction wheel can be; "
+    "Basilisk: stands whose flywheels are reduced to what its reaction wheel can represent; "
     "[the cases where it is\nnot exact](docs/results/judges.md#where-its-model-is-not-exact) are shown as well.\n"
 )
 
 BASILISK = """
 Its reaction wheel (`JitterFullyCoupled`) has a static unbalance, a dynamic one across it, and one transverse moment of
-inertia; its spacecraft is free, without uniform gravity. The flywheels of each stand are cut to such wheels, gravity is
-left out, and nothing else. Of a stand file, `mahovik verify --judges` says in a line what Basilisk has not. It gives
-its mass properties and the accelerations for drive torques, at states without a run-time wrench; the motion is by its
-own integrator.
+inertia; its spacecraft is free, without uniform gravity. The flywheels of each stand are reduced to such wheels,
+and gravity is left out. For a stand file, `mahovik verify --judges` says in one line what Basilisk cannot
+represent. It gives its mass properties and the accelerations for drive torques, at states without a run-time wrench;
+the motion is by its own integrator.
 
 """
 
@@ -52,54 +54,87 @@ flywheels are balanced, as in {balanced}, the model is exact.
 {simple}"""
 
 
-def worst(reports: Sequence[Report], judge: str, quantity: str) -> str:
-    """The largest difference over stands; nothing where no stand has the quantity."""
-    found = [row.worst for r in reports for row in r.rows if (row.want, row.quantity) == (judge, quantity)]
-    return f"{max(found):.0e}" if found else ""
+def by_stand(reports: Sequence[Report], judge: str, words: Sequence[str]) -> list[dict[str, Any]]:
+    """The largest difference: quantities by stands; None where a stand does not have the quantity."""
+    return [
+        {"quantity": quantity}
+        | {
+            report.stand: max((r.worst for r in report.rows if (r.want, r.quantity) == (judge, quantity)), default=None)
+            for report in reports
+        }
+        for quantity in words
+    ]
 
 
-def short(reports: Sequence[Report], versions: Sequence[str]) -> str:
-    """Quantities by judges: the worst of all stands."""
-    rows = [[quantity, *(worst(reports, judge, quantity) for judge in ALL)] for quantity in WORDS]
-    return campaign.table(["generated C against", *versions], rows) + "\n" + NOTE
-
-
-def by_stand(reports: Sequence[Report], judge: str, words: Sequence[str]) -> str:
+def table(rows: Rows) -> str:
     """Quantities by stands."""
-    rows = [[quantity, *(worst([r], judge, quantity) for r in reports)] for quantity in words]
-    return campaign.table(["quantity", *(r.stand for r in reports)], rows)
+    return Columns({key: "{}" if key == "quantity" else "{:.0e}" for key in rows[0]}).text(rows)
 
 
-def page(reports: Sequence[Report], dry: Sequence[str], versions: Sequence[str], states: int, basilisk: str) -> str:
-    """The whole page."""
+def short(found: Figures) -> str:
+    """Quantities by judges: the worst of all stands."""
+    of_judges = [*found["judges"], found["basilisk"]]
+    columns = dict.fromkeys(found["versions"], "{:.0e}")
+    rows = []
+    for quantity in WORDS:
+        numbers = [
+            [row[stand] for row in rows_of if row["quantity"] == quantity for stand in row if stand != "quantity"]
+            for rows_of in of_judges
+        ]
+        rows.append((quantity, *(max((x for x in each if x is not None), default=None) for each in numbers)))
+    head = Columns({"generated C against": "{}", **columns})
+    return f"{head.text(head.rows(rows))}\n{NOTE}"
+
+
+def page(found: Figures) -> str:
+    """The tables of all judges, and the two cases where the model of Basilisk is not exact."""
     text = (
-        "# Outside judges\n\n"
-        "Written by `python tools/judges_table.py`. The generated C against multibody programs of others, given the "
-        "same stand:\nthe largest difference relative to the natural scale "
+        "The largest difference relative to the natural scale "
         "([what that is](../verification.md#the-natural-scale)), over "
-        f"{states} random and extreme states a stand.\n"
-        f"They know no fluid, suspension or legs; these were taken out of {', '.join(dry)}.\n"
+        f"{found['states']} random and extreme states per stand.\n"
+        f"They know no fluid, suspension or legs; these were taken out of {_listed(found['dry'])}.\n"
     )
-    for judge, version in zip(JUDGES, versions, strict=False):
-        text += f"\n## {version}\n\n" + by_stand(reports, judge, WORDS)
-    return text + f"\n## {versions[-1]}\n" + basilisk
+    *versions, basilisk = found["versions"]
+    for version, rows in zip(versions, found["judges"], strict=True):
+        text += f"\n## {version}\n\n{table(rows)}"
+    return f"{text}\n## {basilisk}\n{BASILISK}{table(found['basilisk'])}" + NOT_EXACT.format(
+        equal=_listed(found["equal"]),
+        asymmetric=table(found["asymmetric"]),
+        balanced=_listed(found["balanced"]),
+        simple=table(found["simple"]),
+    )
 
 
-def of_basilisk(exact: Sequence[Report], asymmetric: Sequence[Report], simple: Sequence[Report]) -> str:
-    """Its part of the page: where it is exact, and the two cases where it is not."""
-    tables = [by_stand(reports, "basilisk", ITS_WORDS) for reports in (exact, asymmetric, simple)]
-    equal, balanced = (
-        ", ".join(f"`{report.stand}`" for report in reports if report.passed) for reports in (asymmetric, simple)
-    )
-    return (
-        BASILISK + tables[0] + NOT_EXACT.format(equal=equal, asymmetric=tables[1], balanced=balanced, simple=tables[2])
-    )
+def _listed(stands: Sequence[str]) -> str:
+    return ", ".join(f"`{name}`" for name in stands)
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A stand before the judges that are installed everywhere; rounding differs with their releases."""
+    name = rng.choice(names())
+    stand = stripped(load(path(name)))
+    yield Measured("stands without their wrenches", found["dry"], [n for n in names() if missing(load(path(n)))])
+    report = verify_judges(stand, count=found["states"], names=tuple(JUDGES))
+    for judge, rows in zip(JUDGES, found["judges"], strict=True):
+        for row, now in zip(rows, by_stand([report], judge, WORDS), strict=True):
+            factor = 30.0 if row["quantity"] == MOTION else 5.0
+            yield Measured(f"{judge}, {name}, {row['quantity']}", row[name], now[report.stand], factor)
+
+
+CAMPAIGN = Campaign(
+    "judges",
+    campaign.Block("docs/results/judges.md", "figures: tools/judges_table.py"),
+    page,
+    ("proof", "judges_table.py"),
+    sample,
+    also=((campaign.Block("README.md", "judges: tools/judges_table.py"), short),),
+)
 
 
 def by_basilisk(stand: Stand, states: int, model: Model = "JitterFullyCoupled", asymmetric: bool = False) -> Report:
     """The C of a stand with wheels of Basilisk, against it."""
-    its = with_its_wheels(stand, asymmetric)
-    return verify_by(its, [BasiliskJudge(its, model, asymmetric)], count=states)
+    its = basilisk_stand(stand, asymmetric)
+    return compare_with_judges(its, [BasiliskJudge(its, model, asymmetric)], count=states)
 
 
 def main() -> None:
@@ -116,10 +151,19 @@ def main() -> None:
         for report in (reports[0], exact[0])
         for word in report.judged.removeprefix("generated C against ").split(",")
     ]
-    dry = [f"`{stand.name}`" for stand in stands if missing(stand)]
-    text = page(reports, dry, versions, states, of_basilisk(exact, asymmetric, simple))
-    (campaign.ROOT / "docs" / "results" / "judges.md").write_text(text, encoding="utf-8")
-    BLOCK.write(short([*reports, *exact], versions))
+    CAMPAIGN.keep(
+        {
+            "states": states,
+            "dry": [stand.name for stand in stands if missing(stand)],
+            "versions": versions,
+            "judges": [by_stand(reports, judge, WORDS) for judge in JUDGES],
+            "basilisk": by_stand(exact, "basilisk", ITS_WORDS),
+            "equal": [report.stand for report in asymmetric if report.passed],
+            "asymmetric": by_stand(asymmetric, "basilisk", ITS_WORDS),
+            "balanced": [report.stand for report in simple if report.passed],
+            "simple": by_stand(simple, "basilisk", ITS_WORDS),
+        }
+    )
     raise SystemExit(0 if all(report.passed for report in (*reports, *exact)) else 1)
 
 

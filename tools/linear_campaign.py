@@ -12,9 +12,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from random import Random
+from typing import Any
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
@@ -31,12 +34,10 @@ from mahovik.use.study.rest import rest
 
 Array = NDArray[np.float64]
 
-BLOCKS = {
-    name: campaign.Block(f"docs/results/{name}.md", "campaign: tools/linear_campaign.py --write")
-    for name in ("linear", "response")
-}
 AGREEMENT, EQUAL = 1e-10, 1e-6
 FLYWHEELS = (0, 1, 2, 4, 8)
+LINEAR = Columns({"flywheels": "{}", "stands": "{}", **dict.fromkeys("ABCD", "{:.0e}")})
+RESPONSE = Columns({"stand": "{}", "speeds, rpm": "{}", "nodes": "{}", "simulated": "{}", "apart": "{:.0e}"})
 POSE = ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")
 
 
@@ -50,21 +51,37 @@ def disagreement(first: object, second: object) -> dict[str, float]:
     return found
 
 
-def linear_table(stands: int, first: int) -> tuple[str, bool]:
-    """Random stands by number of flywheels, a state each; and whether all agree."""
-    rows, worst = [], 0.0
-    for N in FLYWHEELS:
-        found = []
-        for seed in campaign.seeds(first, stands // len(FLYWHEELS)):
-            rng = np.random.default_rng([seed, N])
-            stand = random_stand(rng, N)
-            state = random_state(stand, rng)
-            found.append(disagreement(linear_model(stand, state), linear(stand, state)))
-        largest = {name: max(each[name] for each in found) for name in "ABCD"}
-        worst = max(worst, *largest.values())
-        rows.append([str(N), str(len(found)), *(f"{largest[name]:.0e}" for name in "ABCD")])
-    text = f"Random stands, a random state each; accepted is {AGREEMENT:g} of the largest number of a row.\n\n"
-    return text + campaign.table(("flywheels", "stands", "A", "B", "C", "D"), rows), worst <= AGREEMENT
+def linear_row(N: int, stands: int, first: int) -> tuple[Any, ...]:
+    """Random stands with this number of flywheels, a state each."""
+    found = []
+    for seed in campaign.seeds(first, stands):
+        rng = np.random.default_rng([seed, N])
+        stand = random_stand(rng, N)
+        state = random_state(stand, rng)
+        found.append(disagreement(linear_model(stand, state), linear(stand, state)))
+    return N, len(found), *(max(each[name] for each in found) for name in "ABCD")
+
+
+def linear_figures(stands: int, first: int) -> Figures:
+    """Random stands by number of flywheels."""
+    rows = [linear_row(N, stands // len(FLYWHEELS), first) for N in FLYWHEELS]
+    return {"first": first, "accepted": AGREEMENT, "rows": LINEAR.rows(rows)}
+
+
+def linear_page(found: Figures) -> str:
+    """A sentence and the table."""
+    return (
+        f"Random stands, each at a random state; accepted is {found['accepted']:g} of the largest number of a row.\n\n"
+        + LINEAR.text(found["rows"])
+    )
+
+
+def linear_sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A row again."""
+    row = rng.choice(found["rows"])
+    now = LINEAR.rows([linear_row(row["flywheels"], row["stands"], found["first"])])[0]
+    for name in "ABCD":
+        yield Measured(f"{row['flywheels']} flywheels, {name}", row[name], now[name], 3.0)
 
 
 @dataclass(frozen=True)
@@ -88,22 +105,38 @@ COURSES = (
 )
 
 
-def response_table() -> tuple[str, bool]:
-    """Steady states against the generated C, from rest for long, or begun on the course for a period."""
-    rows, worst = [], 0.0
-    for course in COURSES:
-        stand = load(path(course.stand))
-        found = periodic_response(stand, [x * np.pi / 30 for x in course.rpm])
-        off = missed(stand, found, course.until)
-        worst = max(worst, off)
-        speeds = ", ".join(f"{x:g}" for x in course.rpm)
-        how = "one period from the course" if course.until is None else f"{course.until:g} s from rest"
-        rows.append([course.stand, speeds, str(len(found.y)), how, f"{off:.0e}"])
-    text = f"Largest distance in place and attitude over the last period, part of the amplitude; accepted is {EQUAL:g}."
-    return text + "\n\n" + campaign.table(("stand", "speeds, rpm", "nodes", "simulated", "apart"), rows), worst <= EQUAL
+def response_row(course: Course) -> tuple[Any, ...]:
+    """A steady state against the generated C, from rest for long, or begun on the course for a period."""
+    stand = load(path(course.stand))
+    found = periodic_response(stand, [x * np.pi / 30 for x in course.rpm])
+    how = "one period from the course" if course.until is None else f"{course.until:g} s from rest"
+    speeds = ", ".join(f"{x:g}" for x in course.rpm)
+    return course.stand, speeds, len(found.y), how, distance_from_course(stand, found, course.until)
 
 
-def missed(stand: Stand, found: Periodic, until: float | None) -> float:
+def response_figures() -> Figures:
+    """All courses."""
+    return {"accepted": EQUAL, "rows": RESPONSE.rows(map(response_row, COURSES))}
+
+
+def response_page(found: Figures) -> str:
+    """A sentence and the table."""
+    return (
+        "Largest distance in place and attitude over the last period, part of the amplitude; accepted is "
+        f"{found['accepted']:g}.\n\n{RESPONSE.text(found['rows'])}"
+    )
+
+
+def response_sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A row again; the distance holds errors of integration and rounding, and the decay of what was at first."""
+    k = rng.choice([k for k, course in enumerate(COURSES) if course.until is not None])
+    row, now = found["rows"][k], RESPONSE.rows([response_row(COURSES[k])])[0]
+    for key in ("stand", "speeds, rpm", "nodes", "simulated"):
+        yield Measured(f"row {k}, {key}", row[key], now[key])
+    yield Measured(f"row {k}, apart", row["apart"], now["apart"], 2.0)
+
+
+def distance_from_course(stand: Stand, found: Periodic, until: float | None) -> float:
     """Distance of a run of the C from the course, at eight moments of its last period."""
     period, chart = found.turning.period, found.scene.chart
     periods = 1 if until is None else int(np.ceil(until / period))
@@ -128,21 +161,26 @@ def missed(stand: Stand, found: Periodic, until: float | None) -> float:
     return float(max(off[:, a].max() / size[a].max() for a in (slice(0, 3), slice(3, 6))))
 
 
-def pages(stands: int, first: int) -> Iterator[tuple[str, str, bool]]:
-    """Name of a page, its table, and whether the table is good."""
-    yield "linear", *linear_table(stands, first)
-    yield "response", *response_table()
+def _block(name: str) -> campaign.Block:
+    return campaign.Block(f"docs/results/{name}.md", "campaign: tools/linear_campaign.py --write")
+
+
+CODE = ("proof/second", "use/study", "use/simulate", "linear_campaign.py")
+LINEAR_CAMPAIGN = Campaign("linear", _block("linear"), linear_page, CODE, linear_sample)
+RESPONSE_CAMPAIGN = Campaign("response", _block("response"), response_page, CODE, response_sample)
 
 
 def main() -> int:
-    """Prints the tables, writes them where asked to."""
+    """Prints the tables, keeps them where asked to."""
     given = campaign.parser(__doc__, stands=200, first=1, write=False).parse_args()
     good = True
-    for name, text, passed in pages(given.stands, given.first):
-        print(text, flush=True)
-        good &= passed
+    both = (LINEAR_CAMPAIGN, linear_figures(given.stands, given.first)), (RESPONSE_CAMPAIGN, response_figures())
+    for each, found in both:
+        print(each.page(found), flush=True)
+        largest = max(row[key] for row in found["rows"] for key in (*"ABCD", "apart") if key in row)
+        good &= largest <= found["accepted"]
         if given.write:
-            BLOCKS[name].write(text)
+            each.keep(found, given.first if each is LINEAR_CAMPAIGN else None)
     return 0 if good else 1
 
 

@@ -196,7 +196,7 @@ def rounding(low: float, high: float, precision: Precision, sine: bool, tail: Te
 
 
 def tail_of(high: float, precision: Precision, turns: int) -> Term:
-    """r_tail after so many quarter turns: the rounding of r_hi, and the third part; with what the reduction loses."""
+    """r_tail after this many quarter turns: the rounding of r_hi, and the third part; with what the reduction loses."""
     _, second, third = (abs(p) for p in half_pi_parts(precision))
     size = half_unit(high, precision) + turns * third
     missing = float(abs(PI / 2 - sum(map(Fraction, half_pi_parts(precision)))))
@@ -218,7 +218,7 @@ def borders(precision: Precision) -> list[float]:
 
 
 @cache
-def near(precision: Precision, sine: bool) -> float:
+def small_angle_error(precision: Precision, sine: bool) -> float:
     """Units in the last place, |x| <= 8 pi. Below the first border r^3 is nothing beside a unit of r: half a unit."""
     worst = 0.0
     for low, high in itertools.pairwise(borders(precision)):
@@ -265,9 +265,9 @@ def least_reduced(precision: Precision) -> float:
     return float(least) * 0.999
 
 
-def rows() -> Iterator[Row]:
+def rows(precisions: Sequence[Precision] = (DOUBLE, FLOAT)) -> Iterator[Row]:
     """All that is proven."""
-    for precision in (DOUBLE, FLOAT):
+    for precision in precisions:
         name = precision.name
         unit = precision.epsilon
         for what, words, most in (
@@ -278,7 +278,7 @@ def rows() -> Iterator[Row]:
             yield Row(words, name, approximation(what, precision), "", most)
         for sine in (True, False):
             words = "sine and cosine by the polynomial of the " + ("sine" if sine else "cosine")
-            yield Row(f"{words}, up to 8 pi", name, near(precision, sine), "ulp", 1.0)
+            yield Row(f"{words}, up to 8 pi", name, small_angle_error(precision, sine), "ulp", 1.0)
             most = {"double": 1e-16, "float": 6e-8}[name]
             yield Row(f"{words}, up to {precision.max_phase:g}", name, anywhere(precision, sine), "", most)
 

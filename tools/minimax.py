@@ -112,7 +112,7 @@ def remez(problem: Problem, terms: int, samples: int = 400, rounds: int = 12) ->
         grid = [span * mp.sqrt(mp.mpf(i) / samples) for i in range(1, samples + 1)]
         coefficients: list[Real] = []
         for _ in range(rounds):
-            coefficients, level = _levelled(problem, terms, points)
+            coefficients, level = _level(problem, terms, points)
             errors = [deviation(problem, coefficients, r) for r in grid]
             points = _extrema(grid, errors, terms + 1)
             if max(map(abs, errors)) < abs(level) * mp.mpf("1.0001"):
@@ -120,7 +120,7 @@ def remez(problem: Problem, terms: int, samples: int = 400, rounds: int = 12) ->
         return coefficients
 
 
-def _levelled(problem: Problem, terms: int, points: list[Real]) -> tuple[list[Real], Real]:
+def _level(problem: Problem, terms: int, points: list[Real]) -> tuple[list[Real], Real]:
     """The polynomial whose error alternates between +E and -E at the points, and E."""
     matrix, right = mp.matrix(terms + 1), mp.matrix(terms + 1, 1)
     for row, r in enumerate(points):

@@ -2,21 +2,22 @@
 
 python tools/ocp_campaign.py [--stands 1] [--first 8000] [--seconds 120] [--rows TEXT] [--write]
 
-Seconds are of the processor, of the whole plan with the search that it starts from, and its verification. Exit status
+Seconds are processor time, of the whole plan with the search that it starts from, and its verification. Exit status
 1 where a programme that is given is not verified.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import campaign
+from kept import Campaign, Columns, Figures, Measured
 from plan_stands import campaign_motion, campaign_stand
 
 import mahovik.stands
@@ -24,9 +25,8 @@ from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
-from mahovik.use.plan.options import Method
+from mahovik.use.plan.outcome import Method
 
-BLOCK = campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write")
 STANDS = Path(mahovik.stands.__file__).parent
 METHODS: tuple[Method, ...] = ("ocp-partition", "ocp")
 
@@ -51,8 +51,12 @@ def cases(first: int, number: int) -> Iterator[Case]:
             yield Case(f"N = {N}, seed {seed}", campaign_stand(seed, N), campaign_motion(seed, N))
 
 
-HEAD = (
-    "stand", "method", "status", "partition", "iterations", "s", "raw residual", "residual", "J / J of `fourier`",
+TABLE = Columns(
+    {
+        "stand": "{}", "method": "`{}`", "status": "{}", "partition": "{}", "iterations": "{}", "s": "{:.1f}",
+        "raw residual": "{:.0e}", "residual": "{:.0e}", "J / J of `fourier`": "{:.5g} / {:.5g}",
+    },
+    None,
 )  # fmt: skip
 
 
@@ -61,16 +65,49 @@ def line(case: Case, method: Method, found: Plan, seconds: float) -> tuple[objec
     if not found.programmes:
         why = "; ".join(found.words)
         words = f"{found.status} {found.reason}: {why}"
-        return case.name, f"`{method}`", words, "", "", f"{seconds:.1f}", "", "", ""
+        return case.name, method, words, None, None, seconds, None, None, None
     report: Any = found.programmes[0].report
     own, six = report["ocp"], report["ocp"]["partition"]
     held = f"{six['least_singular_value']:.1e}" if six["regular"] else f"0 at {len(six['det_zero_at'])} times"
-    raw = "" if own["raw_residual"] is None else f"{own['raw_residual']:.0e}"
     return (
-        case.name, f"`{method}`", f"{found.status}, {report['kind']}", f"{','.join(six['plus'])}: {held}",
-        own["iterations"], f"{seconds:.1f}", raw, f"{report['residual']:.0e}",
-        f"{own['objective']:.5g} / {own['objective_of_start']:.5g}",
+        case.name, method, f"{found.status}, {report['kind']}", f"{','.join(six['plus'])}: {held}", own["iterations"],
+        seconds, own["raw_residual"], report["residual"], (own["objective"], own["objective_of_start"]),
     )  # fmt: skip
+
+
+def page(found: Figures) -> str:
+    """The table."""
+    return (
+        f"Stands of each N: {found['stands']}, seeds from {found['first']}. The partition with the least singular "
+        "value of I+ along the programme; processor seconds with search and verification; the largest relative "
+        "residual between the nodes as IPOPT left it, and of the programme; J of (13) over that of the Fourier "
+        f"programme it started from.\n\n{TABLE.text(found['rows'])}"
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A programme of the partition again."""
+    rows = [row for row in found["rows"] if row["method"] == METHODS[0] and row["status"].startswith("OK")]
+    kept = rng.choice(rows)
+    (case,) = (case for case in cases(found["first"], found["stands"]) if case.name == kept["stand"])
+    planned = plan_motion(case.stand, case.motion, PlanOptions(seconds=found["seconds"], method=METHODS[0]))
+    (now,) = TABLE.rows([line(case, METHODS[0], planned, 0.0)])
+    for key in ("status", "partition", "iterations"):
+        yield Measured(f"{case.name}, {key}", kept[key], now[key])
+    yield Measured(f"{case.name}, raw residual", kept["raw residual"], now["raw residual"], 2.0)
+    yield Measured(f"{case.name}, residual", kept["residual"], now["residual"], 30.0)
+    for name, before, after in zip(("J", "J of the start"), kept["J / J of `fourier`"], now["J / J of `fourier`"],
+                                   strict=True):  # fmt: skip
+        yield Measured(f"{case.name}, {name}", before, after, 1.01)
+
+
+CAMPAIGN = Campaign(
+    "optimal-control",
+    campaign.Block("docs/results/optimal-control.md", "campaign: tools/ocp_campaign.py --write"),
+    page,
+    ("proof", "use/plan", "ocp_campaign.py", "plan_stands.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -82,22 +119,13 @@ def main() -> None:
             begun = time.process_time()
             found = plan_motion(case.stand, case.motion, PlanOptions(seconds=asked.seconds, method=method))
             lines.append(line(case, method, found, time.process_time() - begun))
-            print(campaign.row(*lines[-1]), flush=True)
+            print(*lines[-1], sep="   ", flush=True)
             wrong += [f"{case.name} {method}: not verified" for p in found.programmes if not p.report["verified"]]
-    if asked.write:
-        write(lines, asked)
+    if asked.write and not asked.rows:
+        settings = {"first": asked.first, "stands": asked.stands, "seconds": asked.seconds}
+        CAMPAIGN.keep({**settings, "rows": TABLE.rows(lines)}, asked.first)
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
-
-
-def write(lines: Sequence[Sequence[object]], asked: argparse.Namespace) -> None:
-    """The table between the marks of the page."""
-    BLOCK.write(
-        f"Stands of each N: {asked.stands}, seeds from {asked.first}. The partition with the least singular value of "
-        "I+ along the programme; seconds of the processor with search and verification; the largest relative residual "
-        "between the nodes as IPOPT left it, and of the programme; J of (13) over that of the Fourier programme it "
-        f"started from.\n\n{campaign.table(HEAD, lines, None)}"
-    )
 
 
 if __name__ == "__main__":

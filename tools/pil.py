@@ -10,15 +10,18 @@ from __future__ import annotations
 import argparse
 import re
 import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from random import Random
 
 import campaign
+from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.servo import servo_program_text
-from mahovik.core.motion.programme import load_programme
+from mahovik.core.motion.programme import load_programme, save_programme
 from mahovik.core.motion.required import load_motion
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
@@ -31,15 +34,16 @@ from mahovik.errors import UsageError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.stands import motions, path, servos
 from mahovik.use.control.mismatch import with_mismatch
+from mahovik.use.plan import PlanOptions, plan_motion
 
 _COUNT = re.compile(r"(# )?(.+?) (\d+)")
 
 
 @dataclass(frozen=True)
 class Run:
-    """What a board printed.
+    """Output of a board.
 
-    torques    a line a sample: the bits
+    torques    one line per sample: the bits
     followed   largest error of an angle in the last quarter, rad
     limited    samples with a torque cut
     counts     the board's own, by what they count
@@ -82,7 +86,7 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
 
 
 def read_run(printed: str) -> Run:
-    """What the program printed."""
+    """Output of the program."""
     lines = printed.splitlines()
     torques = tuple(line for line in lines if line.startswith(" "))
     numbers: dict[str, int] = {}
@@ -95,7 +99,6 @@ def read_run(printed: str) -> Run:
     return Run(torques, followed, numbers["samples with a torque cut"], counts)
 
 
-BLOCK = campaign.Block("docs/results/servo.md", "figures: tools/pil.py --write")
 STAND = "bench8"
 BOARDS = (("m7", "double"), ("m4", "float"))
 ROWS = ("programme_at", "servo_step", "trim_step")
@@ -114,7 +117,7 @@ class Found:
     made: ExportedServo
 
 
-def found(board: str, real: str, given: argparse.Namespace) -> Found:
+def run_board(board: str, real: str, given: argparse.Namespace) -> Found:
     """The run of a board and of this machine. Raises ToolchainError."""
     stand = load(path(STAND))
     motion, servo = load_motion(motions(STAND)[0], stand), load_servo(servos(STAND)[0], stand)
@@ -126,38 +129,98 @@ def found(board: str, real: str, given: argparse.Namespace) -> Found:
             place, target = Path(scratch), TARGETS[name]
             runs.append(read_run(run(target, build(target, texts, place, extra=STACK_FLAGS), timeout=3600)))
             prints.append([footprint(target.compiler[0], place / f"{STAND}_{o}.o") for o in ("servo", "programme")])
-    return Found(board, real, runs[0], runs[0].torques == runs[1].torques, *prints[0], made)
+    of_servo, of_programme = prints[0]
+    return Found(board, real, runs[0], runs[0].torques == runs[1].torques, of_servo, of_programme, made)
 
 
-def figures(results: list[Found], given: argparse.Namespace) -> str:
+TABLE = Columns({"processor": "{}", "function": "{}", "instructions": "{:,}", "stack, B": "{:,}", "code, B": "{:,}"}, 2)
+
+
+def lines(f: Found) -> Iterator[tuple[object, ...]]:
+    """Rows of a board."""
+    title, counts = f"{TARGETS[f.board].title.split(',')[0]}, {f.real}", f.run.counts
+    for name in ROWS:
+        symbol, taken = f"{STAND}_{name}", f.programme if name == "programme_at" else f.servo
+        count = next(n for words, n in counts.items() if f" {name}" in words)
+        yield title, f"`{name}`", count, taken.stack_of(symbol), taken.code_of(symbol)
+    most, stack = counts["instructions of a sample, at most"], counts["bytes of stack of a sample, at most"]
+    yield title, "a whole sample, at most", most, stack, None
+
+
+def run_of(f: Found) -> Figures:
+    """The figures to keep of a board's run."""
+    return {
+        "board": f.board,
+        "real": f.real,
+        "equal": f.equal,
+        "error, mrad": f.run.followed * 1e3,
+        "gains and trim, B": sum(f.servo.constants.values()),
+    }
+
+
+def figures(results: list[Found], given: argparse.Namespace) -> Figures:
+    """The figures to keep."""
+    return {
+        "samples": given.samples,
+        "rate": 1 / results[0].made.tables.period,
+        "mismatch": given.mismatch,
+        "seed": given.seed,
+        "compiler": version(TARGETS["m7"].compiler[0]),
+        "rows": TABLE.rows(line for f in results for line in lines(f)),
+        "runs": [run_of(f) for f in results],
+    }
+
+
+def page(found: Figures) -> str:
     """What ran, the table, how well it followed."""
-    rate = 1 / results[0].made.tables.period
     text = (
-        f"`{STAND}`, {given.samples:,} samples at {rate:g} Hz. The stand that is played has other masses, inertias and "
-        f"places than its\nfile, by up to {given.mismatch:.3g} (seed {given.seed}); at -O2 by "
-        f"{version(TARGETS['m7'].compiler[0])}. The emulator counts instructions in steps of 40;\n"
-        "stack over the call graph; code with what a function calls.\n\n"
+        f"`{STAND}`, {found['samples']:,} samples at {found['rate']:g} Hz. The stand that is played has other masses, "
+        f"inertias and places than its\nfile, by up to {found['mismatch']:.3g} (seed {found['seed']}); at -O2 by "
+        f"{found['compiler']}. The emulator counts instructions in steps of 40;\n"
+        f"stack over the call graph; code with what a function calls.\n\n{TABLE.text(found['rows'])}"
     )
-    head, lines = ("processor", "function", "instructions", "stack, B", "code, B"), []
-    for f in results:
-        title = f"{TARGETS[f.board].title.split(',')[0]}, {f.real}"
-        for name in ROWS:
-            symbol, taken = f"{STAND}_{name}", f.programme if name == "programme_at" else f.servo
-            count = next(n for words, n in f.run.counts.items() if f" {name}" in words)
-            lines.append(
-                [title, f"`{name}`", f"{count:,}", f"{taken.stack_of(symbol):,}", f"{taken.code_of(symbol):,}"]
-            )
-        counts = f.run.counts
-        most, stack = counts["instructions of a sample, at most"], counts["bytes of stack of a sample, at most"]
-        lines.append([title, "a whole sample, at most", f"{most:,}", f"{stack:,}", ""])
-    text += campaign.table(head, lines, 2)
-    for f in results:
-        equal = "all torques have the bits of the host" if f.equal else "torques DIFFER from those of the host"
+    for each in found["runs"]:
+        equal = "all torques have the bits of the host" if each["equal"] else "torques DIFFER from those of the host"
         text += (
-            f"\n{f.board}, {f.real}: {equal}; the largest error of an angle in the last quarter is "
-            f"{f.run.followed * 1e3:.2f} mrad. Gains and trim are {sum(f.servo.constants.values()):,} B.\n"
+            f"\n{each['board']}, {each['real']}: {equal}; the largest error of an angle in the last quarter is "
+            f"{each['error, mrad']:.2f} mrad. Gains and trim are {each['gains and trim, B']:,} B.\n"
         )
     return text
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A board again, with a programme that is planned again."""
+    board, real = rng.choice(BOARDS)
+    stand = load(path(STAND))
+    motion = load_motion(motions(STAND)[0], stand)
+    programme = plan_motion(stand, motion, PlanOptions()).programmes[0]
+    with tempfile.TemporaryDirectory() as scratch:
+        file = Path(scratch) / "programme.json"
+        save_programme(programme, file)
+        asked = argparse.Namespace(
+            programme=file, samples=found["samples"], mismatch=found["mismatch"], seed=found["seed"]
+        )
+        now = run_board(board, real, asked)
+    rows = TABLE.rows(lines(now))
+    kept = [row for row in found["rows"] if row["processor"] == rows[0]["processor"]]
+    for before, after in zip(kept, rows, strict=True):
+        name = f"{before['processor']}, {before['function']}"
+        yield Measured(f"{name}, instructions", before["instructions"], after["instructions"], 1.05)
+        for key in ("stack, B", "code, B"):
+            yield Measured(f"{name}, {key}", before[key], after[key])
+    (kept_run,) = (each for each in found["runs"] if each["board"] == board)
+    yield Measured(f"{board}, equal", kept_run["equal"], now.equal)
+    yield Measured(f"{board}, error", kept_run["error, mrad"], now.run.followed * 1e3, 1.05)
+    yield Measured(f"{board}, gains and trim", kept_run["gains and trim, B"], run_of(now)["gains and trim, B"])
+
+
+CAMPAIGN = Campaign(
+    "servo",
+    campaign.Block("docs/results/servo.md", "figures: tools/pil.py --write"),
+    page,
+    ("use/plan", "use/control", "out/export", "pil.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -166,14 +229,14 @@ def main() -> None:
     parser.add_argument("--programme", type=Path, required=True)
     parser.add_argument("--mismatch", type=float, default=0.01)
     given = parser.parse_args()
-    results = [found(board, real, given) for board, real in BOARDS]
-    text = figures(results, given)
-    print(text)
+    results = [run_board(board, real, given) for board, real in BOARDS]
+    found = figures(results, given)
+    print(page(found))
     wrong = [f.board for f in results if not f.equal]
     if wrong:
         raise SystemExit(f"{', '.join(wrong)}: other torques than on this machine")
     if given.write:
-        BLOCK.write(text)
+        CAMPAIGN.keep(found, given.seed)
 
 
 if __name__ == "__main__":

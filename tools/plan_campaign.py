@@ -2,21 +2,22 @@
 
 python tools/plan_campaign.py [--stands 4] [--first 5000] [--seconds 30] [--jobs 1] [--write]
 
-Times are of the processor, of the plan without its verification. Exit status 1 where a programme fails the independent
-verification. The page is written after each row; what preflight refuses is the business of `refusal_campaign.py`.
+Times are processor times, of the plan without its verification. Exit status 1 where a programme fails the independent
+verification. What preflight refuses is the business of `refusal_campaign.py`.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campaign_stand
 
 from mahovik.core.motion.required import RequiredMotion
@@ -24,7 +25,6 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.certificate import certify, failed_items
 
-BLOCK = campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write")
 OMEGA = 2.0 * np.pi / PERIOD
 
 
@@ -86,7 +86,7 @@ ROWS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one stand: status, s of the processor, peak acceleration (rad/s2), what the verification has against it."""
+    """Result for one stand: status, processor s, peak acceleration (rad/s2), objections of the verification."""
 
     status: str
     seconds: float
@@ -107,15 +107,58 @@ def outcome(row: Row, seed: int, seconds: float, verify: bool) -> Outcome:
     return Outcome(found.status, spent, float(np.max(programme.report["peak_acceleration"])), wrong)
 
 
-HEAD = ("flywheels", "motion, windings", "found", "median, s", "longest, s", "median peak acceleration, rad/s2")
+TABLE = Columns(
+    {
+        "flywheels": "{}", "motion, windings": "{}", "found": "{} of {}", "median, s": "{:.1f}", "longest, s": "{:.1f}",
+        "median peak acceleration, rad/s2": "{:.0f}",
+    },
+    None,
+)  # fmt: skip
 
 
 def line(row: Row, outcomes: Sequence[Outcome]) -> tuple[object, ...]:
     """A line of the table."""
     good = [each for each in outcomes if each.status == "OK"]
     spent = sorted(each.seconds for each in outcomes)
-    peak = f"{np.median([each.peak for each in good]):.0f}" if good else "-"
-    return row.N, row.name, f"{len(good)} of {len(outcomes)}", f"{np.median(spent):.1f}", f"{spent[-1]:.1f}", peak
+    peak = np.median([each.peak for each in good]) if good else None
+    return row.N, row.name, (len(good), len(outcomes)), np.median(spent), spent[-1], peak
+
+
+def page(found: Figures) -> str:
+    """The table."""
+    verified = found["verified"]
+    whose = "every programme is" if verified is None else f"programmes of the first {verified} of a row are"
+    return (
+        f"{found['stands']} stands per row, seeds from {found['first']}, which were not used before; a plan is cut "
+        f"after {found['seconds']:g} s; {whose} put through the independent verification, which refused "
+        f"{found['refused']}.\n\n{TABLE.text(found['rows'])}"
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """Three stands of rows in which all were found and that are quick, and all peaks where these are kept."""
+    peaks = found.get("peaks", [])
+    for k, of_row in enumerate(peaks):
+        row, good = found["rows"][k], [peak for peak in of_row if peak is not None]
+        yield Measured(f"row {k}, found", row["found"], [len(good), len(of_row)])
+        yield Measured(f"row {k}, peak", row["median peak acceleration, rad/s2"], float(np.median(good)), 1.001)
+    quick = [k for k, row in enumerate(found["rows"]) if row["found"][0] == row["found"][1] and row["longest, s"] < 2.0]
+    for k in rng.sample(quick, 3):
+        number = rng.randrange(found["stands"])
+        now = outcome(ROWS[k], found["first"] + number, 4.0 * found["seconds"], verify=True)
+        name = f"{ROWS[k].N} {ROWS[k].name}, seed {found['first'] + number}"
+        yield Measured(f"{name}, status and objections", ["OK", ""], [now.status, now.wrong])
+        if peaks:
+            yield Measured(f"{name}, peak", peaks[k][number], now.peak, 1.05)
+
+
+CAMPAIGN = Campaign(
+    "planning",
+    campaign.Block("docs/results/planning.md", "campaign: tools/plan_campaign.py --write"),
+    page,
+    ("proof", "use/plan", "plan_campaign.py", "plan_stands.py"),
+    sample,
+)
 
 
 def main() -> None:
@@ -125,29 +168,21 @@ def main() -> None:
     asked = options.parse_args()
     seeds = campaign.seeds(asked.first, asked.stands)
     n = len(seeds)
-    lines, wrong = [], []
+    lines, wrong, peaks = [], [], []
     verified = n if asked.verify is None else asked.verify
     for row in ROWS:
         if asked.rows not in f"{row.N} {row.name}":
             continue
         columns = [row] * n, seeds, [asked.seconds] * n, [k < verified for k in range(n)]
-        found = list(campaign.each(outcome, asked.jobs, *columns))
+        found = list(campaign.map_rows(outcome, asked.jobs, *columns))
         lines.append(line(row, found))
+        peaks.append([each.peak if each.status == "OK" else None for each in found])
         wrong += [f"{row.N} {row.name}, seed {s}: {o.wrong}" for s, o in zip(seeds, found, strict=True) if o.wrong]
         print(campaign.row(*lines[-1]), *wrong, sep="\n", flush=True)
-        if asked.write:
-            write(lines, len(wrong), asked)
+    if asked.write and not asked.rows:
+        settings = {"first": asked.first, "stands": asked.stands, "seconds": asked.seconds, "verified": asked.verify}
+        CAMPAIGN.keep({**settings, "refused": len(wrong), "rows": TABLE.rows(lines), "peaks": peaks}, asked.first)
     sys.exit(1 if wrong else 0)
-
-
-def write(lines: Sequence[Sequence[object]], wrong: int, asked: argparse.Namespace) -> None:
-    """The table between the marks of the page."""
-    whose = "every programme is" if asked.verify is None else f"programmes of the first {asked.verify} of a row are"
-    BLOCK.write(
-        f"{asked.stands} stands a row, seeds from {asked.first}, which were not used before; a plan is cut after "
-        f"{asked.seconds:g} s; {whose} put through the independent verification, which refused {wrong}.\n\n"
-        f"{campaign.table(HEAD, lines, None)}"
-    )
 
 
 if __name__ == "__main__":

@@ -108,8 +108,6 @@ def _body(name: str, mass: float, center: Array, inertia: Array, about: str) -> 
         "center_of_mass": _vec3(center),
         "inertia": cast(Mat3, tuple(_vec3(row) for row in inertia)),
         "inertia_about": about,
-        "buoyancy": None,
-        "damping": None,
         "wrench_input": False,
     }
 

@@ -17,6 +17,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 import campaign
+from kept import Campaign, Columns, Figures
 
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.emit.eva import Driver, drivers, eva_files
@@ -27,10 +28,9 @@ from mahovik.core.toolchain.eva import Proof, prove, version
 from mahovik.stands import names, path
 
 KEPT = campaign.ROOT / "build" / "proofs"
-BLOCK = campaign.Block("docs/results/proofs.md", "proofs: tools/proofs.py")
 REALS = ("double", "float")
 QUICK = {"demo3": ("any_forward", "any_torque", "normal_prepare", "any_wrap", "routine_sincos", "routine_sqrt")}
-"""What every change must pass: a stand, in both precisions."""
+"""Proofs that every change must pass: a stand, in both precisions."""
 LIMIT = 1800
 """Seconds a driver may take."""
 
@@ -72,41 +72,53 @@ def verdict(proof: Proof | None) -> str:
     return f"{proof.alarms}" if proof.unproved == 0 else f"{proof.alarms}, {proof.unproved} unproved"
 
 
-def page(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]], stands: Sequence[str]) -> str:
-    """The tables: what is claimed, what is tried, how long it took."""
+def figures(
+    found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]], stands: Sequence[str]
+) -> Figures:
+    """The figures to keep: what is claimed, what is tried, how long it took, the functions of which nothing was run."""
     columns = [(stand, real) for stand in stands for real in REALS]
-    head = ["function", "set", *(f"{stand} {real}" for stand, real in columns)]
 
-    def rows(claimed: bool) -> list[list[str]]:
+    def rows(claimed: bool) -> list[dict[str, str | None]]:
         wanted = dict.fromkeys(d for key in columns for d in every[key] if d.claimed == claimed)
         if not claimed:
             wanted = {d: None for d in wanted if any((*key, d) in found for key in columns)}
         order = sorted(wanted, key=lambda d: list(FUNCTIONS).index(d.function) if d.set != "routine" else 99)
         return [
-            [
-                f"`{d.function}`",
-                d.set,
-                *(verdict(found.get((*key, d))) if d in every[key] else "" for key in columns),
-            ]
+            {
+                "function": d.function,
+                "set": d.set,
+                **{" ".join(key): verdict(found.get((*key, d))) if d in every[key] else None for key in columns},
+            }
             for d in order
         ]
 
-    seconds = sum(proof.seconds for proof in found.values())
-    slowest = max(found.items(), key=lambda item: item[1].seconds)
-    (stand, real, driver), proof = slowest
-    return (
-        f"Frama-C {version()}; {len(found)} runs, {seconds} s in all on a busy machine of two cores, the longest "
-        f"{proof.seconds} s ({stand} {real}, {driver.set}_{driver.function}).\n\n"
-        f"Claimed: alarms\n\n{campaign.table(head, rows(True), None)}\n"
-        f"Tried, not claimed: alarms\n\n{campaign.table(head, rows(False), None)}\n{_untried(found, every)}"
-    )
-
-
-def _untried(found: dict[Key, Proof], every: dict[tuple[str, str], tuple[Driver, ...]]) -> str:
-    """The functions of which nothing is claimed and nothing was run."""
+    (stand, real, driver), longest = max(found.items(), key=lambda item: item[1].seconds)
     seen = {driver.function for *_, driver in found}
-    names = sorted({d.function for drivers in every.values() for d in drivers} - seen)
-    return f"Neither claimed nor tried: {', '.join(f'`{name}`' for name in names)}.\n" if names else ""
+    return {
+        "version": version(),
+        "runs": len(found),
+        "seconds": sum(proof.seconds for proof in found.values()),
+        "longest": {"seconds": longest.seconds, "driver": f"{stand} {real}, {driver.set}_{driver.function}"},
+        "columns": [" ".join(key) for key in columns],
+        "claimed": rows(True),
+        "tried": rows(False),
+        "not run": sorted({d.function for drivers in every.values() for d in drivers} - seen),
+    }
+
+
+def page(found: Figures) -> str:
+    """The tables."""
+    table = Columns({"function": "`{}`", "set": "{}", **dict.fromkeys(found["columns"], "{}")}, None)
+    none = ", ".join(f"`{name}`" for name in found["not run"])
+    return (
+        f"Frama-C {found['version']}; {found['runs']} runs, {found['seconds']} s in all on a busy machine of two "
+        f"cores, the longest {found['longest']['seconds']} s ({found['longest']['driver']}).\n\n"
+        f"Claimed: alarms\n\n{table.text(found['claimed'])}\n"
+        f"Tried, not claimed: alarms\n\n{table.text(found['tried'])}\n"
+    ) + (f"Neither claimed nor tried: {none}.\n" if none else "")
+
+
+CAMPAIGN = Campaign("proofs", campaign.Block("docs/results/proofs.md", "proofs: tools/proofs.py"), page, ("proofs.py",))
 
 
 def main() -> int:
@@ -153,7 +165,7 @@ def _write(
             kept = scripts[key].parent / f"{driver.set}_{driver.function}.json"
             if kept.exists():
                 found[(*key, driver)] = Proof(**json.loads(kept.read_text(encoding="utf-8")))
-    BLOCK.write(page(found, every, stands))
+    CAMPAIGN.keep(figures(found, every, stands))
 
 
 if __name__ == "__main__":

@@ -11,20 +11,21 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from random import Random
 from typing import Any
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 from quiet_stands import satellite, speeds_before
 
 from mahovik.core.stand import load
 from mahovik.stands import path
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
-from mahovik.use.study.quiet.wheels import momentum_axes
+from mahovik.use.study.quiet.options import momentum_axes
 
-BLOCK = campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write")
 RPM = math.pi / 30.0
 BAND = (20.0, 200.0)
 REQUIRED = 10.0
@@ -94,7 +95,7 @@ ROWS = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """Of one choice. `off`: difference of simulated and expected RMS to the RMS before; `seconds` of the processor."""
+    """Result of one choice. `off`: simulated minus expected RMS over the RMS before; processor `seconds`."""
 
     before: float
     after: float
@@ -142,57 +143,96 @@ def of_random(row: RandomRow, seed: int) -> Outcome | str:
     return outcome(found, time.process_time() - begun)
 
 
-def sat4_table(outcomes: Sequence[Outcome]) -> str:
-    """The first table."""
-    head = (
-        "momentum, N m s",
-        "",
-        "axes",
-        "change of speeds, rpm",
-        "RMS before, m/s2",
-        "simulated after",
-        "times lower",
-    )
-    rows = [
-        (" ".join(f"{x:g}" for x in row.momentum), row.name, row.axes, f"{each.change:.3g}", f"{each.before:.3g}",
-         f"{each.after:.3g}", times(each.reduction))
-        for row, each in zip(SAT4, outcomes, strict=True)
-    ]  # fmt: skip
-    return campaign.table(head, rows, 3)
-
-
 def times(x: float) -> str:
     """A reduction with as many digits as mean something."""
     return f"{x:.1f}" if x < 100.0 else f"{x:.0e}".replace("e+0", "e")
 
 
-def random_table(found: Sequence[tuple[RandomRow, Sequence[Outcome | str]]]) -> str:
-    """The second table."""
-    head = (
-        "wheels", "", "found", "times lower: least", "median", "most", "simulated less expected, of RMS before",
-        "median, s",
-    )  # fmt: skip
-    rows = []
-    for row, outcomes in found:
-        good = [each for each in outcomes if isinstance(each, Outcome)]
-        lower = sorted(each.reduction for each in good) or [math.nan]
-        off = max((each.off for each in good), default=math.nan)
-        spent = float(np.median([each.seconds for each in good])) if good else math.nan
-        lows = (times(x) for x in (lower[0], float(np.median(lower)), lower[-1]))
-        rows.append((row.N, row.name, f"{len(good)} of {len(outcomes)}", *lows, f"{off:.0e}", f"{spent:.1f}"))
-    return campaign.table(head, rows, 3)
+SAT4_TABLE = Columns(
+    {
+        "momentum, N m s": "{:g} {:g} {:g}", "": "{}", "axes": "{}", "change of speeds, rpm": "{:.3g}",
+        "RMS before, m/s2": "{:.3g}", "simulated after": "{:.3g}", "times lower": times,
+    },
+    3,
+)  # fmt: skip
+RANDOM_TABLE = Columns(
+    {
+        "wheels": "{}", "": "{}", "found": "{} of {}", "times lower: least": times, "median": times, "most": times,
+        "simulated less expected, of RMS before": "{:.0e}", "median, s": "{:.1f}",
+    },
+    3,
+)  # fmt: skip
+
+
+def sat4_line(row: Sat4Row, each: Outcome) -> tuple[object, ...]:
+    """A line of the first table."""
+    return row.momentum, row.name, row.axes, each.change, each.before, each.after, each.reduction
+
+
+def random_line(row: RandomRow, outcomes: Sequence[Outcome | str]) -> tuple[object, ...]:
+    """A line of the second table."""
+    good = [each for each in outcomes if isinstance(each, Outcome)]
+    lower = sorted(each.reduction for each in good) or [math.nan]
+    off = max((each.off for each in good), default=math.nan)
+    spent = float(np.median([each.seconds for each in good])) if good else math.nan
+    lows = lower[0], float(np.median(lower)), lower[-1]
+    return row.N, row.name, (len(good), len(outcomes)), *lows, off, spent
+
+
+def page(found: Figures) -> str:
+    """Both tables."""
+    return (
+        f"{SAT4_TABLE.text(found['sat4'])}\nStands per row: {found['stands']}, seeds from {found['first']}; processor "
+        f"times, with simulations.\n\n{RANDOM_TABLE.text(found['random'])}"
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A row of sat4, and the first of random satellites. Where orders cancel, rounding and integration are left."""
+    for k in [rng.randrange(len(SAT4))]:
+        kept, (now,) = found["sat4"][k], SAT4_TABLE.rows([sat4_line(SAT4[k], of_sat4(SAT4[k]))])
+        name = f"sat4, {SAT4[k].momentum}, {SAT4[k].name}"
+        yield Measured(f"{name}, momentum", kept["momentum, N m s"], list(now["momentum, N m s"]))
+        yield Measured(f"{name}, axes", kept["axes"], now["axes"])
+        yield from _measured(name, kept, now, ("change of speeds, rpm", "RMS before, m/s2"), 1.05)
+        yield from _measured(name, kept, now, ("simulated after", "times lower"), _factor(kept["times lower"]))
+    k = 0
+    seeds = campaign.seeds(found["first"], found["stands"])
+    kept, (now,) = found["random"][k], RANDOM_TABLE.rows([random_line(ROWS[k], [of_random(ROWS[k], s) for s in seeds])])
+    yield Measured(f"{ROWS[k].name}, found", kept["found"], list(now["found"]))
+    for key in ("times lower: least", "median", "most"):
+        yield from _measured(f"{ROWS[k].N} {ROWS[k].name}", kept, now, (key,), _factor(kept[key]))
+
+
+def _factor(reduction: float) -> float:
+    return 3.0 if reduction > 1000.0 else 1.1
+
+
+def _measured(name: str, kept: Figures, now: Figures, keys: Sequence[str], factor: float) -> Iterator[Measured]:
+    for key in keys:
+        yield Measured(f"{name}, {key}", kept[key], now[key], factor)
+
+
+CAMPAIGN = Campaign(
+    "quiet",
+    campaign.Block("docs/results/quiet.md", "campaign: tools/quiet_campaign.py --write"),
+    page,
+    ("use/study", "use/simulate", "quiet_campaign.py", "quiet_stands.py"),
+    sample,
+)
 
 
 def main() -> None:
     """Runs both tables and writes the page."""
     asked = campaign.parser(__doc__, stands=6, first=100, jobs=1, write=False).parse_args()
-    sat4 = list(campaign.each(of_sat4, asked.jobs, SAT4))
-    print(sat4_table(sat4), flush=True)
+    sat4 = list(campaign.map_rows(of_sat4, asked.jobs, SAT4))
+    rows = SAT4_TABLE.rows(map(sat4_line, SAT4, sat4))
+    print(SAT4_TABLE.text(rows), flush=True)
     found = []
     for row in ROWS:
         seeds = campaign.seeds(asked.first, asked.stands)
-        found.append((row, list(campaign.each(of_random, asked.jobs, [row] * asked.stands, seeds))))
-        print(random_table(found[-1:]).splitlines()[-1], flush=True)
+        found.append((row, list(campaign.map_rows(of_random, asked.jobs, [row] * asked.stands, seeds))))
+        print(*random_line(*found[-1]), sep="   ", flush=True)
     wrong = [f"sat4, {row.momentum}: {each}" for row, each in zip(SAT4, sat4, strict=True) if not each.good]
     wrong += [f"sat4, {row.momentum}: required" for row, each in zip(SAT4, sat4, strict=True)
               if row.required and each.reduction < REQUIRED]  # fmt: skip
@@ -201,10 +241,8 @@ def main() -> None:
     for row, outcomes in found:
         print(*(f"{row.N} {row.name}: {each}" for each in outcomes if isinstance(each, str)), sep="\n", end="")
     if asked.write:
-        BLOCK.write(
-            f"{sat4_table(sat4)}\nStands a row: {asked.stands}, seeds from {asked.first}; times of the processor, with "
-            f"simulations.\n\n{random_table(found)}"
-        )
+        lines = RANDOM_TABLE.rows(random_line(*each) for each in found)
+        CAMPAIGN.keep({"first": asked.first, "stands": asked.stands, "sat4": rows, "random": lines}, asked.first)
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 

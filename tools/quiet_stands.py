@@ -34,9 +34,7 @@ def satellite(seed: int, N: int, suspended: float | None = None) -> Stand:
         angles="ship",
         gravity=(0.0, 0.0, 0.0 if suspended is None else -9.81),
         stream=None,
-        carrier=Carrier(
-            "carrier", mass, _vec(rng.normal(size=3) * 0.01), _mat(inertia), "center_of_mass", None, None, False, None
-        ),
+        carrier=Carrier("carrier", mass, _vec(rng.normal(size=3) * 0.01), _mat(inertia), "center_of_mass", False, None),
         laws=() if suspended is None else (_suspension(suspended),),
         instruments=(),
         flywheels=wheels,
@@ -67,8 +65,6 @@ def _wheel(rng: np.random.Generator, name: str) -> Flywheel:
         center_of_mass=(0.0, U / 2.4 * math.cos(a), U / 2.4 * math.sin(a)),
         inertia=_mat(np.array(inertia)),
         inertia_about="origin",
-        buoyancy=None,
-        damping=None,
         wrench_input=False,
         mount="carrier",
         position=_vec(rng.uniform(-0.15, 0.15, 3)),

@@ -20,7 +20,7 @@ COUNTS = (0, 1, 5, 6, 7, 12, 64, 3, 2, 8, 4, 10)
 """Flywheels of the stands, in turn: every kind of inverse problem, none, and many."""
 
 WHAT_MATTERS = 7
-"""So many stands from the first have the counts that matter: 0, 1, 5, 6, 7, 12, 64."""
+"""Leading stands, which have the counts that matter: 0, 1, 5, 6, 7, 12, 64."""
 
 KINDS = (EVERYTHING, Features(), BARE, Features())
 """Features of the stands, in turn; of those drawn, every second takes run-time wrenches on all bodies."""

@@ -9,23 +9,23 @@ search finds a programme that preflight refuses.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from random import Random
 
 import campaign
 import numpy as np
+from kept import Campaign, Columns, Figures, Measured
 from plan_stands import PERIOD, campaign_motion, campaign_stand
 
 from mahovik.core.motion.required import Bounds
 from mahovik.laws.suspension.data import Suspension
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.search import search
+from mahovik.use.plan.search import Improver, search
 
-BLOCK = campaign.Block("docs/results/planning.md", "refusals: tools/refusal_campaign.py --write")
 COUNTS = (6, 8, 12)
 ROUNDS = 3
 
@@ -55,15 +55,15 @@ def too_slow(seed: int, N: int, factor: float) -> Problem:
     """Bounds on acceleration and speed squared `factor` times tighter than those that preflight lets through."""
     stand, omega2 = campaign_stand(seed, N), (2 * np.pi / PERIOD) ** 2
 
-    def within(share: float) -> Problem:
+    def problem_within(share: float) -> Problem:
         bounds = Bounds(speed=(float(np.sqrt(share * omega2)),) * N, acceleration=(share * omega2,) * N)
         return Problem.of(stand, campaign_motion(seed, N, bounds=bounds))
 
     low, high = 0.0, 1.0
     for _ in range(12):
         middle = (low + high) / 2
-        low, high = (middle, high) if preflight(within(middle)).refusal else (low, middle)
-    return within(low / factor)
+        low, high = (middle, high) if preflight(problem_within(middle)).refusal else (low, middle)
+    return problem_within(low / factor)
 
 
 KINDS: dict[str, tuple[str, Callable[[int, int, float], Problem]]] = {
@@ -83,24 +83,62 @@ def outcome(seconds: float, kind: str, seed: int) -> tuple[bool, bool, float]:
     return first.refusal is not None and first.refusal.reason == kind, bool(found.found), found.best
 
 
+TABLE = Columns(
+    {
+        "refusal": "`{}`", "motion": "{}", "refused": "{} of {}", "found by a search": "{}",
+        "least residual of a search, bounds aside": "{:.1g}",
+    },
+    None,
+)  # fmt: skip
+
+
+def page(found: Figures) -> str:
+    """The table."""
+    return (
+        f"{found['stands']} stands per kind, seeds from {found['first']}, N = {', '.join(map(str, COUNTS))} in turn; "
+        f"a search of {found['rounds']} rounds, cut after {found['seconds']:g} s.\n\n{TABLE.text(found['rows'])}"
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A stand of each kind again: refused, not found, not nearer than the nearest."""
+    for row in found["rows"]:
+        refused, of = row["refused"]
+        seed = found["first"] + rng.randrange(of)
+        now = outcome(found["seconds"], row["refusal"], seed)
+        name = f"{row['refusal']}, seed {seed}"
+        if refused == of:
+            yield Measured(f"{name}, refused", True, now[0])
+        if row["found by a search"] == 0:
+            yield Measured(f"{name}, found", False, now[1])
+        least = row["least residual of a search, bounds aside"]
+        yield Measured(f"{name}, residual at least", least, min(least, now[2]), 1.1)
+
+
+CAMPAIGN = Campaign(
+    "refusals",
+    campaign.Block("docs/results/planning.md", "refusals: tools/refusal_campaign.py --write"),
+    page,
+    ("use/plan", "refusal_campaign.py", "plan_stands.py"),
+    sample,
+)
+
+
 def main() -> None:
     """Runs the kinds and writes the page."""
     asked = campaign.parser(__doc__, stands=4, first=8000, seconds=5.0, jobs=1, write=False).parse_args()
     seeds = campaign.seeds(asked.first, asked.stands)
     lines, false = [], 0
     for kind, (words, _) in KINDS.items():
-        found = list(campaign.each(partial(outcome, asked.seconds, kind), asked.jobs, seeds))
+        found = list(campaign.map_rows(partial(outcome, asked.seconds, kind), asked.jobs, seeds))
         refused, reached = (sum(each[k] for each in found) for k in (0, 1))
         false += reached
         least = min(each[2] for each in found)
-        lines.append([f"`{kind}`", words, f"{refused} of {len(found)}", reached, f"{least:.1g}"])
+        lines.append((kind, words, (refused, len(found)), reached, least))
         print(campaign.row(*lines[-1]), flush=True)
     if asked.write:
-        head = ("refusal", "motion", "refused", "found by a search", "least residual of a search, bounds aside")
-        BLOCK.write(
-            f"{asked.stands} stands a kind, seeds from {asked.first}, N = {', '.join(map(str, COUNTS))} in turn; "
-            f"a search of {ROUNDS} rounds, cut after {asked.seconds:g} s.\n\n{campaign.table(head, lines, None)}"
-        )
+        settings = {"first": asked.first, "stands": asked.stands, "seconds": asked.seconds, "rounds": ROUNDS}
+        CAMPAIGN.keep({**settings, "rows": TABLE.rows(lines)}, asked.first)
     sys.exit(1 if false else 0)
 
 

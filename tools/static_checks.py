@@ -10,10 +10,12 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from random import Random
 
 import campaign
+from kept import Campaign, Columns, Figures, Measured
 
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.stand import load
@@ -28,7 +30,6 @@ from mahovik.core.toolchain.static_checks import (
 )
 from mahovik.stands import names, path
 
-BLOCK = campaign.Block("docs/results/static-checks.md", "misra: tools/static_checks.py")
 REALS = ("double", "float")
 
 
@@ -41,22 +42,48 @@ def written(stand: str, real: str) -> tuple[Path, list[str]]:
     return folder, [f"{stand}.c", f"{stand}_recorder.c"]
 
 
-def page(counts: dict[tuple[str, str], Counter[str]]) -> str:
-    """Rules, counts stand by stand, reasons."""
-    rows = []
-    for rule, reason in {**DEVIATIONS, **KNOWN}.items():
-        cells = [" / ".join(str(counts[stand, real][rule]) for real in REALS) for stand in _stands(counts)]
-        rows.append([rule, *cells, reason])
-    head = ["rule", *_stands(counts), "reason"]
+def figures(counts: dict[tuple[str, str], Counter[str]]) -> Figures:
+    """The figures to keep: counts by rule and stand, in double and float; reasons."""
+    rows = [
+        {"rule": rule, **{name: [counts[name, real][rule] for real in REALS] for name in _stands(counts)},
+         "reason": reason}
+        for rule, reason in {**DEVIATIONS, **KNOWN}.items()
+    ]  # fmt: skip
     tools = ", ".join(version(tool) for tool in (*COMPILERS, "cppcheck"))
-    return f"{tools}. Counts: double / float.\n\n{campaign.table(head, rows, None)}"
+    return {"tools": tools, "stands": _stands(counts), "rows": rows}
+
+
+def page(found: Figures) -> str:
+    """Rules, counts stand by stand, reasons."""
+    table = Columns({"rule": "{}", **dict.fromkeys(found["stands"], "{} / {}"), "reason": "{}"}, None)
+    return f"{found['tools']}. Counts: double / float.\n\n{table.text(found['rows'])}"
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """A stand again, and the reasons."""
+    listed = {**DEVIATIONS, **KNOWN}
+    yield Measured("rules and reasons", {row["rule"]: row["reason"] for row in found["rows"]}, listed)
+    stand, number = rng.choice(found["stands"]), rng.randrange(len(REALS))
+    folder, files = written(stand, REALS[number])
+    now = counted(findings(folder, files))
+    for row in found["rows"]:
+        yield Measured(f"{stand} {REALS[number]}, {row['rule']}", row[stand][number], now[row["rule"]])
+
+
+CAMPAIGN = Campaign(
+    "static-checks",
+    campaign.Block("docs/results/static-checks.md", "misra: tools/static_checks.py"),
+    page,
+    ("static_checks.py",),
+    sample,
+)
 
 
 def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
     return list(dict.fromkeys(stand for stand, _ in counts))
 
 
-def judged(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[str]) -> list[str]:
+def differences(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[str]) -> list[str]:
     """A line for each rule that is not listed, and for each listed one that no example stand breaks."""
     seen = sum(counts.values(), Counter())
     listed = {**DEVIATIONS, **KNOWN}
@@ -81,11 +108,11 @@ def main() -> int:
             folder, files = written(stand, real)
             wrong += [f"{stand} {real}: {line}" for line in warned(folder, [*files, f"{stand}_selftest.c"])]
             counts[stand, real] = counted(findings(folder, files))
-    wrong += judged(counts, stands)
+    wrong += differences(counts, stands)
     for line in wrong:
         print(line, file=sys.stderr)
     if given.page:
-        BLOCK.write(page(counts))
+        CAMPAIGN.keep(figures(counts))
     return 1 if wrong else 0
 
 

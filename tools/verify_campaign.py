@@ -1,4 +1,4 @@
-"""Random stands, compiled, against both derivations: a line a stand; exit status 1 where any of them disagree.
+"""Random stands, compiled, against both derivations: one line per stand; exit status 1 where any of them disagree.
 
 python tools/verify_campaign.py [--stands 50] [--states 60] [--jobs 2] [--write]
 
@@ -8,22 +8,24 @@ With --write the summary goes into docs/results/verification.md as well.
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from random import Random
 
 import campaign
-from random_stands import random_stands, verify_random
+from kept import Campaign, Columns, Figures, Measured
+from random_stands import COUNTS, random_stands, verify_random
 
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.report import conclusion, worst_lines
 
-BLOCK = campaign.Block("docs/results/verification.md", "campaign: tools/verify_campaign.py --write")
-HEAD = ("flywheels", "stands", "passed", "C - reference", "second - reference", "C - second")
+PAIRS = ("C - reference", "second - reference", "C - second")
+TABLE = Columns({"flywheels": "{}", "stands": "{}", "passed": "{}", **dict.fromkeys(PAIRS, "{:.0e}")}, 0)
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """Of one stand: the largest differences of the three pairs, and the states at which it failed."""
+    """Result for one stand: the largest differences of the three pairs, and the states at which it failed."""
 
     flywheels: int
     line: str
@@ -32,7 +34,7 @@ class Verdict:
     states: str
 
 
-def judged(number: int, states: int) -> Verdict:
+def verdict_on(number: int, states: int) -> Verdict:
     """The verdict on the stand of that number."""
     *_, stand = random_stands(number + 1)
     found = verify_random(stand, states)
@@ -45,33 +47,59 @@ def judged(number: int, states: int) -> Verdict:
     return Verdict(len(stand.flywheels), line, found.passed, pairs, "" if found.passed else worst_lines(found))
 
 
-def summary(verdicts: Sequence[Verdict], states: int) -> str:
-    """A sentence, and a Markdown table by the number of flywheels."""
-    passed = sum(each.passed for each in verdicts)
-    words = (
-        f"{passed} of {len(verdicts)} stands passed, {states} states each; accepted is {BOUNDS['double'].default:.0e}. "
-        "Largest differences, relative to\nthe natural scale:\n\n"
-    )
+def figures(verdicts: Sequence[Verdict], states: int) -> Figures:
+    """The figures to keep: a row for each number of flywheels, with the largest differences."""
     rows = []
     for count in sorted({each.flywheels for each in verdicts}):
         of_it = [each for each in verdicts if each.flywheels == count]
-        worst = (f"{max(pair):.0e}" for pair in zip(*(each.pairs for each in of_it), strict=True))
+        worst = (max(pair) for pair in zip(*(each.pairs for each in of_it), strict=True))
         rows.append((count, len(of_it), sum(each.passed for each in of_it), *worst))
-    return words + campaign.table(HEAD, rows, 0)
+    return {"states": states, "accepted": BOUNDS["double"].default, "rows": TABLE.rows(rows)}
+
+
+def page(found: Figures) -> str:
+    """A sentence, and a table by the number of flywheels."""
+    passed, stands = (sum(row[key] for row in found["rows"]) for key in ("passed", "stands"))
+    return (
+        f"{passed} of {stands} stands passed, {found['states']} states each; accepted is {found['accepted']:.0e}. "
+        f"Largest differences, relative to\nthe natural scale:\n\n{TABLE.text(found['rows'])}"
+    )
+
+
+def sample(found: Figures, rng: Random) -> Iterator[Measured]:
+    """The stands of one number of flywheels again. Sums of another order round otherwise: a factor."""
+    stands = sum(row["stands"] for row in found["rows"])
+    row = rng.choice([row for row in found["rows"] if row["flywheels"] <= 5])
+    numbers = [k for k in range(stands) if COUNTS[k % len(COUNTS)] == row["flywheels"]]
+    verdicts = [verdict_on(k, found["states"]) for k in numbers]
+    (now,) = figures(verdicts, found["states"])["rows"]
+    for key in ("stands", "passed"):
+        yield Measured(f"{row['flywheels']} flywheels, {key}", row[key], now[key])
+    for key in PAIRS:
+        yield Measured(f"{row['flywheels']} flywheels, {key}", row[key], now[key], 3.0)
+
+
+CAMPAIGN = Campaign(
+    "verification",
+    campaign.Block("docs/results/verification.md", "campaign: tools/verify_campaign.py --write"),
+    page,
+    ("proof", "verify_campaign.py", "random_stands.py"),
+    sample,
+)
 
 
 def main() -> None:
     """Run it."""
     given = campaign.parser(__doc__, stands=50, states=60, jobs=campaign.cores(), write=False).parse_args()
     verdicts = []
-    for verdict in campaign.each(judged, given.jobs, range(given.stands), [given.states] * given.stands):
+    for verdict in campaign.map_rows(verdict_on, given.jobs, range(given.stands), [given.states] * given.stands):
         print(verdict.line, flush=True)
         sys.stdout.write(verdict.states)
         verdicts.append(verdict)
-    text = summary(verdicts, given.states)
-    print(f"\n{text}", end="")
+    found = figures(verdicts, given.states)
+    print(f"\n{page(found)}", end="")
     if given.write:
-        BLOCK.write(text)
+        CAMPAIGN.keep(found, 0)
     raise SystemExit(0 if all(each.passed for each in verdicts) else 1)
 
 

@@ -29,7 +29,7 @@ def spent() -> float:
 
 
 def main() -> None:
-    """Run it, print a line a stand."""
+    """Run it, print one line per stand."""
     states = campaign.parser(__doc__, states=13).parse_args().states
     total_made = total_compared = 0.0
     passed = True

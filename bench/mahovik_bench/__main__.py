@@ -10,10 +10,10 @@ import sys
 from mahovik.errors import MahovikError
 from mahovik_bench.build import CACHE, ROOT
 from mahovik_bench.gate import gate
-from mahovik_bench.page import PAGE, page, plots
+from mahovik_bench.page import figures, plots
 from mahovik_bench.roster import MODULES
 from mahovik_bench.run import run
-from mahovik_bench.tables import count_table, work_table
+from mahovik_bench.tables import count_table, text, work_table
 from mahovik_bench.works import WORKS
 
 SIZES = (2, 6, 8, 12)
@@ -45,8 +45,13 @@ def main() -> int:
         print(error, file=sys.stderr)
         return 1
     results = json.loads(RESULTS.read_text(encoding="utf-8"))
-    for path, text in {PAGE: page(results), **plots(results)}.items():
-        (ROOT / path).write_text(text, encoding="utf-8")
+    sys.path.insert(0, str(ROOT / "tools"))
+    from bench_campaign import CAMPAIGN
+
+    CAMPAIGN.keep(figures(results), command=f"python -m mahovik_bench {given.what}")
+    say(CAMPAIGN.block.page)
+    for path, drawn in plots(results).items():
+        (ROOT / path).write_text(drawn, encoding="utf-8")
         say(path)
     return 0
 
@@ -60,7 +65,7 @@ def _quick() -> int:
     """Our own C and NumPy, to the terminal."""
     results = run((2, 8), ("mahovik",), 60, 1e9, say)
     for work in WORKS:
-        print(f"\n{work_table(results, work)}\n{count_table(results, work)}", end="")
+        print(f"\n{text(work_table(results, work))}\n{text(count_table(results, work))}", end="")
     for name, why in results["absent"].items():
         print(f"{name}: {why}")
     return 0

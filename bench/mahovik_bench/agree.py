@@ -35,7 +35,7 @@ def slope_differences(case: Case, contestants: Sequence[Contestant]) -> dict[str
         tables = {c.name: [_matrix(c, row, rows) for row in c.results(WORKS[name])] for c in having}
         first = next(iter(tables), "")
         found[name] = {
-            other: max(_apart(a, b, case.N) for a, b in zip(each, tables[first], strict=True))
+            other: max(_block_difference(a, b, case.N) for a, b in zip(each, tables[first], strict=True))
             for other, each in tables.items()
             if other != first
         }
@@ -57,7 +57,7 @@ def _matrix(c: Contestant, numbers: Array, rows: int) -> Array:
     return np.vstack(found)
 
 
-def _apart(a: Array, b: Array, N: int) -> float:
+def _block_difference(a: Array, b: Array, N: int) -> float:
     """The largest difference over the largest element of its block."""
     worst = 0.0
     for rows in (slice(0, 6), slice(6, None)):
@@ -69,7 +69,7 @@ def _apart(a: Array, b: Array, N: int) -> float:
 
 
 def failures(found: dict[str, dict[str, float]]) -> list[str]:
-    """Those beyond what is accepted, NaN among them."""
+    """Differences beyond the accepted ones, and NaN, one line each."""
     return [
         f"{work}: {name} is {worst:.1e} off"
         for work, by_name in found.items()

@@ -24,7 +24,7 @@ CACHE = ROOT / "build" / "bench"
 
 @dataclass(frozen=True)
 class Effort:
-    """What a command took: seconds, and the largest memory of a process of it in MB."""
+    """Cost of a command: seconds, and the largest memory of a process of it in MB."""
 
     seconds: float
     memory: float
@@ -63,7 +63,7 @@ def measured(command: Sequence[str], folder: Path) -> Effort:
 
 
 def tool(source: str, *flags: str) -> Path:
-    """A C file of native/, compiled to a program or library of our own, and kept."""
+    """A C file of native/, compiled to a program or library, and kept."""
     path = NATIVE / source
     made = CACHE / f"{path.stem}-{key(path.read_text(encoding='utf-8'), *flags)}"
     with _TOOLS:
@@ -104,7 +104,7 @@ def key(*parts: object) -> str:
 
 
 def compiler_version(compiler: str) -> str:
-    """First line of what the compiler says of itself."""
+    """First line of the compiler's `--version`."""
     said = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
     return said.splitlines()[0]
 

@@ -15,12 +15,12 @@ FORMS = {
     "torque": ("torque",),
     "jacobian": ("forward_jacobian",),
 }
-"""Works of each form. `torque` is one of `ldl`, alone: for so many flywheels that the others take long."""
+"""Works of each form. `torque` is one of `ldl`, alone: for numbers of flywheels at which the others take long."""
 BUILDS = {"-O2": ("-O2",), "-O3 native": ("-O3", "-march=native")}
 USUAL = {"naive": range(13), "ldl": range(13), "torque": range(13, 65), "jacobian": range(3)}
 """Flywheels for which compiling fits into the budget."""
 PATIENT = {**USUAL, "ldl": range(65), "torque": range(0)}
-"""Those of `full --patient`: a quarter of an hour a library and more."""
+"""Flywheels for `full --patient`: compiling a library takes a quarter of an hour and more."""
 
 
 def peers(case: Case) -> list[Peer]:

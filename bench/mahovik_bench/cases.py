@@ -37,11 +37,11 @@ class Case:
 
     @cached_property
     def flat(self) -> Array:
-        """Inputs as native/peer.h has them, a row a state."""
+        """Inputs as native/peer.h has them, one row per state."""
         return np.array([[*s.V, *s.phi, *s.phi_dot, *s.phi_ddot, *s.tau, *s.V_dot] for s in self.states])
 
     def expected(self, work: Work) -> tuple[Array, Array]:
-        """Results of the NumPy reference and their natural scales, a row a state."""
+        """Results of the NumPy reference and their natural scales, one row per state."""
         rows, sizes = [], []
         for state in self.states:
             found = evaluate(self.stand, state, [work.name])

@@ -40,7 +40,7 @@ def instructions(peer: Peer, built: Built, case: Case) -> dict[str, int]:
 
 
 def read(dump: str) -> tuple[str, int]:
-    """What a dump of callgrind is of, and its instructions."""
+    """Function of a callgrind dump, and its instructions."""
     trigger = re.search(r"^desc: Trigger: Client Request: (\w+)$", dump, re.MULTILINE)
     total = re.search(r"^(?:summary|totals): (\d+)", dump, re.MULTILINE)
     return (trigger[1] if trigger else "", int(total[1]) if total else 0)

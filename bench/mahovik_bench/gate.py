@@ -1,4 +1,4 @@
-"""No function may become dearer: instructions, stack and code on x86-64 against accepted figures."""
+"""No function may become more expensive: instructions, stack and code on x86-64 against accepted figures."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.proof.cost.check import Comparison, compare
 from mahovik.proof.cost.measure import Costs, measure
-from mahovik.proof.cost.page import accepted, as_json
+from mahovik.proof.cost.page import as_json, read_accepted
 from mahovik_bench.build import ROOT
 from mahovik_bench.cases import case
 
@@ -30,17 +30,17 @@ def text(found: dict[int, Costs]) -> str:
 
 
 def compared(found: dict[int, Costs], kept: str) -> dict[int, Comparison]:
-    """By N."""
+    """Comparison of measured with accepted costs, by number of flywheels."""
     before: dict[str, Any] = json.loads(kept)
     return {
-        N: compare(each, accepted(json.dumps(before[str(N)]), str(ACCEPTED)))
+        N: compare(each, read_accepted(json.dumps(before[str(N)]), str(ACCEPTED)))
         for N, each in found.items()
         if str(N) in before
     }
 
 
 def gate(accept: bool) -> list[str]:
-    """What has risen; with `accept` the figures of today are kept instead."""
+    """Figures that have risen; with `accept` the figures of today are kept instead."""
     found = costs()
     if accept:
         ACCEPTED.write_text(text(found), encoding="utf-8")

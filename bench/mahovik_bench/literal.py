@@ -12,8 +12,8 @@ import casadi as ca
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Stand
-from mahovik.proof.reference.inertia import spatial_inertia
-from mahovik.proof.reference.rotation import flywheel_rotation
+from mahovik.proof.reference.bodies import spatial_inertia
+from mahovik.proof.reference.rotation import flywheel_mounting
 
 f = ca.sparsify(ca.DM([0.0, 0.0, 0.0, 1.0, 0.0, 0.0]))
 
@@ -41,7 +41,7 @@ def transfer(s: Flywheel, phi: Any) -> Any:
     """Ls = T [C] at a phase."""
     c, z = ca.cos(phi), ca.sin(phi)
     turned = ca.vertcat(ca.horzcat(1, 0, 0), ca.horzcat(0, c, -z), ca.horzcat(0, z, c))
-    C = ca.DM(flywheel_rotation(s, 0.0)) @ turned
+    C = ca.DM(flywheel_mounting(s)) @ turned
     shift = cross(ca.DM(s.position))
     return ca.vertcat(ca.horzcat(C, ca.SX(3, 3)), ca.horzcat(shift @ C, C))
 

@@ -50,11 +50,11 @@ class Contestant:
 
     @property
     def name(self) -> str:
-        """Of its peer."""
+        """Name of its peer."""
         return self.peer.name
 
     def results(self, work: Work) -> Array:
-        """What it gives, a row a state."""
+        """Its results, one row per state."""
         call = getattr(self._library, work.symbol)
         size = work.size(self.case.N)
         if self._states > 1:

@@ -1,4 +1,4 @@
-"""What was measured on, without naming it: processor, compilers, versions, load."""
+"""Machine of the measurement, without its name: processor, compilers, versions, load."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ BUILDS = (
 
 
 BATCH = Build("batch native", ("-O3", "-march=native", "-ffp-contract=off"), lanes=1)
-"""States side by side: so many in a call that records stay in the first cache."""
+"""States side by side: few enough per call that records stay in the first cache."""
 STATES = 64
 
 

@@ -30,5 +30,5 @@ class Peer:
 
     @property
     def name(self) -> str:
-        """As it stands in tables."""
+        """Name of the peer in tables."""
         return f"{self.program} {self.build}"

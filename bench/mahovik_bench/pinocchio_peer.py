@@ -17,7 +17,7 @@ DEFINITIONS = (
     "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
     "-DNDEBUG",
 )
-"""Those of its own CMake target; asserts are off, as in a release."""
+"""Definitions of Pinocchio's CMake target; asserts are off, as in a release."""
 ISAS = {"native": ("-march=native",), "v3": ("-march=x86-64-v3",)}
 
 

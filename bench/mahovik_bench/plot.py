@@ -11,7 +11,7 @@ COLOURS = ("#0b6e4f", "#2fa27a", "#7fd1ae", "#b3402a", "#e07b39", "#8c5fa8", "#3
 
 
 def plot(title: str, lines: Mapping[str, Mapping[int, float]]) -> str:
-    """One line a name, in the order given."""
+    """One line per name, in the order given."""
     Ns = sorted({N for line in lines.values() for N in line})
     values = [value for line in lines.values() for value in line.values()]
     low, high = math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)))

@@ -39,11 +39,11 @@ def run(
         if wrong := failures(agreement):
             raise ToolchainError(f"N = {N}: {'; '.join(wrong)}")
         timed = [c for c in contestants if c.peer.timed]
-        found["flags"] |= {c.name: shown(c.peer.recipe.compiler, c.peer.recipe.flags) for c in contestants}
+        found["flags"] |= {c.name: shown_command(c.peer.recipe.compiler, c.peer.recipe.flags) for c in contestants}
         found["cases"][str(N)] = {
             "agreement": agreement,
             "instructions": _counts(contestants, found["absent"]),
-            "made": {c.name: _made(c) for c in contestants},
+            "made": {c.name: _build_record(c) for c in contestants},
             "times": {
                 mode: {
                     name: _table(times(each, work, timed, mode == "chained", repetitions))
@@ -57,7 +57,7 @@ def run(
     return found
 
 
-def shown(compiler: str, flags: Sequence[str]) -> str:
+def shown_command(compiler: str, flags: Sequence[str]) -> str:
     """The command that matters: without the case's definitions and folders."""
     return " ".join([compiler, *(f for f in flags if not f.startswith(("-D", "-I", "-isystem")))])
 
@@ -76,7 +76,7 @@ def _counts(contestants: Sequence[Contestant], absent: dict[str, str]) -> dict[s
     return found
 
 
-def _made(c: Contestant) -> dict[str, Any]:
+def _build_record(c: Contestant) -> dict[str, Any]:
     return {
         "text": c.built.text,
         "data": c.built.data,

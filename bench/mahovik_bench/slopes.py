@@ -1,4 +1,4 @@
-"""What a further flywheel costs: straight lines through figures at several N."""
+"""Cost of a further flywheel: straight lines through figures at several N."""
 
 from __future__ import annotations
 

@@ -12,9 +12,18 @@ from mahovik_bench.works import WORKS
 Results = dict[str, Any]
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+Table = dict[str, Any]
+"""A table as it is kept: `head` and `rows` of cells."""
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Table:
+    """A table of cells."""
+    return {"head": list(head), "rows": [list(row) for row in rows]}
+
+
+def text(kept: Table) -> str:
     """A Markdown table; all columns but the first to the right."""
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
+    lines = [kept["head"], ["---", *["---:"] * (len(kept["head"]) - 1)], *kept["rows"]]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
@@ -32,7 +41,7 @@ def ns(value: float) -> str:
     return f"{value:,.0f}" if value >= 100 else f"{value:.1f}"
 
 
-def work_table(results: Results, work: str) -> str:
+def work_table(results: Results, work: str) -> Table:
     """Times: least, median and median chained, by contestant and N."""
     Ns = list(results["cases"])
     head = [f"`{work}`: least / median / chained", *(f"N = {N}" for N in Ns)]
@@ -48,7 +57,7 @@ def work_table(results: Results, work: str) -> str:
     return table(head, rows)
 
 
-def ratio_table(results: Results, work: str) -> str:
+def ratio_table(results: Results, work: str) -> Table:
     """How many times faster than each other contestant the scalar build is."""
     rows = []
     for name in names(results, work):
@@ -63,7 +72,7 @@ def ratio_table(results: Results, work: str) -> str:
     return table([f"`{work}`: time over that of {SCALAR}", *(f"N = {N}" for N in results["cases"])], rows)
 
 
-def count_table(results: Results, work: str) -> str:
+def count_table(results: Results, work: str) -> Table:
     """Instructions of a call."""
     rows = []
     for name in names(results, work):
@@ -73,7 +82,7 @@ def count_table(results: Results, work: str) -> str:
     return table([f"`{work}`: instructions", *(f"N = {N}" for N in results["cases"])], rows)
 
 
-def slope_table(results: Results) -> str:
+def slope_table(results: Results) -> Table:
     """Cost of a further flywheel."""
     rows = []
     for work in WORKS:
@@ -87,7 +96,7 @@ def slope_table(results: Results) -> str:
     return table(["", "ns a flywheel", "ns at none", "instructions a flywheel", "instructions at none"], rows)
 
 
-def made_table(results: Results) -> str:
+def made_table(results: Results) -> Table:
     """Size, compile time, generation."""
     rows = []
     for N, one in results["cases"].items():
@@ -100,7 +109,7 @@ def made_table(results: Results) -> str:
     return table(head, rows)
 
 
-def agreement_table(results: Results) -> str:
+def agreement_table(results: Results) -> Table:
     """The largest difference to the reference over its natural scale."""
     found: dict[tuple[str, str], dict[str, float]] = {}
     for N, one in results["cases"].items():
@@ -114,7 +123,7 @@ def agreement_table(results: Results) -> str:
     return table(["", *(f"N = {N}" for N in results["cases"])], rows)
 
 
-def target_table(results: Results) -> str:
+def target_table(results: Results) -> Table:
     """Asked, found, verdict."""
     words = {True: "reached", False: "**not reached**", None: "not measured"}
     rows = [[v.what, v.N, v.asked, v.found, words[v.reached]] for v in verdicts(results)]
@@ -136,7 +145,7 @@ def won_by_peers(results: Results) -> list[str]:
 
 
 def _faster(times: Mapping[str, Any], where: str) -> Iterator[str]:
-    """Of the times of a work."""
+    """Lines about the times of one work."""
     for name, row in times.items():
         if name.startswith("mahovik ") or row["ratios"].get(SCALAR, 1.0) >= 1.0:
             continue
@@ -147,7 +156,7 @@ def _faster(times: Mapping[str, Any], where: str) -> Iterator[str]:
 
 
 def _shorter(counts: Mapping[str, int], where: str) -> Iterator[str]:
-    """Of the instructions of a work."""
+    """Lines about the instructions of one work."""
     own = counts.get(SCALAR)
     for name, count in counts.items():
         if own is not None and not name.startswith("mahovik ") and count < own:

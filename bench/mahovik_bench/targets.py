@@ -12,7 +12,7 @@ SCALAR = "mahovik -O2"
 LANES = "mahovik lanes native"
 BATCH = "mahovik batch native"
 NARROW = 2 / 3
-"""Of the figures for lanes and batch, where the processor has no AVX-512."""
+"""Fraction of the required factors of lanes and batch on a processor without AVX-512."""
 
 FACTORS: tuple[tuple[str, str, dict[int, float]], ...] = (
     ("forward", SCALAR, {2: 2.5, 6: 7, 8: 8, 12: 8, 64: 9}),

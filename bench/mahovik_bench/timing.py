@@ -23,7 +23,7 @@ NUMPY = "numpy reference"
 
 @dataclass(frozen=True)
 class Times:
-    """Of one contestant in one work: ns of a state in each repetition."""
+    """Times of one contestant in one work: ns per state in each repetition."""
 
     rounds: tuple[float, ...]
 
@@ -73,7 +73,7 @@ def times(
 
 
 def _calls(block: Callable[[int], float], states: int) -> int:
-    """How many calls of so many states fill a block."""
+    """Number of calls, each of a number of states, that fill a block."""
     block(1)
     return max(1, int(BLOCK / (states * min(block(4) for _ in range(3)))))
 

@@ -29,7 +29,7 @@ def _six(_: int) -> int:
     return 6
 
 
-def _each(N: int) -> int:
+def _one_per_flywheel(N: int) -> int:
     return N
 
 
@@ -37,13 +37,15 @@ WORKS = {
     work.name: work
     for work in (
         Work("forward", "V* for given phi''", _six, {"V_dot": _six}),
-        Work("coupled", "V* and phi'' for given torques", lambda N: 6 + N, {"V_dot": _six, "phi_ddot": _each}),
-        Work("torque", "torques for a given motion", _each, {"tau": _each}),
+        Work(
+            "coupled", "V* and phi'' for given torques", lambda N: 6 + N, {"V_dot": _six, "phi_ddot": _one_per_flywheel}
+        ),
+        Work("torque", "torques for a given motion", _one_per_flywheel, {"tau": _one_per_flywheel}),
         Work("step", "one Runge-Kutta step of coupled, order 4", lambda N: 13 + 2 * N, {}),
-        Work("inverse", "phi'' for a wanted V*, with diagnostics", _each, {"phi_ddot": _each}),
-        Work("inverse_fast", "phi'' for a wanted V*", _each, {}),
+        Work("inverse", "phi'' for a wanted V*, with diagnostics", _one_per_flywheel, {"phi_ddot": _one_per_flywheel}),
+        Work("inverse_fast", "phi'' for a wanted V*", _one_per_flywheel, {}),
         Work("forward_jacobian", "slopes of forward", lambda N: 6 * (6 + 3 * N), {}),
         Work("coupled_jacobian", "slopes of coupled", lambda N: (6 + N) * (6 + 3 * N), {}),
     )
 }
-"""By name. A peer that takes many states in a call gives the same for each."""
+"""Works by name. A peer that takes many states in a call gives the same outputs for each."""

@@ -20,13 +20,13 @@ from mahovik_bench.literal import Literal, inputs
 
 
 def solved(matrix: Any, right: Any) -> Any:
-    """By LDL^T without permutation."""
+    """Solve by LDL^T without permutation."""
     D, LT, order = ca.ldl(matrix, False)
     return ca.ldl_solve(right, D, LT, order)
 
 
 def functions(N: int, form: str) -> list[Any]:
-    """What is written to one file."""
+    """Text of one file."""
     symbols = inputs(N)
     at = Literal(case(N).stand, symbols)
     if form == "naive":

@@ -18,8 +18,8 @@ symforce.set_epsilon_to_number()
 import symforce.symbolic as sf  # noqa: E402
 from symforce import codegen, values  # noqa: E402
 
-from mahovik.proof.reference.inertia import spatial_inertia  # noqa: E402
-from mahovik.proof.reference.rotation import flywheel_rotation  # noqa: E402
+from mahovik.proof.reference.bodies import spatial_inertia  # noqa: E402
+from mahovik.proof.reference.rotation import flywheel_mounting  # noqa: E402
 from mahovik_bench.cases import case  # noqa: E402
 
 ZERO = sf.Matrix(3, 3)
@@ -55,7 +55,7 @@ def equations(N: int, V: Any, phi: Any, phi_dot: Any, phi_ddot: Any) -> tuple[An
     K, K_dot, rest = exact(spatial_inertia(stand.carrier)), sf.Matrix(6, 6), sf.Matrix(6, 1)
     for i, s in enumerate(stand.flywheels):
         c, z = sf.cos(phi[i]), sf.sin(phi[i])
-        C = exact(flywheel_rotation(s, 0.0)) * sf.Matrix([[1, 0, 0], [0, c, -z], [0, z, c]])
+        C = exact(flywheel_mounting(s)) * sf.Matrix([[1, 0, 0], [0, c, -z], [0, z, c]])
         L = blocks(C, ZERO, cross(s.position) * C, C)
         Theta = exact(spatial_inertia(s))
         K = K + L * Theta * L.T

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from mahovik.proof.reference.inertia import spatial_inertia
-from mahovik.proof.reference.rotation import flywheel_rotation
+from mahovik.proof.reference.bodies import spatial_inertia
+from mahovik.proof.reference.rotation import flywheel_mounting
 from mahovik_bench.cases import case
 
 HEAD = """#include <math.h>
@@ -55,7 +55,7 @@ def equations(N: int) -> tuple[Any, Any]:
     K, K_dot, rest = exact(spatial_inertia(stand.carrier)), sp.zeros(6), sp.zeros(6, 1)
     for s, angle, rate, rate_dot in zip(stand.flywheels, phi, speed, acceleration, strict=True):
         c, z = sp.cos(angle), sp.sin(angle)
-        C = exact(flywheel_rotation(s, 0.0)) * sp.Matrix([[1, 0, 0], [0, c, -z], [0, z, c]])
+        C = exact(flywheel_mounting(s)) * sp.Matrix([[1, 0, 0], [0, c, -z], [0, z, c]])
         L = blocks(C, sp.zeros(3), cross(exact(np.array(s.position))) * C, C)
         Theta = exact(spatial_inertia(s))
         K += L * Theta * L.T

@@ -332,12 +332,27 @@ static void bits_parameters(auv6_parameters *x)
     }
 }
 
+static void normal_step_carry(auv6_step_carry *x)
+{
+    reals(&x->rounding[0], 25, 1.0e-6);
+}
+
+static void any_step_carry(auv6_step_carry *x)
+{
+    reals(&x->rounding[0], 25, AUV6_LARGEST);
+}
+
+static void bits_step_carry(auv6_step_carry *x)
+{
+    all_bits(&x->rounding[0], 25);
+}
+
 static void untouched_matrices_result(const auv6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 36);
+    untouched(&x->I_[0][0], 36);
     untouched(&x->J[0][0], 36);
     untouched(&x->F[0], 6);
 }
@@ -347,7 +362,7 @@ static void written_matrices_result(const auv6_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 36);
+    written(&x->I_[0][0], 36);
     written(&x->J[0][0], 36);
     written(&x->F[0], 6);
 }
@@ -357,7 +372,7 @@ static void initialised_matrices_result(const auv6_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 36);
+    initialised(&x->I_[0][0], 36);
     initialised(&x->J[0][0], 36);
     initialised(&x->F[0], 6);
 }
@@ -818,6 +833,16 @@ static void initialised_mount_table(const auv6_mount_table *x)
     initialised(&x->flywheel[5].inertia[0], 6);
     initialised(&x->flywheel[5].origin[0], 3);
     initialised(&x->flywheel[5].axes[0], 9);
+}
+
+static void written_step_carry(const auv6_step_carry *x)
+{
+    written(&x->rounding[0], 25);
+}
+
+static void initialised_step_carry(const auv6_step_carry *x)
+{
+    initialised(&x->rounding[0], 25);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -2190,6 +2215,168 @@ void auv6_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void auv6_eva_normal_step_carried(void);
+void auv6_eva_normal_step_carried(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
+    auv6_state x;
+    normal_state(&x);
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, 100.0);
+    int locked[AUV6_N];
+    integers(&locked[0], 6, 0, 1);
+    auv6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    auv6_step_carry carry;
+    normal_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void auv6_eva_any_step_carried(void);
+void auv6_eva_any_step_carried(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
+    any_state(&x);
+    auv6_real tau[AUV6_N];
+    reals(&tau[0], 6, AUV6_LARGEST);
+    int locked[AUV6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    auv6_step_carry carry;
+    any_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void auv6_eva_bits_step_carried(void);
+void auv6_eva_bits_step_carried(void)
+{
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
+    auv6_state x;
+    bits_state(&x);
+    auv6_real tau[AUV6_N];
+    all_bits(&tau[0], 6);
+    int locked[AUV6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    auv6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    auv6_step_carry carry;
+    bits_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void auv6_eva_normal_step_driven_carried(void);
+void auv6_eva_normal_step_driven_carried(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, 10.0);
+    auv6_state x;
+    normal_state(&x);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    auv6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    auv6_step_carry carry;
+    normal_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void auv6_eva_any_step_driven_carried(void);
+void auv6_eva_any_step_driven_carried(void)
+{
+    auv6_table table = auv6_default;
+    reals(&table.stream[0], 3, AUV6_LARGEST);
+    auv6_state x;
+    any_state(&x);
+    auv6_real phi_ddot[AUV6_N];
+    reals(&phi_ddot[0], 6, AUV6_LARGEST);
+    auv6_real dt;
+    reals(&dt, 1, AUV6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    auv6_step_carry carry;
+    any_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void auv6_eva_bits_step_driven_carried(void);
+void auv6_eva_bits_step_driven_carried(void)
+{
+    auv6_table table = auv6_default;
+    all_bits(&table.stream[0], 3);
+    auv6_state x;
+    bits_state(&x);
+    auv6_real phi_ddot[AUV6_N];
+    all_bits(&phi_ddot[0], 6);
+    auv6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    auv6_step_carry carry;
+    bits_step_carry(&carry);
+    auv6_state next;
+    const auv6_status status = auv6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

@@ -13,12 +13,12 @@
 #define AUV6_CODE
 #endif
 
-/* Header and recorder have the same real: else this array has no size. */
+/* Header and recorder use the same real type: otherwise this array has a negative size. */
 typedef char auv6_recorder_real[(sizeof(auv6_real) == 8) ? 1 : -1];
 
 typedef uint64_t auv6_record_word;  /* the bits of a real */
 
-/* Counts of bytes, and the first byte of a step's record. */
+/* Sizes in bytes, and the first byte of a step's record. */
 enum {
     AUV6_RECORD_STEP = 0x53,
     AUV6_RECORD_REAL_BYTES = 8,
@@ -30,7 +30,7 @@ enum {
 #define AUV6_RECORD_BASIS 2166136261u
 #define AUV6_RECORD_PRIME 16777619u
 
-/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+/* A record being written: the bytes that wait for write, and their hash so far. Without a log nothing is written. */
 typedef struct auv6_page {
     auv6_recorder *log;
     uint32_t check;
@@ -99,7 +99,7 @@ static void auv6_record_put_bytes(auv6_page *page, const unsigned char *bytes, s
     }
 }
 
-/* The check, and out with what waits. */
+/* Appends the check and writes the waiting bytes. */
 AUV6_CODE
 static void auv6_record_end(auv6_page *page)
 {
@@ -217,7 +217,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
     auv6_record_put_reals(&page, x->V, 6);
     auv6_record_put_reals(&page, x->phi, AUV6_N);
     auv6_record_put_reals(&page, x->phi_dot, AUV6_N);
-    if (check == AUV6_RECORDER_TABLE) {
+    if (check == AUV6_TABLE_HASH) {
         auv6_record_put(&page, 0, 4);
     } else {
         auv6_record_put(&page, AUV6_RECORD_TABLE_BYTES, 4);
@@ -229,7 +229,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
     return AUV6_OK;
 }
 
-/* Flags of what changed since the last step: members of the state, dt and order, stream. The log takes them as its last. */
+/* Flags of what changed since the last step: members of the state, dt and order, stream. The log remembers the new values. */
 AUV6_CODE
 static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *table, const auv6_state *x,
                                   auv6_real dt, int order)
@@ -313,15 +313,15 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6
     auv6_page page;
     auv6_status status;
     unsigned flags = 0;
-    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL
         || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
     for (int s = 0; s < AUV6_N; ++s) {
-        flags |= (locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
+        flags |= (locked != NULL && locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
     }
     flags |= auv6_notice_changes(log, table, x, dt, order);
     auv6_record_head(&page, log, x, flags);
     auv6_record_put_reals(&page, tau, AUV6_N);
-    if (flags & AUV6_RECORD_LOCKS) {
+    if ((flags & AUV6_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
         for (int first = 0; first < AUV6_N; first += AUV6_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
             for (int s = first; s < AUV6_N && s < first + AUV6_RECORD_LOCKS_A_BYTE; ++s) {

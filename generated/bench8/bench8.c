@@ -11,6 +11,31 @@
 #if BENCH8_LANES != 1
 #error "bench8.h and bench8.c were generated for different numbers of lanes"
 #endif
+#if BENCH8_REAL_BYTES != 8
+#error "bench8.h and bench8.c were generated for different element types"
+#endif
+#if BENCH8_VERSION_MAJOR != 0 || BENCH8_VERSION_MINOR != 1 || BENCH8_VERSION_PATCH != 0
+#error "bench8.h and bench8.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl bench8_link_double_lanes1_v0_1_0_139422e0\n"
+        ".type bench8_link_double_lanes1_v0_1_0_139422e0, %object\n"
+        ".size bench8_link_double_lanes1_v0_1_0_139422e0, 1\n"
+        ".set bench8_link_double_lanes1_v0_1_0_139422e0, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef BENCH8_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile bench8 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile bench8 without -ffinite-math-only"
+#endif
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef BENCH8_CODE
@@ -33,8 +58,8 @@ typedef struct bench8_sums {
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct bench8_coupling {
-    bench8_real I[6];  /* kg m, kg m2; column of I (9) */
-    bench8_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+    bench8_real I_[6];  /* kg m, kg m2; column of I (9) */
+    bench8_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
 } bench8_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
@@ -46,11 +71,11 @@ typedef struct bench8_schur {
 
 /* Scratch of inverse. */
 typedef struct bench8_inverse_work {
-    bench8_real I[6][BENCH8_N];   /* kg m, kg m2; flywheel coupling (9) */
+    bench8_real I_[6][BENCH8_N];  /* kg m, kg m2; flywheel coupling (9) */
     bench8_real W[6][BENCH8_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
     bench8_real U[6][6];          /* rotations of the rows */
     bench8_real G[6][6];          /* Cholesky factor of K, lower triangle */
-    bench8_real b[6];             /* N, N m; what the flywheels must give */
+    bench8_real b[6];             /* N, N m; the wrench demanded of the flywheels */
     bench8_real r[6];             /* scaled: G^-1 b; then U^T r */
     bench8_real sigma[6];         /* singular values */
     bench8_real scale[BENCH8_N];  /* D^-1 */
@@ -74,13 +99,17 @@ static bench8_real bench8_real_of(bench8_word word)
     return both.real;
 }
 
-/* sine and cosine of an angle.
+/* What null stands for. */
+BENCH8_CONST
+static const int bench8_none_locked[BENCH8_N] = { 0 };
+
+/* Sine and cosine of an angle.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 BENCH8_CODE
 static void bench8_sincos(bench8_real x, bench8_real *restrict sine, bench8_real *restrict cosine)
 {
-    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
     const bench8_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
     const bench8_word quadrant = bench8_bits_of(shifted);  /* mod 4: its last two bits */
     const bench8_real k = shifted - 6755399441055744.0;
@@ -91,7 +120,7 @@ static void bench8_sincos(bench8_real x, bench8_real *restrict sine, bench8_real
     /* rounding error of r_hi, and the third part */
     const bench8_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
     const bench8_real z = r_hi * r_hi;
-    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
     const bench8_real half_z = z * 0.5;
     const bench8_real flat = 1.0 - half_z;
     const bench8_real cos_fit = 0.0416666666666666
@@ -113,41 +142,45 @@ static void bench8_sincos(bench8_real x, bench8_real *restrict sine, bench8_real
     *cosine = bench8_real_of(cos_bits ^ exchange ^ cosine_sign);
 }
 
-/* square root, correctly rounded.
+/* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
 BENCH8_CODE
 static bench8_real bench8_sqrt(bench8_real x)
 {
-    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+#ifdef BENCH8_SQRT
+    return BENCH8_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
     const int subnormal = x < 2.2250738585072014e-308;
     const bench8_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
     const bench8_word lowered = (subnormal) ? 27u : 0u;
     const bench8_word bits = bench8_bits_of(x * lift);
     const bench8_word exponent = bits >> 52u;
-    const bench8_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const bench8_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
     const bench8_word fraction = bits & 0xfffffffffffffu;
     const bench8_word m_bits = fraction + ((odd + 1023u) << 52u);
     const bench8_real m = bench8_real_of(m_bits);
     const bench8_real half_m = m * 0.5;
-    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
     const bench8_real y0 = bench8_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
     const bench8_real y1 = y0 * (1.5 - half_m * y0 * y0);
     const bench8_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const bench8_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const bench8_real s = m * y3;
     const bench8_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
      * place. */
     const bench8_word root = bench8_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const bench8_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
-    const bench8_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
-    const bench8_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const bench8_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const bench8_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
     const bench8_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
     const bench8_real result = bench8_real_of(root + up - down + ((halved - 1u) << 52u));
     return (x > 0.0) ? result : x;
+#endif
 }
 
-/* angle of the vector (x, y), in [-pi, pi].
+/* Angle of the vector (x, y), in [-pi, pi].
  * x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0. */
 BENCH8_CODE
 static bench8_real bench8_atan2(bench8_real y, bench8_real x)
@@ -163,7 +196,7 @@ static bench8_real bench8_atan2(bench8_real y, bench8_real x)
     /* The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2. */
     const int beyond = minor + minor > major;
     const bench8_real above = (beyond) ? minor - major : minor;
-    const bench8_real below = (beyond) ? minor + major : ((major > 0.0) ? major : 1.0);  /* 1 for 0/0 */
+    const bench8_real below = (beyond) ? minor + major : ((major > 0.0) ? major : 1.0);  /* 1 avoids 0/0 */
     const bench8_real octant = (beyond) ? 1.0 : 0.0;
     /* Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle. */
     const bench8_real above_1 = (steep) ? -above : above;
@@ -187,24 +220,25 @@ static bench8_real bench8_atan2(bench8_real y, bench8_real x)
     return bench8_real_of(bench8_bits_of(angle) | (bench8_bits_of(y) & 0x8000000000000000u));
 }
 
-/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
 BENCH8_CODE
 static bench8_real bench8_unwound(bench8_real phi, bench8_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
-/* the equal angle within half a turn of zero.
- * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
 BENCH8_CODE
 static bench8_real bench8_wrapped(bench8_real phi)
 {
-    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
     const bench8_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return bench8_unwound(phi, k);
 }
 
-/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
 BENCH8_CODE
 static bench8_status bench8_within(const bench8_real values[], int count, bench8_real limit)
 {
@@ -217,7 +251,7 @@ static bench8_status bench8_within(const bench8_real values[], int count, bench8
     return BENCH8_OK;
 }
 
-/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
 BENCH8_CODE
 static bench8_status bench8_check_state(const bench8_state *x)
 {
@@ -239,7 +273,7 @@ static bench8_status bench8_check_state(const bench8_state *x)
     return BENCH8_OK;
 }
 
-/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
 BENCH8_CODE
 static void bench8_rotation(const bench8_real q[4], bench8_real C[restrict 9])
 {
@@ -255,7 +289,7 @@ static void bench8_rotation(const bench8_real q[4], bench8_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
-/* C^T a: from the outer axes to the turned ones. */
+/* C^T a: components from the outer axes to the rotated axes. */
 BENCH8_CODE
 static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], bench8_real out[restrict 3])
 {
@@ -264,7 +298,7 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3], b
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
 BENCH8_CODE
 static void bench8_start_sums(const bench8_table *table, bench8_sums *restrict sum)
 {
@@ -281,15 +315,16 @@ static void bench8_start_sums(const bench8_table *table, bench8_sums *restrict s
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
-/* sines and cosines of all phases.
+/* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 BENCH8_CODE
 static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real sine[restrict BENCH8_N],
                                bench8_real cosine[restrict BENCH8_N])
 {
     for (int s = 0; s < BENCH8_N; ++s) {
-        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
         const bench8_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const bench8_word quadrant = bench8_bits_of(shifted);  /* mod 4: its last two bits */
         const bench8_real k = shifted - 6755399441055744.0;
@@ -300,7 +335,7 @@ static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real sine[r
         /* rounding error of r_hi, and the third part */
         const bench8_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
         const bench8_real z = r_hi * r_hi;
-        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
         const bench8_real half_z = z * 0.5;
         const bench8_real flat = 1.0 - half_z;
         const bench8_real cos_fit = 0.0416666666666666
@@ -324,18 +359,18 @@ static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real sine[r
     }
 }
 
-/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
 BENCH8_CODE
 static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_real c, bench8_real phi_dot,
                                 bench8_real phi_ddot, bench8_sums *restrict sum)
 {
-    const bench8_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const bench8_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
     const bench8_real s2 = 2.0 * c * s;
-    const bench8_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const bench8_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
     const bench8_real ds = phi_dot * c;
     const bench8_real dc2 = -2.0 * phi_dot * s2;
     const bench8_real ds2 = 2.0 * phi_dot * c2;
-    const bench8_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const bench8_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
     const bench8_real dds = phi_ddot * c + phi_dot * dc;
     /* first moment and its rate */
     sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
@@ -371,19 +406,19 @@ static void bench8_add_flywheel(const bench8_row *row, bench8_real s, bench8_rea
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* rotation vector of a quaternion of about unit length; its length is at most pi. */
+/* Rotation vector of a quaternion of about unit length; its length is at most pi. */
 BENCH8_CODE
 static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restrict 3])
 {
-    /* q and -q are the same rotation: take the shorter way */
+    /* q and -q are the same rotation: take the one of the smaller angle */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const bench8_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    bench8_real ratio = 2.0;  /* angle over the length of the vector part */
+    bench8_real ratio = 2.0;  /* rotation angle divided by the length of the vector part */
     if (square > 1.0e-30) {
         const bench8_real length = bench8_sqrt(square);
         ratio = 2.0 * bench8_atan2(length, side * q[0]) / length;
     } else {
-        /* as it must be; the test keeps zero out of the division whatever q is */
+        /* |w| is near 1 here; the test only prevents a division by zero for other q */
         if (side * q[0] > 0.5) {
             ratio = 2.0 / (side * q[0]);
         }
@@ -391,7 +426,7 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restric
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
 
-/* adds the suspension: -(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C),
+/* Adds the suspension: -(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C),
  * (7). */
 BENCH8_CODE
 static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, const bench8_real C[9],
@@ -423,14 +458,14 @@ static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, 
     }
 }
 
-/* total external wrench of weight, suspension, from checked inputs, (7). */
+/* Total external wrench of weight, suspension, from checked inputs, (7). */
 BENCH8_CODE
 static void bench8_external(const bench8_table *table, const bench8_state *x, const bench8_sums *sum,
                             const bench8_real C[9], const bench8_real g[3], bench8_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    /* weight of every body: its line of action moves with the flywheels */
+    /* weight of all bodies: its line of action moves with the flywheels */
     F[0] += g[0] * table->mass;  F[1] += g[1] * table->mass;  F[2] += g[2] * table->mass;
     F[3] += g[2] * sum->mu[1] - g[1] * sum->mu[2];
     F[4] += g[0] * sum->mu[2] - g[2] * sum->mu[0];
@@ -438,7 +473,7 @@ static void bench8_external(const bench8_table *table, const bench8_state *x, co
     bench8_suspend(&table->suspension, x, C, F);
 }
 
-/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 BENCH8_CODE
 static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
                                   bench8_real Z[restrict 6])
@@ -454,7 +489,7 @@ static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *
         - sum->mu[1] * V[0];
 }
 
-/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 BENCH8_CODE
 static void bench8_subtract_rates(const bench8_sums *sum, const bench8_real V[6], const bench8_real Z[6],
                                   bench8_real F[restrict 6])
@@ -473,7 +508,7 @@ static void bench8_subtract_rates(const bench8_sums *sum, const bench8_real V[6]
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 BENCH8_CODE
 static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3], bench8_real y[restrict 3])
 {
@@ -497,7 +532,7 @@ static bench8_status bench8_solve3(const bench8_real S[6], const bench8_real b[3
     return BENCH8_OK;
 }
 
-/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
 BENCH8_CODE
 static bench8_status bench8_solve_carrier(const bench8_table *table, const bench8_sums *sum,
                                           const bench8_real F[6], bench8_real y[restrict 6])
@@ -545,7 +580,7 @@ static bench8_status bench8_accelerate(const bench8_table *table, const bench8_s
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    bench8_real F[6];  /* wrench (7); then what K V* must equal */
+    bench8_real F[6];  /* wrench (7); then the right-hand side of (8) */
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_external(table, x, &sum, C, g, F);
     bench8_momentum_screw(table, &sum, x->V, Z);
@@ -688,19 +723,19 @@ bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, 
         rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
         rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
         rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-        out->I[0][s] = column[0];
+        out->I_[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
-        out->I[1][s] = column[1];
+        out->I_[1][s] = column[1];
         out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
-        out->I[2][s] = column[2];
+        out->I_[2][s] = column[2];
         out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
-        out->I[3][s] = column[3];
+        out->I_[3][s] = column[3];
         out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
             + rate[3] * x->phi_dot[s];
-        out->I[4][s] = column[4];
+        out->I_[4][s] = column[4];
         out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
             + rate[4] * x->phi_dot[s];
-        out->I[5][s] = column[5];
+        out->I_[5][s] = column[5];
         out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
             + rate[5] * x->phi_dot[s];
     }
@@ -763,7 +798,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     return BENCH8_OK;
 }
 
-/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 BENCH8_CODE
 static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
                           const bench8_real origin_acceleration[3], const bench8_real spun[6],
@@ -771,12 +806,12 @@ static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
 {
     const bench8_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const bench8_real two_s2 = 4.0 * c * s;
-    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
-    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
-    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
-    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
-    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
-    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     /* dJ / dphi */
     const bench8_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2
         - row->J_c[0] * s;
@@ -791,27 +826,27 @@ static void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
     const bench8_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
-        + out->I[2] * origin_acceleration[2];
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
 }
 
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 BENCH8_CODE
-static void bench8_eliminate(const bench8_real I[6], bench8_real spin_inv, bench8_real rate,
+static void bench8_eliminate(const bench8_real column[6], bench8_real spin_inv, bench8_real rate,
                              bench8_schur *restrict K, bench8_real F[restrict 6])
 {
     bench8_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -834,11 +869,11 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -846,14 +881,14 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
     bench8_coupling drive;
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return BENCH8_OK;
 }
 
-/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 BENCH8_CODE
 static bench8_status bench8_solve_schur(const bench8_schur *K, const bench8_real F[6],
                                         bench8_real y[restrict 6])
@@ -925,7 +960,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    bench8_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    bench8_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_external(table, x, &sum, C, g, F);
     bench8_momentum_screw(table, &sum, x->V, Z);
@@ -939,11 +974,11 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     bench8_coupling drive[BENCH8_N];
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -954,7 +989,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            bench8_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
+            bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = bench8_solve_schur(&K, F, V_dot);
@@ -962,9 +997,9 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
-            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
-                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
         }
     }
     return BENCH8_OK;
@@ -976,8 +1011,9 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = bench8_none_locked; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
@@ -997,7 +1033,7 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
     return BENCH8_OK;
 }
 
-/* to = x + h rate, phases from within half a turn. */
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
 BENCH8_CODE
 static void bench8_advance(const bench8_state *x, const bench8_state *rate, bench8_real h,
                            bench8_state *restrict to)
@@ -1019,7 +1055,7 @@ static void bench8_advance(const bench8_state *x, const bench8_state *rate, benc
     }
 }
 
-/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
 BENCH8_CODE
 static bench8_status bench8_finish(bench8_state *restrict x)
 {
@@ -1040,7 +1076,7 @@ static bench8_status bench8_finish(bench8_state *restrict x)
     return BENCH8_OK;
 }
 
-/* rates of the state under drive torques. */
+/* Time derivatives of the state under drive torques. */
 BENCH8_CODE
 static bench8_status bench8_rate(const bench8_table *table, const bench8_state *x,
                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
@@ -1071,13 +1107,89 @@ static bench8_status bench8_rate(const bench8_table *table, const bench8_state *
     return BENCH8_OK;
 }
 
-/* State a time step later, under drive torques and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+BENCH8_CODE
+static bench8_status bench8_stages(const bench8_table *table, const bench8_state *x,
+                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                   bench8_real h, int order, bench8_state *restrict y,
+                                   bench8_state *restrict total)
+{
+    bench8_status status;
+    bench8_state k;  /* time derivatives at a stage */
+    status = bench8_rate(table, x, tau, locked, &k);
+    if (status != BENCH8_OK) { return status; }
+    const bench8_real half = 0.5 * h;
+    if (order == 2) {
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate(table, y, tau, locked, total);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    } else {
+        *total = k;
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate(table, y, tau, locked, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate(table, y, tau, locked, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        bench8_advance(x, &k, h, y);
+        status = bench8_rate(table, y, tau, locked, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return BENCH8_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
 BENCH8_CODE
 bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || next == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = bench8_none_locked; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
@@ -1088,83 +1200,27 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
     if (status != BENCH8_OK) { return status; }
     if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
-    bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
-    status = bench8_rate(table, x, tau, locked, &k);
+    bench8_state total;  /* sum of the rates at the stages */
+    status = bench8_stages(table, x, tau, locked, dt, order, &y, &total);
     if (status != BENCH8_OK) { return status; }
-    const bench8_real half = 0.5 * dt;
-    if (order == 2) {
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate(table, &y, tau, locked, &k);
-        if (status != BENCH8_OK) { return status; }
-        bench8_advance(x, &k, dt, &y);
-    } else {
-        bench8_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate(table, &y, tau, locked, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate(table, &y, tau, locked, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        bench8_advance(x, &k, dt, &y);
-        status = bench8_rate(table, &y, tau, locked, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const bench8_real sixth = dt / 6.0;
-        bench8_advance(x, &total, sixth, &y);
+    const bench8_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    bench8_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    bench8_advance(x, &total, over, &y);
     status = bench8_finish(&y);
-    if (status != BENCH8_OK) { return status; }
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
     *next = y;
+    const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
     return BENCH8_OK;
 }
 
-/* rates of the state under given flywheel accelerations. */
+/* Time derivatives of the state under given flywheel accelerations. */
 BENCH8_CODE
 static bench8_status bench8_rate_driven(const bench8_table *table, const bench8_state *x,
                                         const bench8_real phi_ddot[BENCH8_N], bench8_state *restrict rate)
@@ -1195,7 +1251,82 @@ static bench8_status bench8_rate_driven(const bench8_table *table, const bench8_
     return BENCH8_OK;
 }
 
-/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+BENCH8_CODE
+static bench8_status bench8_stages_driven(const bench8_table *table, const bench8_state *x,
+                                          const bench8_real phi_ddot[BENCH8_N], bench8_real h, int order,
+                                          bench8_state *restrict y, bench8_state *restrict total)
+{
+    bench8_status status;
+    bench8_state k;  /* time derivatives at a stage */
+    status = bench8_rate_driven(table, x, phi_ddot, &k);
+    if (status != BENCH8_OK) { return status; }
+    const bench8_real half = 0.5 * h;
+    if (order == 2) {
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate_driven(table, y, phi_ddot, total);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    } else {
+        *total = k;
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate_driven(table, y, phi_ddot, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        bench8_advance(x, &k, half, y);
+        status = bench8_rate_driven(table, y, phi_ddot, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        bench8_advance(x, &k, h, y);
+        status = bench8_rate_driven(table, y, phi_ddot, &k);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < BENCH8_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return BENCH8_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
 BENCH8_CODE
 bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
@@ -1212,83 +1343,27 @@ bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *
     if (status != BENCH8_OK) { return status; }
     if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
-    bench8_state k;  /* rates of a stage */
     bench8_state y;  /* state of a stage; then the new state */
-    status = bench8_rate_driven(table, x, phi_ddot, &k);
+    bench8_state total;  /* sum of the rates at the stages */
+    status = bench8_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
     if (status != BENCH8_OK) { return status; }
-    const bench8_real half = 0.5 * dt;
-    if (order == 2) {
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(table, &y, phi_ddot, &k);
-        if (status != BENCH8_OK) { return status; }
-        bench8_advance(x, &k, dt, &y);
-    } else {
-        bench8_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(table, &y, phi_ddot, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        bench8_advance(x, &k, half, &y);
-        status = bench8_rate_driven(table, &y, phi_ddot, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        bench8_advance(x, &k, dt, &y);
-        status = bench8_rate_driven(table, &y, phi_ddot, &k);
-        if (status != BENCH8_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const bench8_real sixth = dt / 6.0;
-        bench8_advance(x, &total, sixth, &y);
+    const bench8_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    bench8_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    bench8_advance(x, &total, over, &y);
     status = bench8_finish(&y);
-    if (status != BENCH8_OK) { return status; }
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
     *next = y;
+    const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
     return BENCH8_OK;
 }
 
-/* The equal angle in [-pi, pi] (pi as the nearest real). */
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
 BENCH8_CODE
 bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped)
 {
@@ -1298,7 +1373,7 @@ bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped)
     given[0] = phi;
     status = bench8_within(given, 1, BENCH8_MAX_PHASE);
     if (status != BENCH8_OK) { return status; }
-    bench8_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    bench8_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     bench8_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
     angle = bench8_unwound(phi, k);
@@ -1310,7 +1385,7 @@ bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped)
     return BENCH8_OK;
 }
 
-/* Phase of an encoder's count. */
+/* Phase for a count of an encoder. */
 BENCH8_CODE
 bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi)
 {
@@ -1323,8 +1398,9 @@ bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, 
     given[0] = zero;
     status = bench8_within(given, 1, size);
     if (status != BENCH8_OK) { return status; }
-    const int rest = count - count / turn * turn;  /* whole turns taken off */
-    bench8_real place = (bench8_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    /* counts from phi = 0; then reduced to within half a turn */
+    bench8_real place = (bench8_real)rest - zero;
     const bench8_real half = size * 0.5;
     for (int i = 0; i < 2; ++i) {
         place = (place > half) ? place - size : ((place < -half) ? place + size : place);
@@ -1352,8 +1428,8 @@ bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, be
     return BENCH8_OK;
 }
 
-/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
- * exactly. */
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
 BENCH8_CODE
 bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn)
 {
@@ -1361,7 +1437,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return BENCH8_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     if (!(encoder->place >= 0 && encoder->place < turn)) { return BENCH8_BAD_ARGUMENT; }
-    int moved;  /* counts since the last reading: the shorter way round */
+    int moved;  /* counts since the last reading, in the shorter direction */
     if (bits == 0) {
         if (!(counter >= 0 && counter < turn
             && (encoder->counter >= 0 && encoder->counter < turn))) { return BENCH8_BAD_ARGUMENT; }
@@ -1383,7 +1459,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
     return BENCH8_OK;
 }
 
-/* derivative of F - Phi Z - K* V by the twist, (8). */
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
 BENCH8_CODE
 static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6],
                                const bench8_matrices_result *m, bench8_real slope[restrict 36])
@@ -1412,12 +1488,12 @@ static void bench8_twist_slope(const bench8_table *table, const bench8_real Z[6]
     }
 }
 
-/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 BENCH8_CODE
 static void bench8_row_slope(const bench8_row *row, const bench8_real weight[12], const bench8_real V[6],
                              const bench8_real V_dot[6], const bench8_real g[3], bench8_real out[restrict 6])
 {
-    bench8_sums change;  /* of the sums */
+    bench8_sums change;  /* change of the sums */
     bench8_real Z[6];  /* change of the momentum screw */
     change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
     change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
@@ -1510,7 +1586,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    bench8_real F[6];  /* what K V* must equal */
+    bench8_real F[6];  /* right-hand side of (8) */
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_real V_result[6];  /* V_r* */
     bench8_real rhs[6];
@@ -1546,7 +1622,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     bench8_velocity_matrix(x->V, &m);
-    bench8_real slope[36];  /* by V, row by row */
+    bench8_real slope[36];  /* derivative by V, row by row */
     bench8_twist_slope(table, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1557,17 +1633,17 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
             out->V_dot_V[i][j] = y[i];
         }
     }
-    bench8_real change[12];  /* of the weights of a row */
+    bench8_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
-        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const bench8_real s2 = 2.0 * c_phi * s_phi;
-        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const bench8_real ds = x->phi_dot[s] * c_phi;
         const bench8_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const bench8_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const bench8_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const bench8_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
         const bench8_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1614,8 +1690,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_jacobian_result *out)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || out == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = bench8_none_locked; }
     bench8_status status = bench8_check_state(x);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
@@ -1664,14 +1740,14 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     bench8_velocity_matrix(x->V, &m);
-    bench8_real slope[36];  /* by V, row by row */
+    bench8_real slope[36];  /* derivative by V, row by row */
     bench8_twist_slope(table, Z, &m, slope);
     bench8_coupling drive[BENCH8_N];
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    bench8_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -1684,18 +1760,18 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    bench8_real rhs[6];  /* of the carrier */
-    bench8_real drive_rhs[BENCH8_N];  /* of the drives */
+    bench8_real rhs[6];  /* right-hand side of the carrier */
+    bench8_real drive_rhs[BENCH8_N];  /* right-hand sides of the drives */
     bench8_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            bench8_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+            bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
-    bench8_real drive_slope[BENCH8_N][6];  /* of the bias torques by V */
+    bench8_real drive_slope[BENCH8_N][6];  /* derivatives of the bias torques by V */
     bench8_real J_p[6];  /* dJ / dphi */
     bench8_real turned[3];  /* J' omega */
     for (int s = 0; s < BENCH8_N; ++s) {
@@ -1718,12 +1794,12 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
-        drive_slope[s][0] = drive[s].I[1] * x->V[5] - drive[s].I[2] * x->V[4];
-        drive_slope[s][1] = drive[s].I[2] * x->V[3] - drive[s].I[0] * x->V[5];
-        drive_slope[s][2] = drive[s].I[0] * x->V[4] - drive[s].I[1] * x->V[3];
-        drive_slope[s][3] = drive[s].I[2] * x->V[1] - drive[s].I[1] * x->V[2] - turned[0];
-        drive_slope[s][4] = drive[s].I[0] * x->V[2] - drive[s].I[2] * x->V[0] - turned[1];
-        drive_slope[s][5] = drive[s].I[1] * x->V[0] - drive[s].I[0] * x->V[1] - turned[2];
+        drive_slope[s][0] = drive[s].I_[1] * x->V[5] - drive[s].I_[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I_[2] * x->V[3] - drive[s].I_[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I_[0] * x->V[4] - drive[s].I_[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I_[2] * x->V[1] - drive[s].I_[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * x->V[2] - drive[s].I_[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * x->V[0] - drive[s].I_[0] * x->V[1] - turned[2];
     }
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1736,7 +1812,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             if (locked[t] == 0) {
                 const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1748,23 +1824,23 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             out->phi_ddot_V[t][j] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
     }
-    bench8_real change[12];  /* of the weights of a row */
+    bench8_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
-        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const bench8_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const bench8_real s2 = 2.0 * c_phi * s_phi;
-        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const bench8_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const bench8_real ds = x->phi_dot[s] * c_phi;
         const bench8_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const bench8_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const bench8_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const bench8_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
         const bench8_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1810,7 +1886,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
                 if (locked[t] == 0) {
                     const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1822,8 +1898,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1841,7 +1917,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
                 if (locked[t] == 0) {
                     const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1853,8 +1929,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1869,7 +1945,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             if (locked[t] == 0) {
                 const bench8_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1881,8 +1957,8 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -1890,7 +1966,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
     return BENCH8_OK;
 }
 
-/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 BENCH8_CODE
 static void bench8_orthogonalise(bench8_inverse_work *restrict work)
@@ -1915,7 +1991,7 @@ static void bench8_orthogonalise(bench8_inverse_work *restrict work)
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
                 const bench8_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
-                /* of size 1, so that no square underflows */
+                /* scaled to size 1, so that no square underflows */
                 const bench8_real unit = (size > 0.0) ? size : 1.0;
                 const bench8_real d = (b - a) / unit;
                 const bench8_real h = 2.0 * g / unit;
@@ -1951,7 +2027,7 @@ static void bench8_orthogonalise(bench8_inverse_work *restrict work)
     }
 }
 
-/* cholesky factor of the mass matrix, in place: K = G G^T. */
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
 BENCH8_CODE
 static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 {
@@ -1974,7 +2050,7 @@ static bench8_status bench8_factor(bench8_inverse_work *restrict work)
     return BENCH8_OK;
 }
 
-/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
 BENCH8_CODE
 static bench8_status bench8_demand(const bench8_table *table, const bench8_state *x,
                                    const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
@@ -2004,10 +2080,10 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
         column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
             + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->I[i][s] = column[i];
+            work->I_[i][s] = column[i];
         }
     }
-    bench8_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    bench8_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_external(table, x, &sum, C, g, F);
     bench8_momentum_screw(table, &sum, x->V, Z);
@@ -2024,7 +2100,7 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
     work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
     work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
-    /* b = F - K V*: what the flywheels must give */
+    /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
             - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
@@ -2036,7 +2112,7 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
     for (int s = 0; s < BENCH8_N; ++s) {
         work->scale[s] = 1.0 / bench8_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * work->scale[s];
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
@@ -2056,7 +2132,7 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
     return BENCH8_OK;
 }
 
-/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 BENCH8_CODE
 static void bench8_solve_gram(bench8_real gram[restrict 6][6], bench8_real z[restrict 6], bench8_real least)
 {
@@ -2086,16 +2162,16 @@ static void bench8_solve_gram(bench8_real gram[restrict 6][6], bench8_real z[res
     }
 }
 
-/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
- * do, (12). */
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
 BENCH8_CODE
 static void bench8_allocate(const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
                             bench8_real phi_ddot[restrict BENCH8_N], int limited[restrict BENCH8_N])
 {
     bench8_real share[BENCH8_N];  /* 1/weight */
-    bench8_real give[BENCH8_N];  /* the share of flywheels that are free, 0 of those held */
-    bench8_real step[BENCH8_N];  /* what the free flywheels shall give more */
-    bench8_real row[6];  /* factor of each row; 0: it does not count */
+    bench8_real give[BENCH8_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    bench8_real step[BENCH8_N];  /* increment of the free flywheels */
+    bench8_real row[6];  /* factor of each row; 0: the row is left out */
     bench8_real gram[6][6];
     bench8_real z[6];
     /* until the end phi_ddot holds y = D phi'' */
@@ -2114,7 +2190,8 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
             most = (give[s] > most) ? give[s] : most;
         }
         const bench8_real regular = 1.0e-12 * most;
-        const bench8_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        /* lower bound that keeps the diagonal positive */
+        const bench8_real least = (most > 0.0) ? regular : 1.0;
         for (int i = 0; i < 6; ++i) {
             row[i] = 0.0;
             if (i < rank) {
@@ -2163,7 +2240,7 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                 }
             }
         } else {
-            /* as long a step as all limits allow; the flywheel that stops it is held */
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
             bench8_real length = 1.0;
             int stopped = -1;
             for (int s = 0; s < BENCH8_N; ++s) {
@@ -2187,7 +2264,7 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                     limited[s] = 1;
                 }
             }
-            /* after a whole step: free the held flywheel that would lower the residual most */
+            /* after a full step, release the held flywheel that would lower the residual most */
             if (stopped < 0) {
                 bench8_real left[6];
                 bench8_real wanted = 0.0;
@@ -2200,7 +2277,7 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                         }
                     }
                 }
-                bench8_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                bench8_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
                 int freed = -1;
                 for (int s = 0; s < BENCH8_N; ++s) {
                     if (limited[s] > 0) {
@@ -2223,10 +2300,13 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
             }
         }
     }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
-        if (limited[s] > 0) {
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= BENCH8_LARGEST)) {
             phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
@@ -2252,7 +2332,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_RANGE; }
     }
     for (int s = 0; s < BENCH8_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
@@ -2269,7 +2349,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         wanted += work.r[i] * work.r[i];
     }
     bench8_orthogonalise(&work);
-    /* descending singular values, by exchanging neighbours */
+    /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
         for (int i = 0; i < 5; ++i) {
             if (work.sigma[i] < work.sigma[i + 1]) {
@@ -2326,7 +2406,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     for (int i = 0; i < 6; ++i) {
         out->residual[i] = work.b[i];
         for (int s = 0; s < BENCH8_N; ++s) {
-            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
@@ -2340,7 +2420,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (left > 1.0e-18 * wanted) {
         flags = flags | BENCH8_UNREACHABLE;
     }
-    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     bench8_real part[6];
     for (int i = 0; i < 6; ++i) {
         part[i] = (i < rank) ? 0.0 : work.r[i];
@@ -2360,7 +2440,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         square += part[i] * part[i];
     }
     const bench8_real length = bench8_sqrt(square);
-    bench8_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    bench8_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -2402,7 +2482,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     if (status != BENCH8_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_RANGE; }
     }
     bench8_inverse_work work;
     bench8_real sine[BENCH8_N];
@@ -2428,12 +2508,12 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
         trace += gram[i][i];
         z[i] = work.r[i];
     }
-    const bench8_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    const bench8_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
     for (int i = 0; i < 6; ++i) {
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 6; ++j) {
-        const bench8_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
+        const bench8_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
@@ -2653,7 +2733,7 @@ bench8_status bench8_generalized(const bench8_table *table, const bench8_state *
     return BENCH8_OK;
 }
 
-/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 BENCH8_CODE
 static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench8_real zero[3],
                                           bench8_real R[restrict 9])
@@ -2689,7 +2769,7 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
     return BENCH8_OK;
 }
 
-/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 BENCH8_CODE
 static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_real J[6],
                          const bench8_real O[3], const bench8_real R[9], bench8_real mu[restrict 3],
@@ -2732,7 +2812,7 @@ static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_rea
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
  * inertia. */
 BENCH8_CODE
 static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[3], const bench8_real J[6])
@@ -2751,7 +2831,7 @@ static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[
     const bench8_real P12 = -J[3] - b1 * c[1];
     const bench8_real P13 = -J[4] - b1 * c[2];
     const bench8_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
@@ -2767,7 +2847,7 @@ static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[
     return BENCH8_OK;
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 BENCH8_CODE
 static bench8_status bench8_check_body(const bench8_body *body)
 {
@@ -2784,7 +2864,7 @@ static bench8_status bench8_check_body(const bench8_body *body)
     return bench8_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* origin and axes (at phi = 0) of a flywheel in E1. */
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
 BENCH8_CODE
 static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real O[restrict 3],
                                            bench8_real R[restrict 9])
@@ -2797,13 +2877,14 @@ static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real
     return BENCH8_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
 BENCH8_CODE
 static bench8_status bench8_check_parameters(const bench8_parameters *parameters)
 {
     bench8_status status;
     bench8_real mass;
-    bench8_real size;  /* moment of inertia that no product of the equations may overflow */
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    bench8_real size;
     bench8_real O[3];
     bench8_real R[9];
     status = bench8_check_body(&parameters->carrier);
@@ -2833,7 +2914,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
     if (parameters == NULL || table == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_parameters(parameters);
     if (status != BENCH8_OK) { return status; }
-    /* all is good: from here on the table is written and nothing can fail */
+    /* all checks passed: from here on the table is written and nothing can fail */
     bench8_real mass;
     bench8_real first_moment[3];
     bench8_real inertia[6];
@@ -2924,11 +3005,11 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
     return BENCH8_OK;
 }
 
-/* L^T of a twist, to mounting axes at Os. */
+/* L^T V: a twist carried to Os, in mounting axes. */
 BENCH8_CODE
 static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6], bench8_real U[restrict 6])
 {
-    bench8_real velocity[3];  /* of Os */
+    bench8_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
     velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
     velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
@@ -2940,7 +3021,7 @@ static void bench8_carry_twist(const bench8_mount *mount, const bench8_real V[6]
     U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
 }
 
-/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
 BENCH8_CODE
 static void bench8_mount_wrench(const bench8_mount *mount, bench8_real s, bench8_real c, bench8_real phi_dot,
                                 bench8_real phi_ddot, const bench8_real V[6], const bench8_real V_dot[6],
@@ -3013,7 +3094,7 @@ static void bench8_mount_wrench(const bench8_mount *mount, bench8_real s, bench8
     W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
 }
 
-/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 BENCH8_CODE
 bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
@@ -3047,7 +3128,7 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
     return BENCH8_OK;
 }
 
-/* Makes the second table that mounts needs. */
+/* Makes the second table, which the function mounts needs. */
 BENCH8_CODE
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting)
 {
@@ -3074,6 +3155,167 @@ bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_
     return BENCH8_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+BENCH8_CODE
+static void bench8_advance_carried(const bench8_state *x, const bench8_state *rate, bench8_real h,
+                                   bench8_step_carry *restrict carry, bench8_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const bench8_real step = h * rate->position[i] + carry->rounding[i];
+        const bench8_real sum = x->position[i] + step;
+        const bench8_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const bench8_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const bench8_real sum = x->attitude[i] + step;
+        const bench8_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const bench8_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const bench8_real sum = x->V[i] + step;
+        const bench8_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < BENCH8_N; ++i) {
+        const bench8_real start = bench8_wrapped(x->phi[i]);
+        const bench8_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const bench8_real sum = start + step;
+        const bench8_real sum_b = sum - start;
+        /* turns */
+        const bench8_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+        const bench8_real left = sum - k * 6.283185303211212;
+        const bench8_real within = left + -(k * 3.968374318722146e-9);
+        const bench8_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < BENCH8_N; ++i) {
+        const bench8_real step = h * rate->phi_dot[i] + carry->rounding[i + 21];
+        const bench8_real sum = x->phi_dot[i] + step;
+        const bench8_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 21] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+BENCH8_CODE
+static bench8_status bench8_finish_carried(bench8_state *restrict x, bench8_step_carry *restrict carry)
+{
+    bench8_status status;
+    const bench8_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return BENCH8_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const bench8_real excess = (1.0 - square) / (bench8_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const bench8_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const bench8_real sum = x->attitude[i] + step;
+        const bench8_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    return BENCH8_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+BENCH8_CODE
+bench8_status bench8_step_carried(const bench8_table *table, const bench8_state *x,
+                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                  bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || carry == NULL
+        || next == NULL) { return BENCH8_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = bench8_none_locked; }
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(tau, BENCH8_N, BENCH8_MAX_WRENCH);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real given[1];
+    given[0] = dt;
+    status = bench8_within(given, 1, BENCH8_MAX_STEP);
+    if (status != BENCH8_OK) { return status; }
+    if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
+    status = bench8_within(carry->rounding, 29, BENCH8_MAX_ROUNDING);
+    if (status != BENCH8_OK) { return status; }
+    bench8_state y;  /* state of a stage; then the new state */
+    bench8_state total;  /* sum of the rates at the stages */
+    status = bench8_stages(table, x, tau, locked, dt, order, &y, &total);
+    if (status != BENCH8_OK) { return status; }
+    const bench8_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    bench8_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    bench8_step_carry kept;  /* the new carry */
+    kept = *carry;
+    bench8_advance_carried(x, &total, over, &kept, &y);
+    status = bench8_finish_carried(&y, &kept);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    *carry = kept;
+    *next = y;
+    const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
+    return BENCH8_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+BENCH8_CODE
+bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
+                                         const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
+                                         bench8_step_carry *carry, bench8_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || next == NULL) { return BENCH8_BAD_ARGUMENT; }
+    bench8_status status = bench8_check_state(x);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(phi_ddot, BENCH8_N, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
+    bench8_real given[1];
+    given[0] = dt;
+    status = bench8_within(given, 1, BENCH8_MAX_STEP);
+    if (status != BENCH8_OK) { return status; }
+    if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
+    status = bench8_within(carry->rounding, 29, BENCH8_MAX_ROUNDING);
+    if (status != BENCH8_OK) { return status; }
+    bench8_state y;  /* state of a stage; then the new state */
+    bench8_state total;  /* sum of the rates at the stages */
+    status = bench8_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
+    if (status != BENCH8_OK) { return status; }
+    const bench8_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    bench8_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    bench8_step_carry kept;  /* the new carry */
+    kept = *carry;
+    bench8_advance_carried(x, &total, over, &kept, &y);
+    status = bench8_finish_carried(&y, &kept);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    *carry = kept;
+    *next = y;
+    const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
+    return BENCH8_OK;
+}
+
 /* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
 BENCH8_CODE
 bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
@@ -3092,7 +3334,7 @@ bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const be
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    bench8_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    bench8_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
     own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];

@@ -305,12 +305,27 @@ static void bits_parameters(bench8_parameters *x)
     }
 }
 
+static void normal_step_carry(bench8_step_carry *x)
+{
+    reals(&x->rounding[0], 29, 1.0e-6);
+}
+
+static void any_step_carry(bench8_step_carry *x)
+{
+    reals(&x->rounding[0], 29, BENCH8_LARGEST);
+}
+
+static void bits_step_carry(bench8_step_carry *x)
+{
+    all_bits(&x->rounding[0], 29);
+}
+
 static void untouched_matrices_result(const bench8_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 48);
+    untouched(&x->I_[0][0], 48);
     untouched(&x->J[0][0], 48);
     untouched(&x->F[0], 6);
 }
@@ -320,7 +335,7 @@ static void written_matrices_result(const bench8_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 48);
+    written(&x->I_[0][0], 48);
     written(&x->J[0][0], 48);
     written(&x->F[0], 6);
 }
@@ -330,7 +345,7 @@ static void initialised_matrices_result(const bench8_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 48);
+    initialised(&x->I_[0][0], 48);
     initialised(&x->J[0][0], 48);
     initialised(&x->F[0], 6);
 }
@@ -853,6 +868,16 @@ static void initialised_mount_table(const bench8_mount_table *x)
     initialised(&x->flywheel[7].inertia[0], 6);
     initialised(&x->flywheel[7].origin[0], 3);
     initialised(&x->flywheel[7].axes[0], 9);
+}
+
+static void written_step_carry(const bench8_step_carry *x)
+{
+    written(&x->rounding[0], 29);
+}
+
+static void initialised_step_carry(const bench8_step_carry *x)
+{
+    initialised(&x->rounding[0], 29);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -2057,6 +2082,156 @@ void bench8_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void bench8_eva_normal_step_carried(void);
+void bench8_eva_normal_step_carried(void)
+{
+    bench8_state x;
+    normal_state(&x);
+    bench8_real tau[BENCH8_N];
+    reals(&tau[0], 8, 100.0);
+    int locked[BENCH8_N];
+    integers(&locked[0], 8, 0, 1);
+    bench8_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    bench8_step_carry carry;
+    normal_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_carried(&bench8_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void bench8_eva_any_step_carried(void);
+void bench8_eva_any_step_carried(void)
+{
+    bench8_state x;
+    any_state(&x);
+    bench8_real tau[BENCH8_N];
+    reals(&tau[0], 8, BENCH8_LARGEST);
+    int locked[BENCH8_N];
+    integers(&locked[0], 8, INT_MIN, INT_MAX);
+    bench8_real dt;
+    reals(&dt, 1, BENCH8_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    bench8_step_carry carry;
+    any_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_carried(&bench8_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void bench8_eva_bits_step_carried(void);
+void bench8_eva_bits_step_carried(void)
+{
+    bench8_state x;
+    bits_state(&x);
+    bench8_real tau[BENCH8_N];
+    all_bits(&tau[0], 8);
+    int locked[BENCH8_N];
+    integers(&locked[0], 8, INT_MIN, INT_MAX);
+    bench8_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    bench8_step_carry carry;
+    bits_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_carried(&bench8_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void bench8_eva_normal_step_driven_carried(void);
+void bench8_eva_normal_step_driven_carried(void)
+{
+    bench8_state x;
+    normal_state(&x);
+    bench8_real phi_ddot[BENCH8_N];
+    reals(&phi_ddot[0], 8, 1.0e4);
+    bench8_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    bench8_step_carry carry;
+    normal_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_driven_carried(&bench8_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void bench8_eva_any_step_driven_carried(void);
+void bench8_eva_any_step_driven_carried(void)
+{
+    bench8_state x;
+    any_state(&x);
+    bench8_real phi_ddot[BENCH8_N];
+    reals(&phi_ddot[0], 8, BENCH8_LARGEST);
+    bench8_real dt;
+    reals(&dt, 1, BENCH8_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    bench8_step_carry carry;
+    any_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_driven_carried(&bench8_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void bench8_eva_bits_step_driven_carried(void);
+void bench8_eva_bits_step_driven_carried(void)
+{
+    bench8_state x;
+    bits_state(&x);
+    bench8_real phi_ddot[BENCH8_N];
+    all_bits(&phi_ddot[0], 8);
+    bench8_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    bench8_step_carry carry;
+    bits_step_carry(&carry);
+    bench8_state next;
+    const bench8_status status = bench8_step_driven_carried(&bench8_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

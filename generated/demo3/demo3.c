@@ -11,6 +11,31 @@
 #if DEMO3_LANES != 1
 #error "demo3.h and demo3.c were generated for different numbers of lanes"
 #endif
+#if DEMO3_REAL_BYTES != 8
+#error "demo3.h and demo3.c were generated for different element types"
+#endif
+#if DEMO3_VERSION_MAJOR != 0 || DEMO3_VERSION_MINOR != 1 || DEMO3_VERSION_PATCH != 0
+#error "demo3.h and demo3.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
+        ".type demo3_link_double_lanes1_v0_1_0_fdeb29e7, %object\n"
+        ".size demo3_link_double_lanes1_v0_1_0_fdeb29e7, 1\n"
+        ".set demo3_link_double_lanes1_v0_1_0_fdeb29e7, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef DEMO3_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile demo3 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile demo3 without -ffinite-math-only"
+#endif
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef DEMO3_CODE
@@ -33,8 +58,8 @@ typedef struct demo3_sums {
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct demo3_coupling {
-    demo3_real I[6];  /* kg m, kg m2; column of I (9) */
-    demo3_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+    demo3_real I_[6];  /* kg m, kg m2; column of I (9) */
+    demo3_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
 } demo3_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
@@ -46,11 +71,11 @@ typedef struct demo3_schur {
 
 /* Scratch of inverse. */
 typedef struct demo3_inverse_work {
-    demo3_real I[6][DEMO3_N];   /* kg m, kg m2; flywheel coupling (9) */
+    demo3_real I_[6][DEMO3_N];  /* kg m, kg m2; flywheel coupling (9) */
     demo3_real W[6][DEMO3_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
     demo3_real U[6][6];         /* rotations of the rows */
     demo3_real G[6][6];         /* Cholesky factor of K, lower triangle */
-    demo3_real b[6];            /* N, N m; what the flywheels must give */
+    demo3_real b[6];            /* N, N m; the wrench demanded of the flywheels */
     demo3_real r[6];            /* scaled: G^-1 b; then U^T r */
     demo3_real sigma[6];        /* singular values */
     demo3_real scale[DEMO3_N];  /* D^-1 */
@@ -74,13 +99,17 @@ static demo3_real demo3_real_of(demo3_word word)
     return both.real;
 }
 
-/* sine and cosine of an angle.
+/* What null stands for. */
+DEMO3_CONST
+static const int demo3_none_locked[DEMO3_N] = { 0 };
+
+/* Sine and cosine of an angle.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 DEMO3_CODE
 static void demo3_sincos(demo3_real x, demo3_real *restrict sine, demo3_real *restrict cosine)
 {
-    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
     const demo3_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
     const demo3_word quadrant = demo3_bits_of(shifted);  /* mod 4: its last two bits */
     const demo3_real k = shifted - 6755399441055744.0;
@@ -91,7 +120,7 @@ static void demo3_sincos(demo3_real x, demo3_real *restrict sine, demo3_real *re
     /* rounding error of r_hi, and the third part */
     const demo3_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
     const demo3_real z = r_hi * r_hi;
-    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
     const demo3_real half_z = z * 0.5;
     const demo3_real flat = 1.0 - half_z;
     const demo3_real cos_fit = 0.0416666666666666
@@ -113,58 +142,63 @@ static void demo3_sincos(demo3_real x, demo3_real *restrict sine, demo3_real *re
     *cosine = demo3_real_of(cos_bits ^ exchange ^ cosine_sign);
 }
 
-/* square root, correctly rounded.
+/* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
 DEMO3_CODE
 static demo3_real demo3_sqrt(demo3_real x)
 {
-    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+#ifdef DEMO3_SQRT
+    return DEMO3_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
     const int subnormal = x < 2.2250738585072014e-308;
     const demo3_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
     const demo3_word lowered = (subnormal) ? 27u : 0u;
     const demo3_word bits = demo3_bits_of(x * lift);
     const demo3_word exponent = bits >> 52u;
-    const demo3_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const demo3_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
     const demo3_word fraction = bits & 0xfffffffffffffu;
     const demo3_word m_bits = fraction + ((odd + 1023u) << 52u);
     const demo3_real m = demo3_real_of(m_bits);
     const demo3_real half_m = m * 0.5;
-    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
     const demo3_real y0 = demo3_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
     const demo3_real y1 = y0 * (1.5 - half_m * y0 * y0);
     const demo3_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const demo3_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const demo3_real s = m * y3;
     const demo3_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
      * place. */
     const demo3_word root = demo3_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const demo3_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
-    const demo3_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
-    const demo3_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const demo3_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const demo3_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
     const demo3_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
     const demo3_real result = demo3_real_of(root + up - down + ((halved - 1u) << 52u));
     return (x > 0.0) ? result : x;
+#endif
 }
 
-/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
 DEMO3_CODE
 static demo3_real demo3_unwound(demo3_real phi, demo3_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
-/* the equal angle within half a turn of zero.
- * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
 DEMO3_CODE
 static demo3_real demo3_wrapped(demo3_real phi)
 {
-    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
     const demo3_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return demo3_unwound(phi, k);
 }
 
-/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
 DEMO3_CODE
 static demo3_status demo3_within(const demo3_real values[], int count, demo3_real limit)
 {
@@ -177,7 +211,7 @@ static demo3_status demo3_within(const demo3_real values[], int count, demo3_rea
     return DEMO3_OK;
 }
 
-/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
 DEMO3_CODE
 static demo3_status demo3_check_state(const demo3_state *x)
 {
@@ -199,7 +233,7 @@ static demo3_status demo3_check_state(const demo3_state *x)
     return DEMO3_OK;
 }
 
-/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
 DEMO3_CODE
 static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
 {
@@ -215,7 +249,7 @@ static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
 DEMO3_CODE
 static void demo3_start_sums(const demo3_table *table, demo3_sums *restrict sum)
 {
@@ -232,15 +266,16 @@ static void demo3_start_sums(const demo3_table *table, demo3_sums *restrict sum)
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
-/* sines and cosines of all phases.
+/* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 DEMO3_CODE
 static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restrict DEMO3_N],
                               demo3_real cosine[restrict DEMO3_N])
 {
     for (int s = 0; s < DEMO3_N; ++s) {
-        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
         const demo3_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const demo3_word quadrant = demo3_bits_of(shifted);  /* mod 4: its last two bits */
         const demo3_real k = shifted - 6755399441055744.0;
@@ -251,7 +286,7 @@ static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restr
         /* rounding error of r_hi, and the third part */
         const demo3_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
         const demo3_real z = r_hi * r_hi;
-        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
         const demo3_real half_z = z * 0.5;
         const demo3_real flat = 1.0 - half_z;
         const demo3_real cos_fit = 0.0416666666666666
@@ -275,18 +310,18 @@ static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restr
     }
 }
 
-/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
 DEMO3_CODE
 static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c, demo3_real phi_dot,
                                demo3_real phi_ddot, demo3_sums *restrict sum)
 {
-    const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
     const demo3_real s2 = 2.0 * c * s;
-    const demo3_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const demo3_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
     const demo3_real ds = phi_dot * c;
     const demo3_real dc2 = -2.0 * phi_dot * s2;
     const demo3_real ds2 = 2.0 * phi_dot * c2;
-    const demo3_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const demo3_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
     const demo3_real dds = phi_ddot * c + phi_dot * dc;
     /* first moment and its rate */
     sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
@@ -322,7 +357,7 @@ static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c,
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 DEMO3_CODE
 static void demo3_momentum_screw(const demo3_table *table, const demo3_sums *sum, const demo3_real V[6],
                                  demo3_real Z[restrict 6])
@@ -338,7 +373,7 @@ static void demo3_momentum_screw(const demo3_table *table, const demo3_sums *sum
         - sum->mu[1] * V[0];
 }
 
-/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 DEMO3_CODE
 static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], const demo3_real Z[6],
                                  demo3_real F[restrict 6])
@@ -357,7 +392,7 @@ static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], c
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 DEMO3_CODE
 static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], demo3_real y[restrict 3])
 {
@@ -381,7 +416,7 @@ static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], d
     return DEMO3_OK;
 }
 
-/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
 DEMO3_CODE
 static demo3_status demo3_solve_carrier(const demo3_table *table, const demo3_sums *sum,
                                         const demo3_real F[6], demo3_real y[restrict 6])
@@ -425,7 +460,7 @@ static demo3_status demo3_accelerate(const demo3_table *table, const demo3_state
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    demo3_real F[6];  /* wrench (7); then what K V* must equal */
+    demo3_real F[6];  /* wrench (7); then the right-hand side of (8) */
     demo3_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -540,19 +575,19 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
         rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
         rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
         rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-        out->I[0][s] = column[0];
+        out->I_[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
-        out->I[1][s] = column[1];
+        out->I_[1][s] = column[1];
         out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
-        out->I[2][s] = column[2];
+        out->I_[2][s] = column[2];
         out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
-        out->I[3][s] = column[3];
+        out->I_[3][s] = column[3];
         out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
             + rate[3] * x->phi_dot[s];
-        out->I[4][s] = column[4];
+        out->I_[4][s] = column[4];
         out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
             + rate[4] * x->phi_dot[s];
-        out->I[5][s] = column[5];
+        out->I_[5][s] = column[5];
         out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
             + rate[5] * x->phi_dot[s];
     }
@@ -615,7 +650,7 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
     return DEMO3_OK;
 }
 
-/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 DEMO3_CODE
 static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c,
                          const demo3_real origin_acceleration[3], const demo3_real spun[6],
@@ -623,12 +658,12 @@ static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c,
 {
     const demo3_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const demo3_real two_s2 = 4.0 * c * s;
-    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
-    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
-    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
-    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
-    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
-    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     /* dJ / dphi */
     const demo3_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
     const demo3_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
@@ -637,27 +672,27 @@ static void demo3_couple(const demo3_row *row, demo3_real s, demo3_real c,
     const demo3_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
     const demo3_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
-        + out->I[2] * origin_acceleration[2];
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
 }
 
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 DEMO3_CODE
-static void demo3_eliminate(const demo3_real I[6], demo3_real spin_inv, demo3_real rate,
+static void demo3_eliminate(const demo3_real column[6], demo3_real spin_inv, demo3_real rate,
                             demo3_schur *restrict K, demo3_real F[restrict 6])
 {
     demo3_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -680,7 +715,7 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -688,14 +723,14 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
     demo3_coupling drive;
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return DEMO3_OK;
 }
 
-/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 DEMO3_CODE
 static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6], demo3_real y[restrict 6])
 {
@@ -760,7 +795,7 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    demo3_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     demo3_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -779,7 +814,7 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -790,7 +825,7 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            demo3_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
+            demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = demo3_solve_schur(&K, F, V_dot);
@@ -798,9 +833,9 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
-            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
-                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
         }
     }
     return DEMO3_OK;
@@ -811,8 +846,9 @@ DEMO3_CODE
 demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N])
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = demo3_none_locked; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
@@ -832,7 +868,7 @@ demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const
     return DEMO3_OK;
 }
 
-/* to = x + h rate, phases from within half a turn. */
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
 DEMO3_CODE
 static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_real h,
                           demo3_state *restrict to)
@@ -854,7 +890,7 @@ static void demo3_advance(const demo3_state *x, const demo3_state *rate, demo3_r
     }
 }
 
-/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
 DEMO3_CODE
 static demo3_status demo3_finish(demo3_state *restrict x)
 {
@@ -875,7 +911,7 @@ static demo3_status demo3_finish(demo3_state *restrict x)
     return DEMO3_OK;
 }
 
-/* rates of the state under drive torques. */
+/* Time derivatives of the state under drive torques. */
 DEMO3_CODE
 static demo3_status demo3_rate(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                                const int locked[DEMO3_N], demo3_state *restrict rate)
@@ -905,13 +941,88 @@ static demo3_status demo3_rate(const demo3_table *table, const demo3_state *x, c
     return DEMO3_OK;
 }
 
-/* State a time step later, under drive torques and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+DEMO3_CODE
+static demo3_status demo3_stages(const demo3_table *table, const demo3_state *x,
+                                 const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real h,
+                                 int order, demo3_state *restrict y, demo3_state *restrict total)
+{
+    demo3_status status;
+    demo3_state k;  /* time derivatives at a stage */
+    status = demo3_rate(table, x, tau, locked, &k);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real half = 0.5 * h;
+    if (order == 2) {
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate(table, y, tau, locked, total);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    } else {
+        *total = k;
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate(table, y, tau, locked, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate(table, y, tau, locked, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, h, y);
+        status = demo3_rate(table, y, tau, locked, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
 DEMO3_CODE
 demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || next == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || next == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = demo3_none_locked; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
@@ -922,83 +1033,27 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
     if (status != DEMO3_OK) { return status; }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
-    demo3_state k;  /* rates of a stage */
     demo3_state y;  /* state of a stage; then the new state */
-    status = demo3_rate(table, x, tau, locked, &k);
+    demo3_state total;  /* sum of the rates at the stages */
+    status = demo3_stages(table, x, tau, locked, dt, order, &y, &total);
     if (status != DEMO3_OK) { return status; }
-    const demo3_real half = 0.5 * dt;
-    if (order == 2) {
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate(table, &y, tau, locked, &k);
-        if (status != DEMO3_OK) { return status; }
-        demo3_advance(x, &k, dt, &y);
-    } else {
-        demo3_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate(table, &y, tau, locked, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate(table, &y, tau, locked, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        demo3_advance(x, &k, dt, &y);
-        status = demo3_rate(table, &y, tau, locked, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const demo3_real sixth = dt / 6.0;
-        demo3_advance(x, &total, sixth, &y);
+    const demo3_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    demo3_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        const demo3_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    demo3_advance(x, &total, over, &y);
     status = demo3_finish(&y);
-    if (status != DEMO3_OK) { return status; }
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
     *next = y;
+    const demo3_real most = (order == 2) ? DEMO3_MAX_TURN_2 : DEMO3_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return DEMO3_COARSE; }
     return DEMO3_OK;
 }
 
-/* rates of the state under given flywheel accelerations. */
+/* Time derivatives of the state under given flywheel accelerations. */
 DEMO3_CODE
 static demo3_status demo3_rate_driven(const demo3_table *table, const demo3_state *x,
                                       const demo3_real phi_ddot[DEMO3_N], demo3_state *restrict rate)
@@ -1029,7 +1084,82 @@ static demo3_status demo3_rate_driven(const demo3_table *table, const demo3_stat
     return DEMO3_OK;
 }
 
-/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+DEMO3_CODE
+static demo3_status demo3_stages_driven(const demo3_table *table, const demo3_state *x,
+                                        const demo3_real phi_ddot[DEMO3_N], demo3_real h, int order,
+                                        demo3_state *restrict y, demo3_state *restrict total)
+{
+    demo3_status status;
+    demo3_state k;  /* time derivatives at a stage */
+    status = demo3_rate_driven(table, x, phi_ddot, &k);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real half = 0.5 * h;
+    if (order == 2) {
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate_driven(table, y, phi_ddot, total);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    } else {
+        *total = k;
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate_driven(table, y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, half, y);
+        status = demo3_rate_driven(table, y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        demo3_advance(x, &k, h, y);
+        status = demo3_rate_driven(table, y, phi_ddot, &k);
+        if (status != DEMO3_OK) { return DEMO3_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < DEMO3_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return DEMO3_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
 DEMO3_CODE
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
@@ -1046,83 +1176,27 @@ demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
     if (status != DEMO3_OK) { return status; }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
-    demo3_state k;  /* rates of a stage */
     demo3_state y;  /* state of a stage; then the new state */
-    status = demo3_rate_driven(table, x, phi_ddot, &k);
+    demo3_state total;  /* sum of the rates at the stages */
+    status = demo3_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
     if (status != DEMO3_OK) { return status; }
-    const demo3_real half = 0.5 * dt;
-    if (order == 2) {
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate_driven(table, &y, phi_ddot, &k);
-        if (status != DEMO3_OK) { return status; }
-        demo3_advance(x, &k, dt, &y);
-    } else {
-        demo3_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate_driven(table, &y, phi_ddot, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        demo3_advance(x, &k, half, &y);
-        status = demo3_rate_driven(table, &y, phi_ddot, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        demo3_advance(x, &k, dt, &y);
-        status = demo3_rate_driven(table, &y, phi_ddot, &k);
-        if (status != DEMO3_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < DEMO3_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const demo3_real sixth = dt / 6.0;
-        demo3_advance(x, &total, sixth, &y);
+    const demo3_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    demo3_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        const demo3_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    demo3_advance(x, &total, over, &y);
     status = demo3_finish(&y);
-    if (status != DEMO3_OK) { return status; }
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
     *next = y;
+    const demo3_real most = (order == 2) ? DEMO3_MAX_TURN_2 : DEMO3_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return DEMO3_COARSE; }
     return DEMO3_OK;
 }
 
-/* The equal angle in [-pi, pi] (pi as the nearest real). */
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
 DEMO3_CODE
 demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped)
 {
@@ -1132,7 +1206,7 @@ demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped)
     given[0] = phi;
     status = demo3_within(given, 1, DEMO3_MAX_PHASE);
     if (status != DEMO3_OK) { return status; }
-    demo3_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    demo3_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     demo3_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
     angle = demo3_unwound(phi, k);
@@ -1144,7 +1218,7 @@ demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped)
     return DEMO3_OK;
 }
 
-/* Phase of an encoder's count. */
+/* Phase for a count of an encoder. */
 DEMO3_CODE
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi)
 {
@@ -1157,8 +1231,8 @@ demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, dem
     given[0] = zero;
     status = demo3_within(given, 1, size);
     if (status != DEMO3_OK) { return status; }
-    const int rest = count - count / turn * turn;  /* whole turns taken off */
-    demo3_real place = (demo3_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    demo3_real place = (demo3_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
     const demo3_real half = size * 0.5;
     for (int i = 0; i < 2; ++i) {
         place = (place > half) ? place - size : ((place < -half) ? place + size : place);
@@ -1186,8 +1260,8 @@ demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3
     return DEMO3_OK;
 }
 
-/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
- * exactly. */
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
 DEMO3_CODE
 demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int per_turn)
 {
@@ -1195,7 +1269,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return DEMO3_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     if (!(encoder->place >= 0 && encoder->place < turn)) { return DEMO3_BAD_ARGUMENT; }
-    int moved;  /* counts since the last reading: the shorter way round */
+    int moved;  /* counts since the last reading, in the shorter direction */
     if (bits == 0) {
         if (!(counter >= 0 && counter < turn
             && (encoder->counter >= 0 && encoder->counter < turn))) { return DEMO3_BAD_ARGUMENT; }
@@ -1217,7 +1291,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
     return DEMO3_OK;
 }
 
-/* derivative of F - Phi Z - K* V by the twist, (8). */
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
 DEMO3_CODE
 static void demo3_twist_slope(const demo3_real Z[6], const demo3_matrices_result *m,
                               demo3_real slope[restrict 36])
@@ -1241,12 +1315,12 @@ static void demo3_twist_slope(const demo3_real Z[6], const demo3_matrices_result
     }
 }
 
-/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 DEMO3_CODE
 static void demo3_row_slope(const demo3_row *row, const demo3_real weight[12], const demo3_real V[6],
                             const demo3_real V_dot[6], demo3_real out[restrict 6])
 {
-    demo3_sums change;  /* of the sums */
+    demo3_sums change;  /* change of the sums */
     demo3_real Z[6];  /* change of the momentum screw */
     change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
     change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
@@ -1334,7 +1408,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    demo3_real F[6];  /* what K V* must equal */
+    demo3_real F[6];  /* right-hand side of (8) */
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_real V_result[6];  /* V_r* */
     demo3_real rhs[6];
@@ -1371,7 +1445,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     demo3_velocity_matrix(x->V, &m);
-    demo3_real slope[36];  /* by V, row by row */
+    demo3_real slope[36];  /* derivative by V, row by row */
     demo3_twist_slope(Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1382,17 +1456,17 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             out->V_dot_V[i][j] = y[i];
         }
     }
-    demo3_real change[12];  /* of the weights of a row */
+    demo3_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < DEMO3_N; ++s) {
         const demo3_real s_phi = sine[s];
         const demo3_real c_phi = cosine[s];
-        const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const demo3_real s2 = 2.0 * c_phi * s_phi;
-        const demo3_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const demo3_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const demo3_real ds = x->phi_dot[s] * c_phi;
         const demo3_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const demo3_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const demo3_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const demo3_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
         const demo3_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1439,8 +1513,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_jacobian_result *out)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || out == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = demo3_none_locked; }
     demo3_status status = demo3_check_state(x);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
@@ -1485,14 +1559,14 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     demo3_velocity_matrix(x->V, &m);
-    demo3_real slope[36];  /* by V, row by row */
+    demo3_real slope[36];  /* derivative by V, row by row */
     demo3_twist_slope(Z, &m, slope);
     demo3_coupling drive[DEMO3_N];
     demo3_real origin_acceleration[3];  /* omega x v */
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    demo3_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -1505,18 +1579,18 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    demo3_real rhs[6];  /* of the carrier */
-    demo3_real drive_rhs[DEMO3_N];  /* of the drives */
+    demo3_real rhs[6];  /* right-hand side of the carrier */
+    demo3_real drive_rhs[DEMO3_N];  /* right-hand sides of the drives */
     demo3_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            demo3_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+            demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
-    demo3_real drive_slope[DEMO3_N][6];  /* of the bias torques by V */
+    demo3_real drive_slope[DEMO3_N][6];  /* derivatives of the bias torques by V */
     demo3_real J_p[6];  /* dJ / dphi */
     demo3_real turned[3];  /* J' omega */
     for (int s = 0; s < DEMO3_N; ++s) {
@@ -1539,12 +1613,12 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
-        drive_slope[s][0] = drive[s].I[1] * x->V[5] - drive[s].I[2] * x->V[4];
-        drive_slope[s][1] = drive[s].I[2] * x->V[3] - drive[s].I[0] * x->V[5];
-        drive_slope[s][2] = drive[s].I[0] * x->V[4] - drive[s].I[1] * x->V[3];
-        drive_slope[s][3] = drive[s].I[2] * x->V[1] - drive[s].I[1] * x->V[2] - turned[0];
-        drive_slope[s][4] = drive[s].I[0] * x->V[2] - drive[s].I[2] * x->V[0] - turned[1];
-        drive_slope[s][5] = drive[s].I[1] * x->V[0] - drive[s].I[0] * x->V[1] - turned[2];
+        drive_slope[s][0] = drive[s].I_[1] * x->V[5] - drive[s].I_[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I_[2] * x->V[3] - drive[s].I_[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I_[0] * x->V[4] - drive[s].I_[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I_[2] * x->V[1] - drive[s].I_[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * x->V[2] - drive[s].I_[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * x->V[0] - drive[s].I_[0] * x->V[1] - turned[2];
     }
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1557,7 +1631,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             if (locked[t] == 0) {
                 const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1569,23 +1643,23 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             out->phi_ddot_V[t][j] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
     }
-    demo3_real change[12];  /* of the weights of a row */
+    demo3_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < DEMO3_N; ++s) {
         const demo3_real s_phi = sine[s];
         const demo3_real c_phi = cosine[s];
-        const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const demo3_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const demo3_real s2 = 2.0 * c_phi * s_phi;
-        const demo3_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const demo3_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const demo3_real ds = x->phi_dot[s] * c_phi;
         const demo3_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const demo3_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const demo3_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const demo3_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
         const demo3_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1631,7 +1705,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                 if (locked[t] == 0) {
                     const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1643,8 +1717,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1662,7 +1736,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                 if (locked[t] == 0) {
                     const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1674,8 +1748,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1690,7 +1764,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             if (locked[t] == 0) {
                 const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1702,8 +1776,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -1711,7 +1785,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     return DEMO3_OK;
 }
 
-/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 DEMO3_CODE
 static void demo3_orthogonalise(demo3_inverse_work *restrict work)
@@ -1736,7 +1810,7 @@ static void demo3_orthogonalise(demo3_inverse_work *restrict work)
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
                 const demo3_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
-                /* of size 1, so that no square underflows */
+                /* scaled to size 1, so that no square underflows */
                 const demo3_real unit = (size > 0.0) ? size : 1.0;
                 const demo3_real d = (b - a) / unit;
                 const demo3_real h = 2.0 * g / unit;
@@ -1772,7 +1846,7 @@ static void demo3_orthogonalise(demo3_inverse_work *restrict work)
     }
 }
 
-/* cholesky factor of the mass matrix, in place: K = G G^T. */
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
 DEMO3_CODE
 static demo3_status demo3_factor(demo3_inverse_work *restrict work)
 {
@@ -1795,7 +1869,7 @@ static demo3_status demo3_factor(demo3_inverse_work *restrict work)
     return DEMO3_OK;
 }
 
-/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
 DEMO3_CODE
 static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
                                  const demo3_real sine[DEMO3_N], const demo3_real cosine[DEMO3_N],
@@ -1821,10 +1895,10 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
         column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
             + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->I[i][s] = column[i];
+            work->I_[i][s] = column[i];
         }
     }
-    demo3_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    demo3_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     demo3_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -1842,7 +1916,7 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
     work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
     work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
-    /* b = F - K V*: what the flywheels must give */
+    /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
             - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
@@ -1854,7 +1928,7 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
     for (int s = 0; s < DEMO3_N; ++s) {
         work->scale[s] = 1.0 / demo3_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * work->scale[s];
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
@@ -1874,7 +1948,7 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
     return DEMO3_OK;
 }
 
-/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 DEMO3_CODE
 static void demo3_solve_gram(demo3_real gram[restrict 6][6], demo3_real z[restrict 6], demo3_real least)
 {
@@ -1904,16 +1978,16 @@ static void demo3_solve_gram(demo3_real gram[restrict 6][6], demo3_real z[restri
     }
 }
 
-/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
- * do, (12). */
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
 DEMO3_CODE
 static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_options *options, int rank,
                            demo3_real phi_ddot[restrict DEMO3_N], int limited[restrict DEMO3_N])
 {
     demo3_real share[DEMO3_N];  /* 1/weight */
-    demo3_real give[DEMO3_N];  /* the share of flywheels that are free, 0 of those held */
-    demo3_real step[DEMO3_N];  /* what the free flywheels shall give more */
-    demo3_real row[6];  /* factor of each row; 0: it does not count */
+    demo3_real give[DEMO3_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    demo3_real step[DEMO3_N];  /* increment of the free flywheels */
+    demo3_real row[6];  /* factor of each row; 0: the row is left out */
     demo3_real gram[6][6];
     demo3_real z[6];
     /* until the end phi_ddot holds y = D phi'' */
@@ -1932,7 +2006,8 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
             most = (give[s] > most) ? give[s] : most;
         }
         const demo3_real regular = 1.0e-12 * most;
-        const demo3_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        /* lower bound that keeps the diagonal positive */
+        const demo3_real least = (most > 0.0) ? regular : 1.0;
         for (int i = 0; i < 6; ++i) {
             row[i] = 0.0;
             if (i < rank) {
@@ -1981,7 +2056,7 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
                 }
             }
         } else {
-            /* as long a step as all limits allow; the flywheel that stops it is held */
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
             demo3_real length = 1.0;
             int stopped = -1;
             for (int s = 0; s < DEMO3_N; ++s) {
@@ -2005,7 +2080,7 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
                     limited[s] = 1;
                 }
             }
-            /* after a whole step: free the held flywheel that would lower the residual most */
+            /* after a full step, release the held flywheel that would lower the residual most */
             if (stopped < 0) {
                 demo3_real left[6];
                 demo3_real wanted = 0.0;
@@ -2018,7 +2093,7 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
                         }
                     }
                 }
-                demo3_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                demo3_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
                 int freed = -1;
                 for (int s = 0; s < DEMO3_N; ++s) {
                     if (limited[s] > 0) {
@@ -2041,10 +2116,13 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
             }
         }
     }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
     for (int s = 0; s < DEMO3_N; ++s) {
         const demo3_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
-        if (limited[s] > 0) {
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= DEMO3_LARGEST)) {
             phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
@@ -2070,7 +2148,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return DEMO3_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return DEMO3_RANGE; }
     }
     for (int s = 0; s < DEMO3_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
@@ -2087,7 +2165,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         wanted += work.r[i] * work.r[i];
     }
     demo3_orthogonalise(&work);
-    /* descending singular values, by exchanging neighbours */
+    /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
         for (int i = 0; i < 5; ++i) {
             if (work.sigma[i] < work.sigma[i + 1]) {
@@ -2144,7 +2222,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     for (int i = 0; i < 6; ++i) {
         out->residual[i] = work.b[i];
         for (int s = 0; s < DEMO3_N; ++s) {
-            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
@@ -2158,7 +2236,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     if (left > 1.0e-18 * wanted) {
         flags = flags | DEMO3_UNREACHABLE;
     }
-    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     demo3_real part[6];
     for (int i = 0; i < 6; ++i) {
         part[i] = (i < rank) ? 0.0 : work.r[i];
@@ -2178,7 +2256,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         square += part[i] * part[i];
     }
     const demo3_real length = demo3_sqrt(square);
-    demo3_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    demo3_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -2219,7 +2297,7 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
     if (status != DEMO3_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return DEMO3_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return DEMO3_RANGE; }
     }
     demo3_inverse_work work;
     demo3_real sine[DEMO3_N];
@@ -2244,12 +2322,12 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
             z[i] += work.W[k][i] * work.r[k];
         }
     }
-    const demo3_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    const demo3_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
     for (int i = 0; i < 3; ++i) {
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 3; ++j) {
-        const demo3_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
+        const demo3_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
@@ -2464,7 +2542,7 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
     return DEMO3_OK;
 }
 
-/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 DEMO3_CODE
 static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3],
                                         demo3_real R[restrict 9])
@@ -2500,7 +2578,7 @@ static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_re
     return DEMO3_OK;
 }
 
-/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 DEMO3_CODE
 static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[6], const demo3_real O[3],
                         const demo3_real R[9], demo3_real mu[restrict 3], demo3_real J1[restrict 6],
@@ -2543,7 +2621,7 @@ static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
  * inertia. */
 DEMO3_CODE
 static demo3_status demo3_check_inertia(demo3_real mass, const demo3_real c[3], const demo3_real J[6])
@@ -2562,7 +2640,7 @@ static demo3_status demo3_check_inertia(demo3_real mass, const demo3_real c[3], 
     const demo3_real P12 = -J[3] - b1 * c[1];
     const demo3_real P13 = -J[4] - b1 * c[2];
     const demo3_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
@@ -2578,7 +2656,7 @@ static demo3_status demo3_check_inertia(demo3_real mass, const demo3_real c[3], 
     return DEMO3_OK;
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 DEMO3_CODE
 static demo3_status demo3_check_body(const demo3_body *body)
 {
@@ -2595,7 +2673,7 @@ static demo3_status demo3_check_body(const demo3_body *body)
     return demo3_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* origin and axes (at phi = 0) of a flywheel in E1. */
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
 DEMO3_CODE
 static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[restrict 3],
                                          demo3_real R[restrict 9])
@@ -2608,13 +2686,14 @@ static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[r
     return DEMO3_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
 DEMO3_CODE
 static demo3_status demo3_check_parameters(const demo3_parameters *parameters)
 {
     demo3_status status;
     demo3_real mass;
-    demo3_real size;  /* moment of inertia that no product of the equations may overflow */
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    demo3_real size;
     demo3_real O[3];
     demo3_real R[9];
     status = demo3_check_body(&parameters->carrier);
@@ -2644,7 +2723,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
     if (parameters == NULL || table == NULL) { return DEMO3_BAD_ARGUMENT; }
     demo3_status status = demo3_check_parameters(parameters);
     if (status != DEMO3_OK) { return status; }
-    /* all is good: from here on the table is written and nothing can fail */
+    /* all checks passed: from here on the table is written and nothing can fail */
     demo3_real mass;
     demo3_real first_moment[3];
     demo3_real inertia[6];
@@ -2735,11 +2814,11 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
     return DEMO3_OK;
 }
 
-/* L^T of a twist, to mounting axes at Os. */
+/* L^T V: a twist carried to Os, in mounting axes. */
 DEMO3_CODE
 static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], demo3_real U[restrict 6])
 {
-    demo3_real velocity[3];  /* of Os */
+    demo3_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
     velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
     velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
@@ -2751,7 +2830,7 @@ static void demo3_carry_twist(const demo3_mount *mount, const demo3_real V[6], d
     U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
 }
 
-/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
 DEMO3_CODE
 static void demo3_mount_wrench(const demo3_mount *mount, demo3_real s, demo3_real c, demo3_real phi_dot,
                                demo3_real phi_ddot, const demo3_real V[6], const demo3_real V_dot[6],
@@ -2812,7 +2891,7 @@ static void demo3_mount_wrench(const demo3_mount *mount, demo3_real s, demo3_rea
     W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
 }
 
-/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 DEMO3_CODE
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18])
@@ -2841,7 +2920,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
     return DEMO3_OK;
 }
 
-/* Makes the second table that mounts needs. */
+/* Makes the second table, which the function mounts needs. */
 DEMO3_CODE
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting)
 {
@@ -2868,6 +2947,166 @@ demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_moun
     return DEMO3_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+DEMO3_CODE
+static void demo3_advance_carried(const demo3_state *x, const demo3_state *rate, demo3_real h,
+                                  demo3_step_carry *restrict carry, demo3_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const demo3_real step = h * rate->position[i] + carry->rounding[i];
+        const demo3_real sum = x->position[i] + step;
+        const demo3_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const demo3_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const demo3_real sum = x->attitude[i] + step;
+        const demo3_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const demo3_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const demo3_real sum = x->V[i] + step;
+        const demo3_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        const demo3_real start = demo3_wrapped(x->phi[i]);
+        const demo3_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const demo3_real sum = start + step;
+        const demo3_real sum_b = sum - start;
+        const demo3_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+        const demo3_real left = sum - k * 6.283185303211212;
+        const demo3_real within = left + -(k * 3.968374318722146e-9);
+        const demo3_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < DEMO3_N; ++i) {
+        const demo3_real step = h * rate->phi_dot[i] + carry->rounding[i + 16];
+        const demo3_real sum = x->phi_dot[i] + step;
+        const demo3_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 16] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+DEMO3_CODE
+static demo3_status demo3_finish_carried(demo3_state *restrict x, demo3_step_carry *restrict carry)
+{
+    demo3_status status;
+    const demo3_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return DEMO3_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const demo3_real excess = (1.0 - square) / (demo3_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const demo3_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const demo3_real sum = x->attitude[i] + step;
+        const demo3_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    return DEMO3_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+DEMO3_CODE
+demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
+                                const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
+                                int order, demo3_step_carry *carry, demo3_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || carry == NULL
+        || next == NULL) { return DEMO3_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = demo3_none_locked; }
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real given[1];
+    given[0] = dt;
+    status = demo3_within(given, 1, DEMO3_MAX_STEP);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
+    status = demo3_within(carry->rounding, 19, DEMO3_MAX_ROUNDING);
+    if (status != DEMO3_OK) { return status; }
+    demo3_state y;  /* state of a stage; then the new state */
+    demo3_state total;  /* sum of the rates at the stages */
+    status = demo3_stages(table, x, tau, locked, dt, order, &y, &total);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    demo3_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        const demo3_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    demo3_step_carry kept;  /* the new carry */
+    kept = *carry;
+    demo3_advance_carried(x, &total, over, &kept, &y);
+    status = demo3_finish_carried(&y, &kept);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    *carry = kept;
+    *next = y;
+    const demo3_real most = (order == 2) ? DEMO3_MAX_TURN_2 : DEMO3_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return DEMO3_COARSE; }
+    return DEMO3_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+DEMO3_CODE
+demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
+                                       const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
+                                       demo3_step_carry *carry, demo3_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || next == NULL) { return DEMO3_BAD_ARGUMENT; }
+    demo3_status status = demo3_check_state(x);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
+    demo3_real given[1];
+    given[0] = dt;
+    status = demo3_within(given, 1, DEMO3_MAX_STEP);
+    if (status != DEMO3_OK) { return status; }
+    if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
+    status = demo3_within(carry->rounding, 19, DEMO3_MAX_ROUNDING);
+    if (status != DEMO3_OK) { return status; }
+    demo3_state y;  /* state of a stage; then the new state */
+    demo3_state total;  /* sum of the rates at the stages */
+    status = demo3_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    demo3_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < DEMO3_N; ++s) {
+        const demo3_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    demo3_step_carry kept;  /* the new carry */
+    kept = *carry;
+    demo3_advance_carried(x, &total, over, &kept, &y);
+    status = demo3_finish_carried(&y, &kept);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    *carry = kept;
+    *next = y;
+    const demo3_real most = (order == 2) ? DEMO3_MAX_TURN_2 : DEMO3_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return DEMO3_COARSE; }
+    return DEMO3_OK;
+}
+
 /* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
 DEMO3_CODE
 demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
@@ -2886,7 +3125,7 @@ demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
     own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];

@@ -1,11 +1,16 @@
 /* demo3.h: motion of the stand "demo3": carrier, 0 instruments, 3 flywheels.
  * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead.
  *
- * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
- * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well, gcc 12 for x86-64 with FMA and Cortex-M55
- * -fno-tree-vectorize). gcc may call memcpy, memmove and memset.
- * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
+ * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
+ * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
+ * Also needed: for 32-bit x86 -msse2 -mfpmath=sse; with gcc 12 for x86-64 with FMA
+ * and for a Cortex-M55 -fno-tree-vectorize. gcc may call memcpy, memmove and memset.
+ * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
+ * The source refuses what the compiler shows of them; clang does not show all.
+ * DEMO3_SQRT, defined for the source, takes the square root of a processor in the place of its own:
+ * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
+ * not called.
+ * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -18,9 +23,14 @@
 extern "C" {
 #endif
 
-#define DEMO3_STRUCTURE 0x055bf547u  /* of the stand: names, counts, kinds of wrench */
-#define DEMO3_PHYSICS   0xfdeb29e7u  /* of the stand: structure and all numbers */
+#define DEMO3_STRUCTURE 0x055bf547u  /* hash of the stand's names, counts and kinds of wrench */
+#define DEMO3_PHYSICS   0xfdeb29e7u  /* hash of its structure and all numbers */
+#define DEMO3_TABLE_HASH 0x69c75902u /* FNV-1a of all numbers of the default table but its stream */
 #define DEMO3_LANES     1            /* flywheels side by side in the table; 1: one after the other */
+#define DEMO3_REAL_BYTES 8           /* bytes of a demo3_real */
+#define DEMO3_VERSION_MAJOR 0        /* of the mahovik that wrote this */
+#define DEMO3_VERSION_MINOR 1
+#define DEMO3_VERSION_PATCH 0
 
 typedef double demo3_real;
 
@@ -34,24 +44,30 @@ typedef double demo3_real;
 #define DEMO3_MAX_WRENCH         1.0e9     /* N, N m; each component of a run-time wrench */
 #define DEMO3_MAX_STEP           10.0      /* s; a time step */
 #define DEMO3_MAX_PARAMETER      1.0e15    /* SI; each mass, length and moment of inertia */
-#define DEMO3_MAX_WEIGHT         1.0e6     /* the weight of a flywheel in inverse */
+#define DEMO3_MAX_WEIGHT         1.0e6     /* the weight of a flywheel in inverse; at least its inverse */
+#define DEMO3_MAX_ROUNDING       1.0       /* SI; each number of a carry */
+#define DEMO3_MAX_TURN_4         1.0       /* rad; turn in a step of order 4; beyond: COARSE */
+#define DEMO3_MAX_TURN_2         0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define DEMO3_LARGEST            1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
-typedef enum demo3_status {
-    DEMO3_OK = 0,                         /* good */
-    DEMO3_NEAR_SINGULAR = 1,              /* least singular value below `near` of the largest */
+typedef int demo3_status;  /* not the enum, whose size compilers choose */
+
+enum {
+    DEMO3_OK = 0,                         /* success */
+    DEMO3_NEAR_SINGULAR = 1,              /* least singular value less than `near` times the largest */
     DEMO3_DAMPED = 2,                     /* damping was applied */
-    DEMO3_LIMITED = 4,                    /* a limit was reached; the mask says whose */
-    DEMO3_UNREACHABLE = 8,                /* least squares: residual above 1e-9 of the demand */
+    DEMO3_LIMITED = 4,                    /* a limit was reached; `limited` says by which flywheels */
+    DEMO3_UNREACHABLE = 8,                /* wanted motion not reached: residual above 1e-9 of the demand */
     DEMO3_RANK_DEFICIENT = 16,            /* fewer than min(6, N) singular values above 1e-9 of the largest */
+    DEMO3_COARSE = 32,                    /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
     DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length */
     DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot failed */
     DEMO3_SINGULAR_ATTITUDE = -4,         /* attitude angles within 1e-6 of their singularity */
     DEMO3_BAD_ARGUMENT = -5               /* a null pointer, a count, an index, a step or an option */
-} demo3_status;
+};
 
 /* ---- numbers of bodies ---- */
 
@@ -62,12 +78,17 @@ enum { DEMO3_W1, DEMO3_W2, DEMO3_W3, DEMO3_N = 3 };
 
 /* State of the whole system. */
 typedef struct demo3_state {
-    demo3_real position[3];       /* m; of O1, in E0 */
+    demo3_real position[3];       /* m; position of O1, in E0 */
     demo3_real attitude[4];       /* unit quaternion, w first: x0 = C x1 */
     demo3_real V[6];              /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
     demo3_real phi[DEMO3_N];      /* rad; phases */
     demo3_real phi_dot[DEMO3_N];  /* rad/s; speeds relative to the mount */
 } demo3_state;
+
+/* What rounding took from a state: kept from step to step, all zero at first. */
+typedef struct demo3_step_carry {
+    demo3_real rounding[19];  /* SI; of each number of the state, in its order */
+} demo3_step_carry;
 
 /* Mass properties of one body, in its own frame. */
 typedef struct demo3_body {
@@ -81,7 +102,7 @@ typedef struct demo3_flywheel {
     demo3_body body;
     demo3_real position[3];  /* m; Os, in the frame of the mount */
     demo3_real axis[3];      /* spin axis in the frame of the mount, any length */
-    demo3_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+    demo3_real zero[3];      /* its component perpendicular to the axis is the second axis of Es at phi = 0 */
 } demo3_flywheel;
 
 /* Input of prepare: masses, inertias and mountings. */
@@ -90,7 +111,7 @@ typedef struct demo3_parameters {
     demo3_flywheel flywheel[DEMO3_N];
 } demo3_parameters;
 
-/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+/* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct demo3_row {
     demo3_real mu_c[3];   /* kg m; first moment about O1: cos phi */
     demo3_real mu_s[3];   /* kg m; sin phi */
@@ -105,9 +126,9 @@ typedef struct demo3_row {
     demo3_real spin_inv;  /* 1/(kg m2) */
 } demo3_row;
 
-/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
 typedef struct demo3_table {
-    demo3_real mass;              /* kg; of all bodies */
+    demo3_real mass;              /* kg; mass of all bodies */
     demo3_real mass_inverse;      /* 1/kg */
     demo3_real first_moment[3];   /* kg m; mu about O1, constant part */
     demo3_real inertia[6];        /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
@@ -116,20 +137,20 @@ typedef struct demo3_table {
 
 /* The matrices of (8). */
 typedef struct demo3_matrices_result {
-    demo3_real K[6][6];        /* kg, kg m, kg m2; mass matrix (2) */
-    demo3_real K_dot[6][6];    /* per s; its rate (6) */
-    demo3_real M[6][6];        /* per s; velocity matrix (9) */
-    demo3_real I[6][DEMO3_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
-    demo3_real J[6][DEMO3_N];  /* per s; its velocity part (9) */
-    demo3_real F[6];           /* N, N m; total external wrench (7) */
+    demo3_real K[6][6];         /* kg, kg m, kg m2; mass matrix (2) */
+    demo3_real K_dot[6][6];     /* per s; its rate (6) */
+    demo3_real M[6][6];         /* per s; velocity matrix (9) */
+    demo3_real I_[6][DEMO3_N];  /* kg m, kg m2; flywheel coupling (9), one column per flywheel */
+    demo3_real J[6][DEMO3_N];   /* per s; its velocity part (9) */
+    demo3_real F[6];            /* N, N m; total external wrench (7) */
 } demo3_matrices_result;
 
 /* Momentum, energy and mass centre. */
 typedef struct demo3_momentum_result {
     demo3_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    demo3_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
-    demo3_real energy;             /* J; kinetic */
-    demo3_real center_of_mass[3];  /* m; of all bodies, in E1 */
+    demo3_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    demo3_real energy;             /* J; kinetic energy */
+    demo3_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
 } demo3_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -139,7 +160,7 @@ typedef struct demo3_generalized_result {
     demo3_real I0[6][6];   /* K A (11) */
     demo3_real J0[6][6];   /* K D + M A (11) */
     demo3_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
-    demo3_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+    demo3_real q_ddot[6];  /* m/s2, rad/s2; solution of (11) for the given phi_ddot */
 } demo3_generalized_result;
 
 /* One flywheel and its mounting; used by mounts only. */
@@ -148,40 +169,42 @@ typedef struct demo3_mount {
     demo3_real first_moment[3];  /* kg m; m rc, in Es */
     demo3_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
     demo3_real origin[3];        /* m; Os in E1 */
-    demo3_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+    demo3_real axes[9];          /* axes of Es in E1 at phi = 0, row by row */
 } demo3_mount;
 
-/* Second table that mounts needs. Made by prepare_mounts. */
+/* Second table, which the function mounts needs. Made by prepare_mounts. */
 typedef struct demo3_mount_table {
     demo3_mount flywheel[DEMO3_N];
 } demo3_mount_table;
 
-/* An encoder whose counter wraps. Kept by accumulate. */
+/* An encoder whose counter wraps. Updated by accumulate. */
 typedef struct demo3_encoder {
     int counter;  /* last reading */
-    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int place;    /* counts within the turn, 0 to |per_turn| - 1 */
     int moved;    /* counts between the last two readings */
 } demo3_encoder;
 
-/* How inverse chooses among flywheels, and near singularity. */
+/* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
-    demo3_real limit[DEMO3_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
-    demo3_real near;             /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
-    demo3_real damping;          /* part of the largest singular value that damps those near zero, 0..1; 0:
-                                  * none */
+    demo3_real weight[DEMO3_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    demo3_real limit[DEMO3_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                  * limit */
+    demo3_real near;             /* status NEAR_SINGULAR below this fraction of the largest singular value,
+                                  * 0..1 */
+    demo3_real damping;          /* damping of small singular values, as a fraction of the largest, 0..1;
+                                  * 0: none */
 } demo3_inverse_options;
 
-/* Answer of inverse, and how good it is. */
+/* Result of inverse and its quality. */
 typedef struct demo3_inverse_result {
     demo3_real phi_ddot[DEMO3_N];  /* rad/s2; flywheel accelerations */
     demo3_real residual[6];        /* N, N m; F - K V* - M V - J phi' - I phi'' */
     demo3_real sigma[3];           /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
-    int rank;                      /* of them that count */
-    demo3_real damped_by;          /* largest lambda applied, in units of sigma; 0: none */
-    int limited[DEMO3_N];          /* 1 where the limit of a flywheel was reached */
-    demo3_real hardest[6];         /* wrench out of reach, or hardest to reach; of unit size in the norm of
-                                    * K^-1 */
+    int rank;                      /* number of singular values above the rank threshold */
+    demo3_real damped_by;          /* largest damping lambda applied, in units of sigma; 0: none */
+    int limited[DEMO3_N];          /* 1 if the flywheel reached its limit */
+    demo3_real hardest[6];         /* the unreachable wrench, or the one hardest to reach; a unit vector in
+                                    * the norm of K^-1 */
 } demo3_inverse_result;
 
 /* Derivatives of coupled. */
@@ -254,7 +277,7 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[3]       N m; drive torques, mount on flywheel
- *   locked[3]    not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[3]    not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
@@ -263,73 +286,79 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
 demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
-/* step: state a time step later, under drive torques and wrenches held constant.
+/* step: state after one time step; drive torques and wrenches are held constant.
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
- *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 7101 operations on reals, 22 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 7121 operations on reals, 22 of them divisions. */
 demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
-/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+/* step_driven: state after one time step; given flywheel accelerations and wrenches are held constant.
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
  *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next         out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 4637 operations on reals, 18 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 4657 operations on reals, 18 of them divisions. */
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
 
-/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+/* wrap: the angle wrapped to [-pi, pi] (pi rounded to the nearest real).
  *   phi      rad; any angle within MAX_PHASE
- *   wrapped  out: rad; the equal angle, in [-pi, pi]
- * Error below 5e-16 rad, modulo a turn.
+ *   wrapped  out: rad; the same angle in [-pi, pi]
+ * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 29 operations on reals, no division. */
 demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
 
-/* phase_of_counts: phase of an encoder's count.
- *   count     of the encoder, any; or `place` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- *   zero      count at phi = 0, at most a turn
- *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
- * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
- * RANGE where |zero| is more than a turn.
+/* phase_of_counts: phase for a count of an encoder.
+ *   count     any count of the encoder; or `place` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ *   zero      count at phi = 0, at most one turn in magnitude
+ *   phi       out: rad; phase, in [-pi, pi] (pi rounded to the nearest real)
+ * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
+ * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 20 operations on reals, 1 of them a division. */
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
- *   moved     counts in the time dt: `moved` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   moved     counts during dt: `moved` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
  *   dt        s; greater than 0
- *   phi_dot   out: rad/s; mean speed in this time
- * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ *   phi_dot   out: rad/s; mean speed during dt
+ * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 10 operations on reals, 2 of them divisions. */
 demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot);
 
-/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
- * moved, exactly.
- *   encoder   in and out: begin with the first reading, place: counts within the turn
- *   counter   as it is read; of 32 bits: as signed
- *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- * Read it before the counter has moved by half its range (where bits is 0: half a turn).
- * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+/* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
+ * moved, both exact.
+ *   encoder   in and out: start with counter = first reading, place = its counts within the turn
+ *   counter   counter as read; a 32-bit counter as a signed number
+ *   bits      width of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ * Call it before the counter has moved by half its range (by half a turn if bits is 0).
+ * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
  * No operation on reals. */
 demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int per_turn);
@@ -339,7 +368,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4409 operations on reals, 48 of them divisions. */
@@ -350,9 +379,9 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[3]     N m; drive torques, mount on flywheel
- *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   out        out: derivatives of V* and phi''
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 9573 operations on reals, 64 of them divisions. */
@@ -361,17 +390,17 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                                     demo3_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
- * is shared among the others, (12).
+ * Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit
+ * cannot give is shared among the others, (12).
  *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; default_options has those of the stand
- *   out       out: phi_ddot and how good it is
- * Positive statuses are bits that may come together.
+ *   options   weights, limits, damping; default_options holds those of the stand file
+ *   out       out: phi_ddot and its quality
+ * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29735 operations on reals, 918 of them divisions. */
+ * At most 29753 operations on reals, 918 of them divisions. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -380,11 +409,11 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; near and limits are not read
+ *   options      weights and damping; `near` and limits are ignored
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
- * Squares the condition: as good as inverse where singular values are within some thousands of one
- * another;
- * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
+ * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
+ * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1881 operations on reals, 33 of them divisions. */
@@ -400,11 +429,11 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
  * + D q', (10).
- *   position[3]  m; of O1, in E0
+ *   position[3]  m; position of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
- *   q_ddot[6]    m/s2, rad/s2; their rates
- *   x            in and out: its position, attitude and V are written; phases stay
+ *   q_ddot[6]    m/s2, rad/s2; rates of q_dot
+ *   x            in and out: its position, attitude and V are written; phases and speeds are kept
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
@@ -416,7 +445,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
 /* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
  *   table        the prepared table
- *   x            state; its attitude is not read, the angles take its place
+ *   x            state; its attitude is ignored, `angles` replaces it
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
@@ -428,18 +457,18 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
- * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * RANGE also where a mass is negative or axes have no direction.
- * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
- * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
- * inertia; no mass at all.
+ *   table       in and out: start with a copy of the default; its laws (gravity, damping, ...) are kept
+ * The generator makes the default table by the same operations: the default parameters give its bits.
+ * Also returns RANGE if a mass is negative or an axis has no direction.
+ * NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are negative or
+ * break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin inertia; no
+ * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 4208 operations on reals, 28 of them divisions. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *table);
 
-/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+/* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
  *   mounting          made once by prepare_mounts
  *   x                 state; its attitude within 1e-3 of unit length
  *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
@@ -451,13 +480,49 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18]);
 
-/* prepare_mounts: makes the second table that mounts needs.
+/* prepare_mounts: makes the second table, which the function mounts needs.
  *   parameters  masses, inertias, mountings
- *   mounting    out: what mounts needs
+ *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1395 operations on reals, 24 of them divisions. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
+
+/* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
+ * compensated by a carry.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[3]     N m; drive torques, mount on flywheel
+ *   locked[3]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry      in and out: of the step before; at first all zero
+ *   next       out: state after the step; may be x itself
+ * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 7362 operations on reals, 22 of them divisions. */
+demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
+                                const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
+                                int order, demo3_step_carry *carry, demo3_state *next);
+
+/* step_driven_carried: state after one time step under given flywheel accelerations and wrenches, held
+ * constant; sums are compensated by a carry.
+ *   table        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[3]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry        in and out: of the step before; at first all zero
+ *   next         out: state after the step; may be x itself
+ * Statuses as of step_driven. A carry belongs to its state: where another state is set, set the carry to
+ * zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 4898 operations on reals, 18 of them divisions. */
+demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
+                                       const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
+                                       demo3_step_carry *carry, demo3_state *next);
 
 /* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
  *   table                       the prepared table
@@ -472,4 +537,22 @@ demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3
 }
 #endif
 
+#endif
+
+/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
+ * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
+ * Define DEMO3_NO_LINK_CHECK where only types are used, and the source is not linked. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+#if !defined DEMO3_NO_LINK_CHECK && !defined DEMO3_LINK_CHECKED
+#define DEMO3_LINK_CHECKED
+#if __SIZEOF_POINTER__ == 8
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".quad demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
+        ".popsection\n");
+#elif __SIZEOF_POINTER__ == 4
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".long demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
+        ".popsection\n");
+#endif
+#endif
 #endif

@@ -275,12 +275,27 @@ static void bits_parameters(demo3_parameters *x)
     }
 }
 
+static void normal_step_carry(demo3_step_carry *x)
+{
+    reals(&x->rounding[0], 19, 1.0e-6);
+}
+
+static void any_step_carry(demo3_step_carry *x)
+{
+    reals(&x->rounding[0], 19, DEMO3_LARGEST);
+}
+
+static void bits_step_carry(demo3_step_carry *x)
+{
+    all_bits(&x->rounding[0], 19);
+}
+
 static void untouched_matrices_result(const demo3_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 18);
+    untouched(&x->I_[0][0], 18);
     untouched(&x->J[0][0], 18);
     untouched(&x->F[0], 6);
 }
@@ -290,7 +305,7 @@ static void written_matrices_result(const demo3_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 18);
+    written(&x->I_[0][0], 18);
     written(&x->J[0][0], 18);
     written(&x->F[0], 6);
 }
@@ -300,7 +315,7 @@ static void initialised_matrices_result(const demo3_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 18);
+    initialised(&x->I_[0][0], 18);
     initialised(&x->J[0][0], 18);
     initialised(&x->F[0], 6);
 }
@@ -628,6 +643,16 @@ static void initialised_mount_table(const demo3_mount_table *x)
     initialised(&x->flywheel[2].inertia[0], 6);
     initialised(&x->flywheel[2].origin[0], 3);
     initialised(&x->flywheel[2].axes[0], 9);
+}
+
+static void written_step_carry(const demo3_step_carry *x)
+{
+    written(&x->rounding[0], 19);
+}
+
+static void initialised_step_carry(const demo3_step_carry *x)
+{
+    initialised(&x->rounding[0], 19);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -1787,6 +1812,156 @@ void demo3_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void demo3_eva_normal_step_carried(void);
+void demo3_eva_normal_step_carried(void)
+{
+    demo3_state x;
+    normal_state(&x);
+    demo3_real tau[DEMO3_N];
+    reals(&tau[0], 3, 100.0);
+    int locked[DEMO3_N];
+    integers(&locked[0], 3, 0, 1);
+    demo3_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    demo3_step_carry carry;
+    normal_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_carried(&demo3_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void demo3_eva_any_step_carried(void);
+void demo3_eva_any_step_carried(void)
+{
+    demo3_state x;
+    any_state(&x);
+    demo3_real tau[DEMO3_N];
+    reals(&tau[0], 3, DEMO3_LARGEST);
+    int locked[DEMO3_N];
+    integers(&locked[0], 3, INT_MIN, INT_MAX);
+    demo3_real dt;
+    reals(&dt, 1, DEMO3_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    demo3_step_carry carry;
+    any_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_carried(&demo3_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void demo3_eva_bits_step_carried(void);
+void demo3_eva_bits_step_carried(void)
+{
+    demo3_state x;
+    bits_state(&x);
+    demo3_real tau[DEMO3_N];
+    all_bits(&tau[0], 3);
+    int locked[DEMO3_N];
+    integers(&locked[0], 3, INT_MIN, INT_MAX);
+    demo3_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    demo3_step_carry carry;
+    bits_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_carried(&demo3_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void demo3_eva_normal_step_driven_carried(void);
+void demo3_eva_normal_step_driven_carried(void)
+{
+    demo3_state x;
+    normal_state(&x);
+    demo3_real phi_ddot[DEMO3_N];
+    reals(&phi_ddot[0], 3, 1.0e4);
+    demo3_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    demo3_step_carry carry;
+    normal_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_driven_carried(&demo3_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void demo3_eva_any_step_driven_carried(void);
+void demo3_eva_any_step_driven_carried(void)
+{
+    demo3_state x;
+    any_state(&x);
+    demo3_real phi_ddot[DEMO3_N];
+    reals(&phi_ddot[0], 3, DEMO3_LARGEST);
+    demo3_real dt;
+    reals(&dt, 1, DEMO3_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    demo3_step_carry carry;
+    any_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_driven_carried(&demo3_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void demo3_eva_bits_step_driven_carried(void);
+void demo3_eva_bits_step_driven_carried(void)
+{
+    demo3_state x;
+    bits_state(&x);
+    demo3_real phi_ddot[DEMO3_N];
+    all_bits(&phi_ddot[0], 3);
+    demo3_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    demo3_step_carry carry;
+    bits_step_carry(&carry);
+    demo3_state next;
+    const demo3_status status = demo3_step_driven_carried(&demo3_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

@@ -13,12 +13,12 @@
 #define DEMO3_CODE
 #endif
 
-/* Header and recorder have the same real: else this array has no size. */
+/* Header and recorder use the same real type: otherwise this array has a negative size. */
 typedef char demo3_recorder_real[(sizeof(demo3_real) == 8) ? 1 : -1];
 
 typedef uint64_t demo3_record_word;  /* the bits of a real */
 
-/* Counts of bytes, and the first byte of a step's record. */
+/* Sizes in bytes, and the first byte of a step's record. */
 enum {
     DEMO3_RECORD_STEP = 0x53,
     DEMO3_RECORD_REAL_BYTES = 8,
@@ -30,7 +30,7 @@ enum {
 #define DEMO3_RECORD_BASIS 2166136261u
 #define DEMO3_RECORD_PRIME 16777619u
 
-/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+/* A record being written: the bytes that wait for write, and their hash so far. Without a log nothing is written. */
 typedef struct demo3_page {
     demo3_recorder *log;
     uint32_t check;
@@ -99,7 +99,7 @@ static void demo3_record_put_bytes(demo3_page *page, const unsigned char *bytes,
     }
 }
 
-/* The check, and out with what waits. */
+/* Appends the check and writes the waiting bytes. */
 DEMO3_CODE
 static void demo3_record_end(demo3_page *page)
 {
@@ -189,7 +189,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
     demo3_record_put_reals(&page, x->V, 6);
     demo3_record_put_reals(&page, x->phi, DEMO3_N);
     demo3_record_put_reals(&page, x->phi_dot, DEMO3_N);
-    if (check == DEMO3_RECORDER_TABLE) {
+    if (check == DEMO3_TABLE_HASH) {
         demo3_record_put(&page, 0, 4);
     } else {
         demo3_record_put(&page, DEMO3_RECORD_TABLE_BYTES, 4);
@@ -201,7 +201,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
     return DEMO3_OK;
 }
 
-/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log remembers the new values. */
 DEMO3_CODE
 static unsigned demo3_notice_changes(demo3_recorder *log, const demo3_state *x,
                                   demo3_real dt, int order)
@@ -275,15 +275,15 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, 
     demo3_page page;
     demo3_status status;
     unsigned flags = 0;
-    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL
         || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
     for (int s = 0; s < DEMO3_N; ++s) {
-        flags |= (locked[s] != 0) ? DEMO3_RECORD_LOCKS : 0u;
+        flags |= (locked != NULL && locked[s] != 0) ? DEMO3_RECORD_LOCKS : 0u;
     }
     flags |= demo3_notice_changes(log, x, dt, order);
     demo3_record_head(&page, log, x, flags);
     demo3_record_put_reals(&page, tau, DEMO3_N);
-    if (flags & DEMO3_RECORD_LOCKS) {
+    if ((flags & DEMO3_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
         for (int first = 0; first < DEMO3_N; first += DEMO3_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
             for (int s = first; s < DEMO3_N && s < first + DEMO3_RECORD_LOCKS_A_BYTE; ++s) {

@@ -11,6 +11,31 @@
 #if REMUS6_LANES != 1
 #error "remus6.h and remus6.c were generated for different numbers of lanes"
 #endif
+#if REMUS6_REAL_BYTES != 8
+#error "remus6.h and remus6.c were generated for different element types"
+#endif
+#if REMUS6_VERSION_MAJOR != 0 || REMUS6_VERSION_MINOR != 1 || REMUS6_VERSION_PATCH != 0
+#error "remus6.h and remus6.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl remus6_link_double_lanes1_v0_1_0_5f25aea2\n"
+        ".type remus6_link_double_lanes1_v0_1_0_5f25aea2, %object\n"
+        ".size remus6_link_double_lanes1_v0_1_0_5f25aea2, 1\n"
+        ".set remus6_link_double_lanes1_v0_1_0_5f25aea2, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef REMUS6_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile remus6 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile remus6 without -ffinite-math-only"
+#endif
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef REMUS6_CODE
@@ -33,8 +58,8 @@ typedef struct remus6_sums {
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct remus6_coupling {
-    remus6_real I[6];  /* kg m, kg m2; column of I (9) */
-    remus6_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+    remus6_real I_[6];  /* kg m, kg m2; column of I (9) */
+    remus6_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
 } remus6_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
@@ -46,11 +71,11 @@ typedef struct remus6_schur {
 
 /* Scratch of inverse. */
 typedef struct remus6_inverse_work {
-    remus6_real I[6][REMUS6_N];   /* kg m, kg m2; flywheel coupling (9) */
+    remus6_real I_[6][REMUS6_N];  /* kg m, kg m2; flywheel coupling (9) */
     remus6_real W[6][REMUS6_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
     remus6_real U[6][6];          /* rotations of the rows */
     remus6_real G[6][6];          /* Cholesky factor of K, lower triangle */
-    remus6_real b[6];             /* N, N m; what the flywheels must give */
+    remus6_real b[6];             /* N, N m; the wrench demanded of the flywheels */
     remus6_real r[6];             /* scaled: G^-1 b; then U^T r */
     remus6_real sigma[6];         /* singular values */
     remus6_real scale[REMUS6_N];  /* D^-1 */
@@ -74,13 +99,17 @@ static remus6_real remus6_real_of(remus6_word word)
     return both.real;
 }
 
-/* sine and cosine of an angle.
+/* What null stands for. */
+REMUS6_CONST
+static const int remus6_none_locked[REMUS6_N] = { 0 };
+
+/* Sine and cosine of an angle.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 REMUS6_CODE
 static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real *restrict cosine)
 {
-    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
     const remus6_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
     const remus6_word quadrant = remus6_bits_of(shifted);  /* mod 4: its last two bits */
     const remus6_real k = shifted - 6755399441055744.0;
@@ -91,7 +120,7 @@ static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real
     /* rounding error of r_hi, and the third part */
     const remus6_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
     const remus6_real z = r_hi * r_hi;
-    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
     const remus6_real half_z = z * 0.5;
     const remus6_real flat = 1.0 - half_z;
     const remus6_real cos_fit = 0.0416666666666666
@@ -113,58 +142,63 @@ static void remus6_sincos(remus6_real x, remus6_real *restrict sine, remus6_real
     *cosine = remus6_real_of(cos_bits ^ exchange ^ cosine_sign);
 }
 
-/* square root, correctly rounded.
+/* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
 REMUS6_CODE
 static remus6_real remus6_sqrt(remus6_real x)
 {
-    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+#ifdef REMUS6_SQRT
+    return REMUS6_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
     const int subnormal = x < 2.2250738585072014e-308;
     const remus6_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
     const remus6_word lowered = (subnormal) ? 27u : 0u;
     const remus6_word bits = remus6_bits_of(x * lift);
     const remus6_word exponent = bits >> 52u;
-    const remus6_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const remus6_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
     const remus6_word fraction = bits & 0xfffffffffffffu;
     const remus6_word m_bits = fraction + ((odd + 1023u) << 52u);
     const remus6_real m = remus6_real_of(m_bits);
     const remus6_real half_m = m * 0.5;
-    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
     const remus6_real y0 = remus6_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
     const remus6_real y1 = y0 * (1.5 - half_m * y0 * y0);
     const remus6_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const remus6_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const remus6_real s = m * y3;
     const remus6_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
      * place. */
     const remus6_word root = remus6_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const remus6_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
-    const remus6_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
-    const remus6_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const remus6_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const remus6_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
     const remus6_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
     const remus6_real result = remus6_real_of(root + up - down + ((halved - 1u) << 52u));
     return (x > 0.0) ? result : x;
+#endif
 }
 
-/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
 REMUS6_CODE
 static remus6_real remus6_unwound(remus6_real phi, remus6_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
-/* the equal angle within half a turn of zero.
- * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
 REMUS6_CODE
 static remus6_real remus6_wrapped(remus6_real phi)
 {
-    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
     const remus6_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return remus6_unwound(phi, k);
 }
 
-/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
 REMUS6_CODE
 static remus6_status remus6_within(const remus6_real values[], int count, remus6_real limit)
 {
@@ -177,7 +211,7 @@ static remus6_status remus6_within(const remus6_real values[], int count, remus6
     return REMUS6_OK;
 }
 
-/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
 REMUS6_CODE
 static remus6_status remus6_check_state(const remus6_state *x)
 {
@@ -199,7 +233,7 @@ static remus6_status remus6_check_state(const remus6_state *x)
     return REMUS6_OK;
 }
 
-/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
 REMUS6_CODE
 static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
 {
@@ -215,7 +249,7 @@ static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
-/* C^T a: from the outer axes to the turned ones. */
+/* C^T a: components from the outer axes to the rotated axes. */
 REMUS6_CODE
 static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], remus6_real out[restrict 3])
 {
@@ -224,7 +258,7 @@ static void remus6_rotate_back(const remus6_real C[9], const remus6_real a[3], r
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
 REMUS6_CODE
 static void remus6_start_sums(const remus6_table *table, remus6_sums *restrict sum)
 {
@@ -241,15 +275,16 @@ static void remus6_start_sums(const remus6_table *table, remus6_sums *restrict s
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
-/* sines and cosines of all phases.
+/* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 REMUS6_CODE
 static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real sine[restrict REMUS6_N],
                                remus6_real cosine[restrict REMUS6_N])
 {
     for (int s = 0; s < REMUS6_N; ++s) {
-        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
         const remus6_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const remus6_word quadrant = remus6_bits_of(shifted);  /* mod 4: its last two bits */
         const remus6_real k = shifted - 6755399441055744.0;
@@ -260,7 +295,7 @@ static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real sine[r
         /* rounding error of r_hi, and the third part */
         const remus6_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
         const remus6_real z = r_hi * r_hi;
-        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
         const remus6_real half_z = z * 0.5;
         const remus6_real flat = 1.0 - half_z;
         const remus6_real cos_fit = 0.0416666666666666
@@ -284,18 +319,18 @@ static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real sine[r
     }
 }
 
-/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
 REMUS6_CODE
 static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_real c, remus6_real phi_dot,
                                 remus6_real phi_ddot, remus6_sums *restrict sum)
 {
-    const remus6_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const remus6_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
     const remus6_real s2 = 2.0 * c * s;
-    const remus6_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const remus6_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
     const remus6_real ds = phi_dot * c;
     const remus6_real dc2 = -2.0 * phi_dot * s2;
     const remus6_real ds2 = 2.0 * phi_dot * c2;
-    const remus6_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const remus6_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
     const remus6_real dds = phi_ddot * c + phi_dot * dc;
     /* first moment and its rate */
     sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
@@ -331,7 +366,7 @@ static void remus6_add_flywheel(const remus6_row *row, remus6_real s, remus6_rea
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* adds the damping of one body to its wrench, both in the body's own frame, (7). */
+/* Adds the damping of one body to its wrench, both in the body's own frame, (7). */
 REMUS6_CODE
 static void remus6_damp(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
                         remus6_real P[restrict 6])
@@ -350,14 +385,14 @@ static void remus6_damp(const remus6_table *table, const remus6_damper *damper, 
     }
 }
 
-/* total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
+/* Total external wrench of weight, buoyancy, damping, from checked inputs, (7). */
 REMUS6_CODE
 static void remus6_external(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
                             const remus6_real g[3], remus6_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    /* weight of every body: its line of action moves with the flywheels */
+    /* weight of all bodies: its line of action moves with the flywheels */
     F[0] += g[0] * table->weight_mass;  F[1] += g[1] * table->weight_mass;  F[2] += g[2] * table->weight_mass;
     F[3] += (sum->mu[1] - table->displaced_moment[1]) * g[2]
         + (table->displaced_moment[2] - sum->mu[2]) * g[1];
@@ -368,7 +403,7 @@ static void remus6_external(const remus6_table *table, const remus6_sums *sum, c
     remus6_damp(table, &table->damper, V, F);
 }
 
-/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 REMUS6_CODE
 static void remus6_momentum_screw(const remus6_table *table, const remus6_sums *sum, const remus6_real V[6],
                                   remus6_real Z[restrict 6])
@@ -387,7 +422,7 @@ static void remus6_momentum_screw(const remus6_table *table, const remus6_sums *
         + sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2];
 }
 
-/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 REMUS6_CODE
 static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6], const remus6_real Z[6],
                                   remus6_real F[restrict 6])
@@ -406,7 +441,7 @@ static void remus6_subtract_rates(const remus6_sums *sum, const remus6_real V[6]
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 REMUS6_CODE
 static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3], remus6_real y[restrict 3])
 {
@@ -430,7 +465,7 @@ static remus6_status remus6_solve3(const remus6_real S[6], const remus6_real b[3
     return REMUS6_OK;
 }
 
-/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
 REMUS6_CODE
 static remus6_status remus6_solve_carrier(const remus6_table *table, const remus6_sums *sum,
                                           const remus6_real F[6], remus6_real y[restrict 6])
@@ -496,7 +531,7 @@ static remus6_status remus6_accelerate(const remus6_table *table, const remus6_s
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    remus6_real F[6];  /* wrench (7); then what K V* must equal */
+    remus6_real F[6];  /* wrench (7); then the right-hand side of (8) */
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_external(table, &sum, V, g, F);
     remus6_momentum_screw(table, &sum, V, Z);
@@ -673,19 +708,19 @@ remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, 
         rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
         rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
         rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-        out->I[0][s] = column[0];
+        out->I_[0][s] = column[0];
         out->J[0][s] = column[2] * V[4] - column[1] * V[5] + rate[0] * x->phi_dot[s];
-        out->I[1][s] = column[1];
+        out->I_[1][s] = column[1];
         out->J[1][s] = column[0] * V[5] - column[2] * V[3] + rate[1] * x->phi_dot[s];
-        out->I[2][s] = column[2];
+        out->I_[2][s] = column[2];
         out->J[2][s] = column[1] * V[3] - column[0] * V[4] + rate[2] * x->phi_dot[s];
-        out->I[3][s] = column[3];
+        out->I_[3][s] = column[3];
         out->J[3][s] = column[2] * V[1] + column[5] * V[4] - column[1] * V[2] - column[4] * V[5]
             + rate[3] * x->phi_dot[s];
-        out->I[4][s] = column[4];
+        out->I_[4][s] = column[4];
         out->J[4][s] = column[0] * V[2] + column[3] * V[5] - column[2] * V[0] - column[5] * V[3]
             + rate[4] * x->phi_dot[s];
-        out->I[5][s] = column[5];
+        out->I_[5][s] = column[5];
         out->J[5][s] = column[1] * V[0] + column[4] * V[3] - column[0] * V[1] - column[3] * V[4]
             + rate[5] * x->phi_dot[s];
     }
@@ -766,7 +801,7 @@ remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, 
     return REMUS6_OK;
 }
 
-/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 REMUS6_CODE
 static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
                           const remus6_real origin_acceleration[3], const remus6_real spun[6],
@@ -774,12 +809,12 @@ static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
 {
     const remus6_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const remus6_real two_s2 = 4.0 * c * s;
-    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
-    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
-    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
-    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
-    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
-    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     /* dJ / dphi */
     const remus6_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2
         - row->J_c[0] * s;
@@ -794,27 +829,27 @@ static void remus6_couple(const remus6_row *row, remus6_real s, remus6_real c,
     const remus6_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
-        + out->I[2] * origin_acceleration[2];
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
 }
 
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 REMUS6_CODE
-static void remus6_eliminate(const remus6_real I[6], remus6_real spin_inv, remus6_real rate,
+static void remus6_eliminate(const remus6_real column[6], remus6_real spin_inv, remus6_real rate,
                              remus6_schur *restrict K, remus6_real F[restrict 6])
 {
     remus6_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -851,24 +886,24 @@ remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, co
     remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
     V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
     V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
-    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_coupling drive;
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
-        tau[s] = V_r_dot[0] * drive.I[0] + V_r_dot[1] * drive.I[1] + V_r_dot[2] * drive.I[2]
-            + V_r_dot[3] * drive.I[3] + V_r_dot[4] * drive.I[4] + V_r_dot[5] * drive.I[5]
+        tau[s] = V_r_dot[0] * drive.I_[0] + V_r_dot[1] * drive.I_[1] + V_r_dot[2] * drive.I_[2]
+            + V_r_dot[3] * drive.I_[3] + V_r_dot[4] * drive.I_[4] + V_r_dot[5] * drive.I_[5]
             + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return REMUS6_OK;
 }
 
-/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 REMUS6_CODE
 static remus6_status remus6_solve_schur(const remus6_schur *K, const remus6_real F[6],
                                         remus6_real y[restrict 6])
@@ -945,7 +980,7 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    remus6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_external(table, &sum, V, g, F);
     remus6_momentum_screw(table, &sum, V, Z);
@@ -959,11 +994,11 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     remus6_coupling drive[REMUS6_N];
-    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_real rate[REMUS6_N];  /* accelerations at V* = 0 */
@@ -972,7 +1007,7 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            remus6_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
+            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = remus6_solve_schur(&K, F, V_dot);
@@ -980,9 +1015,9 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
     for (int s = 0; s < REMUS6_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
-            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
-                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
         }
     }
     /* V* = V_r* - (omega x C^T u, 0) */
@@ -1000,8 +1035,9 @@ remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N])
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = remus6_none_locked; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1023,7 +1059,7 @@ remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
     return REMUS6_OK;
 }
 
-/* to = x + h rate, phases from within half a turn. */
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
 REMUS6_CODE
 static void remus6_advance(const remus6_state *x, const remus6_state *rate, remus6_real h,
                            remus6_state *restrict to)
@@ -1045,7 +1081,7 @@ static void remus6_advance(const remus6_state *x, const remus6_state *rate, remu
     }
 }
 
-/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
 REMUS6_CODE
 static remus6_status remus6_finish(remus6_state *restrict x)
 {
@@ -1066,7 +1102,7 @@ static remus6_status remus6_finish(remus6_state *restrict x)
     return REMUS6_OK;
 }
 
-/* rates of the state under drive torques. */
+/* Time derivatives of the state under drive torques. */
 REMUS6_CODE
 static remus6_status remus6_rate(const remus6_table *table, const remus6_state *x,
                                  const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
@@ -1097,13 +1133,89 @@ static remus6_status remus6_rate(const remus6_table *table, const remus6_state *
     return REMUS6_OK;
 }
 
-/* State a time step later, under drive torques and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+REMUS6_CODE
+static remus6_status remus6_stages(const remus6_table *table, const remus6_state *x,
+                                   const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                   remus6_real h, int order, remus6_state *restrict y,
+                                   remus6_state *restrict total)
+{
+    remus6_status status;
+    remus6_state k;  /* time derivatives at a stage */
+    status = remus6_rate(table, x, tau, locked, &k);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real half = 0.5 * h;
+    if (order == 2) {
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate(table, y, tau, locked, total);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    } else {
+        *total = k;
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate(table, y, tau, locked, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate(table, y, tau, locked, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, h, y);
+        status = remus6_rate(table, y, tau, locked, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
 REMUS6_CODE
 remus6_status remus6_step(const remus6_table *table, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || next == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || next == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = remus6_none_locked; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1116,83 +1228,27 @@ remus6_status remus6_step(const remus6_table *table, const remus6_state *x, cons
     if (status != REMUS6_OK) { return status; }
     if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
-    remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
-    status = remus6_rate(table, x, tau, locked, &k);
+    remus6_state total;  /* sum of the rates at the stages */
+    status = remus6_stages(table, x, tau, locked, dt, order, &y, &total);
     if (status != REMUS6_OK) { return status; }
-    const remus6_real half = 0.5 * dt;
-    if (order == 2) {
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate(table, &y, tau, locked, &k);
-        if (status != REMUS6_OK) { return status; }
-        remus6_advance(x, &k, dt, &y);
-    } else {
-        remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate(table, &y, tau, locked, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate(table, &y, tau, locked, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        remus6_advance(x, &k, dt, &y);
-        status = remus6_rate(table, &y, tau, locked, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const remus6_real sixth = dt / 6.0;
-        remus6_advance(x, &total, sixth, &y);
+    const remus6_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    remus6_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    remus6_advance(x, &total, over, &y);
     status = remus6_finish(&y);
-    if (status != REMUS6_OK) { return status; }
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
     *next = y;
+    const remus6_real most = (order == 2) ? REMUS6_MAX_TURN_2 : REMUS6_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return REMUS6_COARSE; }
     return REMUS6_OK;
 }
 
-/* rates of the state under given flywheel accelerations. */
+/* Time derivatives of the state under given flywheel accelerations. */
 REMUS6_CODE
 static remus6_status remus6_rate_driven(const remus6_table *table, const remus6_state *x,
                                         const remus6_real phi_ddot[REMUS6_N], remus6_state *restrict rate)
@@ -1223,7 +1279,82 @@ static remus6_status remus6_rate_driven(const remus6_table *table, const remus6_
     return REMUS6_OK;
 }
 
-/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+REMUS6_CODE
+static remus6_status remus6_stages_driven(const remus6_table *table, const remus6_state *x,
+                                          const remus6_real phi_ddot[REMUS6_N], remus6_real h, int order,
+                                          remus6_state *restrict y, remus6_state *restrict total)
+{
+    remus6_status status;
+    remus6_state k;  /* time derivatives at a stage */
+    status = remus6_rate_driven(table, x, phi_ddot, &k);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real half = 0.5 * h;
+    if (order == 2) {
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate_driven(table, y, phi_ddot, total);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    } else {
+        *total = k;
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate_driven(table, y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, half, y);
+        status = remus6_rate_driven(table, y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        remus6_advance(x, &k, h, y);
+        status = remus6_rate_driven(table, y, phi_ddot, &k);
+        if (status != REMUS6_OK) { return REMUS6_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < REMUS6_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return REMUS6_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
 REMUS6_CODE
 remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
@@ -1242,83 +1373,27 @@ remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *
     if (status != REMUS6_OK) { return status; }
     if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
-    remus6_state k;  /* rates of a stage */
     remus6_state y;  /* state of a stage; then the new state */
-    status = remus6_rate_driven(table, x, phi_ddot, &k);
+    remus6_state total;  /* sum of the rates at the stages */
+    status = remus6_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
     if (status != REMUS6_OK) { return status; }
-    const remus6_real half = 0.5 * dt;
-    if (order == 2) {
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(table, &y, phi_ddot, &k);
-        if (status != REMUS6_OK) { return status; }
-        remus6_advance(x, &k, dt, &y);
-    } else {
-        remus6_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(table, &y, phi_ddot, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        remus6_advance(x, &k, half, &y);
-        status = remus6_rate_driven(table, &y, phi_ddot, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        remus6_advance(x, &k, dt, &y);
-        status = remus6_rate_driven(table, &y, phi_ddot, &k);
-        if (status != REMUS6_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < REMUS6_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const remus6_real sixth = dt / 6.0;
-        remus6_advance(x, &total, sixth, &y);
+    const remus6_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    remus6_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    remus6_advance(x, &total, over, &y);
     status = remus6_finish(&y);
-    if (status != REMUS6_OK) { return status; }
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
     *next = y;
+    const remus6_real most = (order == 2) ? REMUS6_MAX_TURN_2 : REMUS6_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return REMUS6_COARSE; }
     return REMUS6_OK;
 }
 
-/* The equal angle in [-pi, pi] (pi as the nearest real). */
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
 REMUS6_CODE
 remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped)
 {
@@ -1328,7 +1403,7 @@ remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped)
     given[0] = phi;
     status = remus6_within(given, 1, REMUS6_MAX_PHASE);
     if (status != REMUS6_OK) { return status; }
-    remus6_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    remus6_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     remus6_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
     angle = remus6_unwound(phi, k);
@@ -1340,7 +1415,7 @@ remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped)
     return REMUS6_OK;
 }
 
-/* Phase of an encoder's count. */
+/* Phase for a count of an encoder. */
 REMUS6_CODE
 remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, remus6_real *phi)
 {
@@ -1353,8 +1428,9 @@ remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, 
     given[0] = zero;
     status = remus6_within(given, 1, size);
     if (status != REMUS6_OK) { return status; }
-    const int rest = count - count / turn * turn;  /* whole turns taken off */
-    remus6_real place = (remus6_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    /* counts from phi = 0; then reduced to within half a turn */
+    remus6_real place = (remus6_real)rest - zero;
     const remus6_real half = size * 0.5;
     for (int i = 0; i < 2; ++i) {
         place = (place > half) ? place - size : ((place < -half) ? place + size : place);
@@ -1382,8 +1458,8 @@ remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, re
     return REMUS6_OK;
 }
 
-/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
- * exactly. */
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
 REMUS6_CODE
 remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, int per_turn)
 {
@@ -1391,7 +1467,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return REMUS6_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     if (!(encoder->place >= 0 && encoder->place < turn)) { return REMUS6_BAD_ARGUMENT; }
-    int moved;  /* counts since the last reading: the shorter way round */
+    int moved;  /* counts since the last reading, in the shorter direction */
     if (bits == 0) {
         if (!(counter >= 0 && counter < turn
             && (encoder->counter >= 0 && encoder->counter < turn))) { return REMUS6_BAD_ARGUMENT; }
@@ -1413,13 +1489,13 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
     return REMUS6_OK;
 }
 
-/* change of the damping of one body with its twist, (7). */
+/* Change of the damping of one body with its twist, (7). */
 REMUS6_CODE
 static void remus6_damp_slope(const remus6_table *table, const remus6_damper *damper, const remus6_real V[6],
                               const remus6_real change[6], remus6_real P[restrict 6])
 {
     remus6_real x[12];  /* u v w p q r and their magnitudes */
-    remus6_real dx[12];  /* their changes */
+    remus6_real dx[12];  /* their changes with the twist */
     x[0] = V[0];
     x[6] = (V[0] < 0.0) ? -V[0] : V[0];
     dx[0] = change[0];
@@ -1451,7 +1527,7 @@ static void remus6_damp_slope(const remus6_table *table, const remus6_damper *da
     }
 }
 
-/* derivative of F - Phi Z - K* V by the twist, (8). */
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
 REMUS6_CODE
 static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6], const remus6_real Z[6],
                                const remus6_matrices_result *m, remus6_real slope[restrict 36])
@@ -1488,12 +1564,12 @@ static void remus6_twist_slope(const remus6_table *table, const remus6_real V[6]
     }
 }
 
-/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 REMUS6_CODE
 static void remus6_row_slope(const remus6_row *row, const remus6_real weight[12], const remus6_real V[6],
                              const remus6_real V_dot[6], const remus6_real g[3], remus6_real out[restrict 6])
 {
-    remus6_sums change;  /* of the sums */
+    remus6_sums change;  /* change of the sums */
     remus6_real Z[6];  /* change of the momentum screw */
     change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
     change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
@@ -1593,7 +1669,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    remus6_real F[6];  /* what K V* must equal */
+    remus6_real F[6];  /* right-hand side of (8) */
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_real V_result[6];  /* V_r* */
     remus6_real rhs[6];
@@ -1641,7 +1717,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     remus6_velocity_matrix(V, &m);
-    remus6_real slope[36];  /* by V, row by row */
+    remus6_real slope[36];  /* derivative by V, row by row */
     remus6_twist_slope(table, V, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1656,17 +1732,17 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
     out->V_dot_V[0][4] -= u[2];  out->V_dot_V[0][5] += u[1];
     out->V_dot_V[1][5] -= u[0];  out->V_dot_V[1][3] += u[2];
     out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
-    remus6_real change[12];  /* of the weights of a row */
+    remus6_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
-        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const remus6_real s2 = 2.0 * c_phi * s_phi;
-        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const remus6_real ds = x->phi_dot[s] * c_phi;
         const remus6_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const remus6_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const remus6_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const remus6_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
         const remus6_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1713,8 +1789,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_jacobian_result *out)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || out == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = remus6_none_locked; }
     remus6_status status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
@@ -1787,14 +1863,14 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     remus6_velocity_matrix(V, &m);
-    remus6_real slope[36];  /* by V, row by row */
+    remus6_real slope[36];  /* derivative by V, row by row */
     remus6_twist_slope(table, V, Z, &m, slope);
     remus6_coupling drive[REMUS6_N];
-    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
     origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
     origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
-    remus6_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_schur K;  /* mass matrix with free flywheels eliminated */
@@ -1805,18 +1881,18 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    remus6_real rhs[6];  /* of the carrier */
-    remus6_real drive_rhs[REMUS6_N];  /* of the drives */
+    remus6_real rhs[6];  /* right-hand side of the carrier */
+    remus6_real drive_rhs[REMUS6_N];  /* right-hand sides of the drives */
     remus6_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            remus6_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+            remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
-    remus6_real drive_slope[REMUS6_N][6];  /* of the bias torques by V */
+    remus6_real drive_slope[REMUS6_N][6];  /* derivatives of the bias torques by V */
     remus6_real J_p[6];  /* dJ / dphi */
     remus6_real turned[3];  /* J' omega */
     for (int s = 0; s < REMUS6_N; ++s) {
@@ -1839,12 +1915,12 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
         turned[0] = J_p[0] * V[3] + J_p[3] * V[4] + J_p[4] * V[5];
         turned[1] = J_p[1] * V[4] + J_p[3] * V[3] + J_p[5] * V[5];
         turned[2] = J_p[2] * V[5] + J_p[4] * V[3] + J_p[5] * V[4];
-        drive_slope[s][0] = drive[s].I[1] * V[5] - drive[s].I[2] * V[4];
-        drive_slope[s][1] = drive[s].I[2] * V[3] - drive[s].I[0] * V[5];
-        drive_slope[s][2] = drive[s].I[0] * V[4] - drive[s].I[1] * V[3];
-        drive_slope[s][3] = drive[s].I[2] * V[1] - drive[s].I[1] * V[2] - turned[0];
-        drive_slope[s][4] = drive[s].I[0] * V[2] - drive[s].I[2] * V[0] - turned[1];
-        drive_slope[s][5] = drive[s].I[1] * V[0] - drive[s].I[0] * V[1] - turned[2];
+        drive_slope[s][0] = drive[s].I_[1] * V[5] - drive[s].I_[2] * V[4];
+        drive_slope[s][1] = drive[s].I_[2] * V[3] - drive[s].I_[0] * V[5];
+        drive_slope[s][2] = drive[s].I_[0] * V[4] - drive[s].I_[1] * V[3];
+        drive_slope[s][3] = drive[s].I_[2] * V[1] - drive[s].I_[1] * V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * V[2] - drive[s].I_[2] * V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * V[0] - drive[s].I_[0] * V[1] - turned[2];
     }
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1857,7 +1933,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             if (locked[t] == 0) {
                 const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1869,8 +1945,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             out->phi_ddot_V[t][j] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -1879,17 +1955,17 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     out->V_dot_V[0][4] -= u[2];  out->V_dot_V[0][5] += u[1];
     out->V_dot_V[1][5] -= u[0];  out->V_dot_V[1][3] += u[2];
     out->V_dot_V[2][3] -= u[1];  out->V_dot_V[2][4] += u[0];
-    remus6_real change[12];  /* of the weights of a row */
+    remus6_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
-        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const remus6_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const remus6_real s2 = 2.0 * c_phi * s_phi;
-        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const remus6_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const remus6_real ds = x->phi_dot[s] * c_phi;
         const remus6_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const remus6_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const remus6_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const remus6_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
         const remus6_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1935,7 +2011,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
                 if (locked[t] == 0) {
                     const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1947,8 +2023,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1966,7 +2042,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
                 if (locked[t] == 0) {
                     const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1978,8 +2054,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1994,7 +2070,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             if (locked[t] == 0) {
                 const remus6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -2006,8 +2082,8 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -2015,7 +2091,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
     return REMUS6_OK;
 }
 
-/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 REMUS6_CODE
 static void remus6_orthogonalise(remus6_inverse_work *restrict work)
@@ -2040,7 +2116,7 @@ static void remus6_orthogonalise(remus6_inverse_work *restrict work)
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
                 const remus6_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
-                /* of size 1, so that no square underflows */
+                /* scaled to size 1, so that no square underflows */
                 const remus6_real unit = (size > 0.0) ? size : 1.0;
                 const remus6_real d = (b - a) / unit;
                 const remus6_real h = 2.0 * g / unit;
@@ -2076,7 +2152,7 @@ static void remus6_orthogonalise(remus6_inverse_work *restrict work)
     }
 }
 
-/* cholesky factor of the mass matrix, in place: K = G G^T. */
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
 REMUS6_CODE
 static remus6_status remus6_factor(remus6_inverse_work *restrict work)
 {
@@ -2099,7 +2175,7 @@ static remus6_status remus6_factor(remus6_inverse_work *restrict work)
     return REMUS6_OK;
 }
 
-/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
 REMUS6_CODE
 static remus6_status remus6_demand(const remus6_table *table, const remus6_state *x,
                                    const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
@@ -2141,10 +2217,10 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
         column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
             + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->I[i][s] = column[i];
+            work->I_[i][s] = column[i];
         }
     }
-    remus6_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    remus6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     remus6_real Z[6];  /* momentum screw (2) */
     remus6_external(table, &sum, V, g, F);
     remus6_momentum_screw(table, &sum, V, Z);
@@ -2173,7 +2249,7 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
     work->G[5][1] = table->G[7] + sum.mu[0];
     work->G[5][2] = table->G[8];  work->G[5][3] = sum.J[4];     work->G[5][4] = sum.J[5];
     work->G[5][5] = sum.J[2];
-    /* b = F - K V*: what the flywheels must give */
+    /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         work->b[i] = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
             - work->G[i][2] * V_r_dot[2] - work->G[i][3] * V_r_dot[3] - work->G[i][4] * V_r_dot[4]
@@ -2187,7 +2263,7 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
     for (int s = 0; s < REMUS6_N; ++s) {
         work->scale[s] = 1.0 / remus6_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * work->scale[s];
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
@@ -2207,7 +2283,7 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
     return REMUS6_OK;
 }
 
-/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 REMUS6_CODE
 static void remus6_solve_gram(remus6_real gram[restrict 6][6], remus6_real z[restrict 6], remus6_real least)
 {
@@ -2237,16 +2313,16 @@ static void remus6_solve_gram(remus6_real gram[restrict 6][6], remus6_real z[res
     }
 }
 
-/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
- * do, (12). */
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
 REMUS6_CODE
 static void remus6_allocate(const remus6_inverse_work *work, const remus6_inverse_options *options, int rank,
                             remus6_real phi_ddot[restrict REMUS6_N], int limited[restrict REMUS6_N])
 {
     remus6_real share[REMUS6_N];  /* 1/weight */
-    remus6_real give[REMUS6_N];  /* the share of flywheels that are free, 0 of those held */
-    remus6_real step[REMUS6_N];  /* what the free flywheels shall give more */
-    remus6_real row[6];  /* factor of each row; 0: it does not count */
+    remus6_real give[REMUS6_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    remus6_real step[REMUS6_N];  /* increment of the free flywheels */
+    remus6_real row[6];  /* factor of each row; 0: the row is left out */
     remus6_real gram[6][6];
     remus6_real z[6];
     /* until the end phi_ddot holds y = D phi'' */
@@ -2265,7 +2341,8 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
             most = (give[s] > most) ? give[s] : most;
         }
         const remus6_real regular = 1.0e-12 * most;
-        const remus6_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        /* lower bound that keeps the diagonal positive */
+        const remus6_real least = (most > 0.0) ? regular : 1.0;
         for (int i = 0; i < 6; ++i) {
             row[i] = 0.0;
             if (i < rank) {
@@ -2314,7 +2391,7 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
                 }
             }
         } else {
-            /* as long a step as all limits allow; the flywheel that stops it is held */
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
             remus6_real length = 1.0;
             int stopped = -1;
             for (int s = 0; s < REMUS6_N; ++s) {
@@ -2338,7 +2415,7 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
                     limited[s] = 1;
                 }
             }
-            /* after a whole step: free the held flywheel that would lower the residual most */
+            /* after a full step, release the held flywheel that would lower the residual most */
             if (stopped < 0) {
                 remus6_real left[6];
                 remus6_real wanted = 0.0;
@@ -2351,7 +2428,7 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
                         }
                     }
                 }
-                remus6_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                remus6_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
                 int freed = -1;
                 for (int s = 0; s < REMUS6_N; ++s) {
                     if (limited[s] > 0) {
@@ -2374,10 +2451,13 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
             }
         }
     }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
-        if (limited[s] > 0) {
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= REMUS6_LARGEST)) {
             phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
@@ -2405,7 +2485,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_RANGE; }
     }
     for (int s = 0; s < REMUS6_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
@@ -2422,7 +2502,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         wanted += work.r[i] * work.r[i];
     }
     remus6_orthogonalise(&work);
-    /* descending singular values, by exchanging neighbours */
+    /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
         for (int i = 0; i < 5; ++i) {
             if (work.sigma[i] < work.sigma[i + 1]) {
@@ -2479,7 +2559,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     for (int i = 0; i < 6; ++i) {
         out->residual[i] = work.b[i];
         for (int s = 0; s < REMUS6_N; ++s) {
-            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
@@ -2493,7 +2573,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     if (left > 1.0e-18 * wanted) {
         flags = flags | REMUS6_UNREACHABLE;
     }
-    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     remus6_real part[6];
     for (int i = 0; i < 6; ++i) {
         part[i] = (i < rank) ? 0.0 : work.r[i];
@@ -2513,7 +2593,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         square += part[i] * part[i];
     }
     const remus6_real length = remus6_sqrt(square);
-    remus6_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    remus6_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -2557,7 +2637,7 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
     if (status != REMUS6_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return REMUS6_RANGE; }
     }
     remus6_inverse_work work;
     remus6_real sine[REMUS6_N];
@@ -2583,12 +2663,12 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
         trace += gram[i][i];
         z[i] = work.r[i];
     }
-    const remus6_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    const remus6_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
     for (int i = 0; i < 6; ++i) {
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 6; ++j) {
-        const remus6_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
+        const remus6_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
@@ -2625,14 +2705,14 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
     return REMUS6_OK;
 }
 
-/* reading of one sensor. */
+/* Reading of an accelerometer and a gyro at one instrument or point. */
 REMUS6_CODE
 static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], const remus6_real V[6],
                          const remus6_real V_dot[6], const remus6_real C[9], const remus6_real g[3],
                          remus6_points_result *restrict out)
 {
     remus6_real velocity[3];  /* in E1 */
-    remus6_real force[3];  /* acceleration less gravity, in E1 */
+    remus6_real force[3];  /* acceleration minus gravity, in E1 */
     velocity[0] = sensor->origin[2] * V[4] + V[0] - sensor->origin[1] * V[5];
     velocity[1] = sensor->origin[0] * V[5] + V[1] - sensor->origin[2] * V[3];
     velocity[2] = sensor->origin[1] * V[3] + V[2] - sensor->origin[0] * V[4];
@@ -2677,7 +2757,7 @@ static void remus6_sense(const remus6_sensor *sensor, const remus6_real r[3], co
         + sensor->axes[8] * V_dot[5];
 }
 
-/* What an accelerometer and a gyro read at each instrument and point. */
+/* Readings of an accelerometer and a gyro at each instrument and point. */
 REMUS6_CODE
 remus6_status remus6_points(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             remus6_points_result out[REMUS6_SENSORS])
@@ -2884,7 +2964,7 @@ remus6_status remus6_generalized(const remus6_table *table, const remus6_state *
     return REMUS6_OK;
 }
 
-/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 REMUS6_CODE
 static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus6_real zero[3],
                                           remus6_real R[restrict 9])
@@ -2920,7 +3000,7 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
     return REMUS6_OK;
 }
 
-/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 REMUS6_CODE
 static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
                          const remus6_real O[3], const remus6_real R[9], remus6_real mu[restrict 3],
@@ -2963,7 +3043,7 @@ static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_rea
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
  * inertia. */
 REMUS6_CODE
 static remus6_status remus6_check_inertia(remus6_real mass, const remus6_real c[3], const remus6_real J[6])
@@ -2982,7 +3062,7 @@ static remus6_status remus6_check_inertia(remus6_real mass, const remus6_real c[
     const remus6_real P12 = -J[3] - b1 * c[1];
     const remus6_real P13 = -J[4] - b1 * c[2];
     const remus6_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
@@ -2998,7 +3078,7 @@ static remus6_status remus6_check_inertia(remus6_real mass, const remus6_real c[
     return REMUS6_OK;
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 REMUS6_CODE
 static remus6_status remus6_check_body(const remus6_body *body)
 {
@@ -3018,7 +3098,7 @@ static remus6_status remus6_check_body(const remus6_body *body)
     return remus6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 REMUS6_CODE
 static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
 {
@@ -3035,7 +3115,7 @@ static remus6_status remus6_check_dry_body(const remus6_dry_body *body)
     return remus6_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* origin and axes (at phi = 0) of a flywheel in E1. */
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, const remus6_flywheel *w,
                                            remus6_real O[restrict 3], remus6_real R[restrict 9])
@@ -3076,7 +3156,7 @@ static remus6_status remus6_place_flywheel(const remus6_parameters *parameters, 
     return REMUS6_OK;
 }
 
-/* origin and axes of a point in E1. */
+/* Origin and axes of a point in E1. */
 REMUS6_CODE
 static remus6_status remus6_place_point(const remus6_parameters *parameters, const remus6_point *w,
                                         remus6_real O[restrict 3], remus6_real R[restrict 9])
@@ -3117,7 +3197,7 @@ static remus6_status remus6_place_point(const remus6_parameters *parameters, con
     return REMUS6_OK;
 }
 
-/* is the added mass finite, symmetric to the bit and positive semidefinite? */
+/* Is the added mass finite, symmetric to the bit and positive semidefinite? */
 REMUS6_CODE
 static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
 {
@@ -3133,7 +3213,7 @@ static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
                 || added_mass[i][j] > added_mass[j][i]) { return REMUS6_NOT_POSITIVE_DEFINITE; }
         }
     }
-    /* rows of zeros, of what meets no fluid, are left out */
+    /* rows of zeros (directions without added mass) are left out */
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
             if ((added_mass[i][j] < 0.0 || added_mass[i][j] > 0.0)
@@ -3156,7 +3236,7 @@ static remus6_status remus6_check_added_mass(const remus6_real added_mass[6][6])
     return REMUS6_OK;
 }
 
-/* constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
+/* Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse, (2). */
 REMUS6_CODE
 static remus6_status remus6_translation_block(const remus6_parameters *parameters, remus6_real mass,
                                               remus6_real A[restrict 6], remus6_real A_inv[restrict 6])
@@ -3182,13 +3262,14 @@ static remus6_status remus6_translation_block(const remus6_parameters *parameter
     return REMUS6_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
 REMUS6_CODE
 static remus6_status remus6_check_parameters(const remus6_parameters *parameters)
 {
     remus6_status status;
     remus6_real mass;
-    remus6_real size;  /* moment of inertia that no product of the equations may overflow */
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    remus6_real size;
     remus6_real O[3];
     remus6_real R[9];
     status = remus6_check_body(&parameters->carrier);
@@ -3243,7 +3324,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
     if (parameters == NULL || table == NULL) { return REMUS6_BAD_ARGUMENT; }
     remus6_status status = remus6_check_parameters(parameters);
     if (status != REMUS6_OK) { return status; }
-    /* all is good: from here on the table is written and nothing can fail */
+    /* all checks passed: from here on the table is written and nothing can fail */
     remus6_real mass;
     remus6_real first_moment[3];
     remus6_real inertia[6];
@@ -3425,11 +3506,11 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
     return REMUS6_OK;
 }
 
-/* L^T of a twist, to mounting axes at Os. */
+/* L^T V: a twist carried to Os, in mounting axes. */
 REMUS6_CODE
 static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6], remus6_real U[restrict 6])
 {
-    remus6_real velocity[3];  /* of Os */
+    remus6_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
     velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
     velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
@@ -3441,7 +3522,7 @@ static void remus6_carry_twist(const remus6_mount *mount, const remus6_real V[6]
     U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
 }
 
-/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
 REMUS6_CODE
 static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6_real c, remus6_real phi_dot,
                                 remus6_real phi_ddot, const remus6_real V[6], const remus6_real V_dot[6],
@@ -3514,7 +3595,7 @@ static void remus6_mount_wrench(const remus6_mount *mount, remus6_real s, remus6
     W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
 }
 
-/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 REMUS6_CODE
 remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table *mounting,
                             const remus6_state *x, const remus6_real V_dot[6],
@@ -3562,7 +3643,7 @@ remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table 
     return REMUS6_OK;
 }
 
-/* Makes the second table that mounts needs. */
+/* Makes the second table, which the function mounts needs. */
 REMUS6_CODE
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting)
 {
@@ -3589,6 +3670,171 @@ remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_
     return REMUS6_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+REMUS6_CODE
+static void remus6_advance_carried(const remus6_state *x, const remus6_state *rate, remus6_real h,
+                                   remus6_step_carry *restrict carry, remus6_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const remus6_real step = h * rate->position[i] + carry->rounding[i];
+        const remus6_real sum = x->position[i] + step;
+        const remus6_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const remus6_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const remus6_real sum = x->attitude[i] + step;
+        const remus6_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const remus6_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const remus6_real sum = x->V[i] + step;
+        const remus6_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        const remus6_real start = remus6_wrapped(x->phi[i]);
+        const remus6_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const remus6_real sum = start + step;
+        const remus6_real sum_b = sum - start;
+        /* turns */
+        const remus6_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+        const remus6_real left = sum - k * 6.283185303211212;
+        const remus6_real within = left + -(k * 3.968374318722146e-9);
+        const remus6_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < REMUS6_N; ++i) {
+        const remus6_real step = h * rate->phi_dot[i] + carry->rounding[i + 19];
+        const remus6_real sum = x->phi_dot[i] + step;
+        const remus6_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 19] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+REMUS6_CODE
+static remus6_status remus6_finish_carried(remus6_state *restrict x, remus6_step_carry *restrict carry)
+{
+    remus6_status status;
+    const remus6_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return REMUS6_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const remus6_real excess = (1.0 - square) / (remus6_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const remus6_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const remus6_real sum = x->attitude[i] + step;
+        const remus6_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    return REMUS6_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+REMUS6_CODE
+remus6_status remus6_step_carried(const remus6_table *table, const remus6_state *x,
+                                  const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                  remus6_real dt, int order, remus6_step_carry *carry, remus6_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || carry == NULL
+        || next == NULL) { return REMUS6_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = remus6_none_locked; }
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(tau, REMUS6_N, REMUS6_MAX_WRENCH);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real given[1];
+    given[0] = dt;
+    status = remus6_within(given, 1, REMUS6_MAX_STEP);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
+    status = remus6_within(carry->rounding, 25, REMUS6_MAX_ROUNDING);
+    if (status != REMUS6_OK) { return status; }
+    remus6_state y;  /* state of a stage; then the new state */
+    remus6_state total;  /* sum of the rates at the stages */
+    status = remus6_stages(table, x, tau, locked, dt, order, &y, &total);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    remus6_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    remus6_step_carry kept;  /* the new carry */
+    kept = *carry;
+    remus6_advance_carried(x, &total, over, &kept, &y);
+    status = remus6_finish_carried(&y, &kept);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    *carry = kept;
+    *next = y;
+    const remus6_real most = (order == 2) ? REMUS6_MAX_TURN_2 : REMUS6_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return REMUS6_COARSE; }
+    return REMUS6_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+REMUS6_CODE
+remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6_state *x,
+                                         const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
+                                         remus6_step_carry *carry, remus6_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || next == NULL) { return REMUS6_BAD_ARGUMENT; }
+    remus6_status status = remus6_check_state(x);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(table->stream, 3, REMUS6_MAX_VELOCITY);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(phi_ddot, REMUS6_N, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
+    remus6_real given[1];
+    given[0] = dt;
+    status = remus6_within(given, 1, REMUS6_MAX_STEP);
+    if (status != REMUS6_OK) { return status; }
+    if (!(dt > 0.0)) { return REMUS6_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return REMUS6_BAD_ARGUMENT; }
+    status = remus6_within(carry->rounding, 25, REMUS6_MAX_ROUNDING);
+    if (status != REMUS6_OK) { return status; }
+    remus6_state y;  /* state of a stage; then the new state */
+    remus6_state total;  /* sum of the rates at the stages */
+    status = remus6_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
+    if (status != REMUS6_OK) { return status; }
+    const remus6_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    remus6_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < REMUS6_N; ++s) {
+        const remus6_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    remus6_step_carry kept;  /* the new carry */
+    kept = *carry;
+    remus6_advance_carried(x, &total, over, &kept, &y);
+    status = remus6_finish_carried(&y, &kept);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    *carry = kept;
+    *next = y;
+    const remus6_real most = (order == 2) ? REMUS6_MAX_TURN_2 : REMUS6_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return REMUS6_COARSE; }
+    return REMUS6_OK;
+}
+
 /* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
 REMUS6_CODE
 remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
@@ -3609,7 +3855,7 @@ remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const re
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    remus6_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    remus6_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
     own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];

@@ -350,12 +350,27 @@ static void bits_parameters(remus6_parameters *x)
     }
 }
 
+static void normal_step_carry(remus6_step_carry *x)
+{
+    reals(&x->rounding[0], 25, 1.0e-6);
+}
+
+static void any_step_carry(remus6_step_carry *x)
+{
+    reals(&x->rounding[0], 25, REMUS6_LARGEST);
+}
+
+static void bits_step_carry(remus6_step_carry *x)
+{
+    all_bits(&x->rounding[0], 25);
+}
+
 static void untouched_matrices_result(const remus6_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 36);
+    untouched(&x->I_[0][0], 36);
     untouched(&x->J[0][0], 36);
     untouched(&x->F[0], 6);
 }
@@ -365,7 +380,7 @@ static void written_matrices_result(const remus6_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 36);
+    written(&x->I_[0][0], 36);
     written(&x->J[0][0], 36);
     written(&x->F[0], 6);
 }
@@ -375,7 +390,7 @@ static void initialised_matrices_result(const remus6_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 36);
+    initialised(&x->I_[0][0], 36);
     initialised(&x->J[0][0], 36);
     initialised(&x->F[0], 6);
 }
@@ -920,6 +935,16 @@ static void initialised_mount_table(const remus6_mount_table *x)
     initialised(&x->flywheel[5].inertia[0], 6);
     initialised(&x->flywheel[5].origin[0], 3);
     initialised(&x->flywheel[5].axes[0], 9);
+}
+
+static void written_step_carry(const remus6_step_carry *x)
+{
+    written(&x->rounding[0], 25);
+}
+
+static void initialised_step_carry(const remus6_step_carry *x)
+{
+    initialised(&x->rounding[0], 25);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -2322,6 +2347,168 @@ void remus6_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void remus6_eva_normal_step_carried(void);
+void remus6_eva_normal_step_carried(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
+    remus6_state x;
+    normal_state(&x);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, 100.0);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, 0, 1);
+    remus6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    remus6_step_carry carry;
+    normal_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void remus6_eva_any_step_carried(void);
+void remus6_eva_any_step_carried(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    any_state(&x);
+    remus6_real tau[REMUS6_N];
+    reals(&tau[0], 6, REMUS6_LARGEST);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_step_carry carry;
+    any_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void remus6_eva_bits_step_carried(void);
+void remus6_eva_bits_step_carried(void)
+{
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
+    remus6_state x;
+    bits_state(&x);
+    remus6_real tau[REMUS6_N];
+    all_bits(&tau[0], 6);
+    int locked[REMUS6_N];
+    integers(&locked[0], 6, INT_MIN, INT_MAX);
+    remus6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_step_carry carry;
+    bits_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_carried(&table, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void remus6_eva_normal_step_driven_carried(void);
+void remus6_eva_normal_step_driven_carried(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, 10.0);
+    remus6_state x;
+    normal_state(&x);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, 1.0e4);
+    remus6_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    remus6_step_carry carry;
+    normal_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void remus6_eva_any_step_driven_carried(void);
+void remus6_eva_any_step_driven_carried(void)
+{
+    remus6_table table = remus6_default;
+    reals(&table.stream[0], 3, REMUS6_LARGEST);
+    remus6_state x;
+    any_state(&x);
+    remus6_real phi_ddot[REMUS6_N];
+    reals(&phi_ddot[0], 6, REMUS6_LARGEST);
+    remus6_real dt;
+    reals(&dt, 1, REMUS6_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_step_carry carry;
+    any_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void remus6_eva_bits_step_driven_carried(void);
+void remus6_eva_bits_step_driven_carried(void)
+{
+    remus6_table table = remus6_default;
+    all_bits(&table.stream[0], 3);
+    remus6_state x;
+    bits_state(&x);
+    remus6_real phi_ddot[REMUS6_N];
+    all_bits(&phi_ddot[0], 6);
+    remus6_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    remus6_step_carry carry;
+    bits_step_carry(&carry);
+    remus6_state next;
+    const remus6_status status = remus6_step_driven_carried(&table, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

@@ -13,12 +13,12 @@
 #define REMUS6_CODE
 #endif
 
-/* Header and recorder have the same real: else this array has no size. */
+/* Header and recorder use the same real type: otherwise this array has a negative size. */
 typedef char remus6_recorder_real[(sizeof(remus6_real) == 8) ? 1 : -1];
 
 typedef uint64_t remus6_record_word;  /* the bits of a real */
 
-/* Counts of bytes, and the first byte of a step's record. */
+/* Sizes in bytes, and the first byte of a step's record. */
 enum {
     REMUS6_RECORD_STEP = 0x53,
     REMUS6_RECORD_REAL_BYTES = 8,
@@ -30,7 +30,7 @@ enum {
 #define REMUS6_RECORD_BASIS 2166136261u
 #define REMUS6_RECORD_PRIME 16777619u
 
-/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+/* A record being written: the bytes that wait for write, and their hash so far. Without a log nothing is written. */
 typedef struct remus6_page {
     remus6_recorder *log;
     uint32_t check;
@@ -99,7 +99,7 @@ static void remus6_record_put_bytes(remus6_page *page, const unsigned char *byte
     }
 }
 
-/* The check, and out with what waits. */
+/* Appends the check and writes the waiting bytes. */
 REMUS6_CODE
 static void remus6_record_end(remus6_page *page)
 {
@@ -225,7 +225,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
     remus6_record_put_reals(&page, x->V, 6);
     remus6_record_put_reals(&page, x->phi, REMUS6_N);
     remus6_record_put_reals(&page, x->phi_dot, REMUS6_N);
-    if (check == REMUS6_RECORDER_TABLE) {
+    if (check == REMUS6_TABLE_HASH) {
         remus6_record_put(&page, 0, 4);
     } else {
         remus6_record_put(&page, REMUS6_RECORD_TABLE_BYTES, 4);
@@ -237,7 +237,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
     return REMUS6_OK;
 }
 
-/* Flags of what changed since the last step: members of the state, dt and order, stream. The log takes them as its last. */
+/* Flags of what changed since the last step: members of the state, dt and order, stream. The log remembers the new values. */
 REMUS6_CODE
 static unsigned remus6_notice_changes(remus6_recorder *log, const remus6_table *table, const remus6_state *x,
                                   remus6_real dt, int order)
@@ -321,15 +321,15 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
     remus6_page page;
     remus6_status status;
     unsigned flags = 0;
-    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL
         || log->write == NULL) { return REMUS6_BAD_ARGUMENT; }
     for (int s = 0; s < REMUS6_N; ++s) {
-        flags |= (locked[s] != 0) ? REMUS6_RECORD_LOCKS : 0u;
+        flags |= (locked != NULL && locked[s] != 0) ? REMUS6_RECORD_LOCKS : 0u;
     }
     flags |= remus6_notice_changes(log, table, x, dt, order);
     remus6_record_head(&page, log, x, flags);
     remus6_record_put_reals(&page, tau, REMUS6_N);
-    if (flags & REMUS6_RECORD_LOCKS) {
+    if ((flags & REMUS6_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
         for (int first = 0; first < REMUS6_N; first += REMUS6_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
             for (int s = first; s < REMUS6_N && s < first + REMUS6_RECORD_LOCKS_A_BYTE; ++s) {

@@ -1,19 +1,20 @@
 /* remus6_selftest.c: does remus6.c give the right bits on this machine?
+ * With -ffast-math or its parts it gives wrong results with status OK: this test fails.
  * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead.
  *
  * Compile it with remus6.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
  * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
- * REMUS6_SELFTEST_NO_MAIN and call remus6_selftest with what prints a text, such as to a serial port.
+ * REMUS6_SELFTEST_NO_MAIN and call remus6_selftest with a function that prints a text, such as to a serial port.
  * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
- * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
- * compared between machines. The log of a board is judged by `mahovik judge-log LOG STAND.toml`. It reads:
+ * Sweep: states drawn by an integer generator; one hash per function of all its answers is printed, to be
+ * compared between machines. The log of a board is judged by `mahovik judge-log STAND.toml --log LOG`. It reads:
  *
  *     mahovik selftest remus6 structure 3687deee physics 5f25aea2 real double
  *     generator mahovik 0.1.0
- *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *     forward PASS cases 4 worst 0 ulp      one line per function; FAIL gives the number of wrong cases
  *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
  *     sweep 100                          states
- *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
+ *     forward 0123abcd                   one line per function: FNV-1a hash of its statuses and outputs
  *     failures 0                         functions that failed; the last line
  *
  * No allocation. It keeps inputs and results in static memory: one caller at a time. */
@@ -40,13 +41,13 @@ int remus6_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 24, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 26, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
 /* ---- inputs and results ---- */
 
-/* What the functions take beside the stand's own constants. */
+/* Arguments of the functions, apart from the constants of the stand. */
 typedef struct inputs {
     remus6_state x;
     remus6_real phi_ddot[REMUS6_N];
@@ -67,7 +68,8 @@ typedef struct inputs {
     remus6_real position[3];
     remus6_real q_dot[6];
     remus6_real q_ddot[6];
-    remus6_real mass_factor;  /* of all masses and inertias of the parameters */
+    remus6_step_carry carry;
+    remus6_real mass_factor;  /* multiplies all masses and inertias of the parameters */
 } inputs;
 
 static inputs in;
@@ -98,19 +100,21 @@ static union {
     struct { remus6_table table; } prepare;
     struct { remus6_real mount_wrench[36]; } mounts;
     struct { remus6_mount_table mounting; } prepare_mounts;
+    struct { remus6_step_carry carry; remus6_state next; } step_carried;
+    struct { remus6_step_carry carry; remus6_state next; } step_driven_carried;
     struct { remus6_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
-enum { UNTOUCHED = 0x5a };  /* what every byte of the results holds before a call */
+enum { UNTOUCHED = 0x5a };  /* value of every byte of the results before a call */
 
-/* ---- taking results: their hash, and how far they are from what is expected ---- */
+/* ---- results: their hash, and their distance from the expected numbers ---- */
 
 typedef struct tally {
-    uint32_t hash;                /* FNV-1a of all bits taken so far, the lowest byte of a number first */
-    const remus6_real *expected;  /* next numbers that are expected, `left` of them */
+    uint32_t hash;                /* FNV-1a of all bits so far, the lowest byte of a number first */
+    const remus6_real *expected;  /* next expected numbers, `left` of them */
     int left;
-    int touched;                  /* results that were written in spite of a refusal */
+    int touched;                  /* results that were written although the call was refused */
     real_bits worst;              /* ulp */
 } tally;
 
@@ -138,7 +142,7 @@ static real_bits bits_of(remus6_real value)
     return both.word;
 }
 
-/* Numbers between two reals, by their bits: signed magnitudes laid on one line. */
+/* Count of representable numbers between two reals, from their bits. */
 static real_bits ulp_between(real_bits a, real_bits b)
 {
     const real_bits sign = (real_bits)1u << 63;
@@ -188,7 +192,7 @@ static void take_matrices_result(tally *sum, const remus6_matrices_result *value
         take_reals(sum, value->M[i], 6);
     }
     for (int i = 0; i < 6; ++i) {
-        take_reals(sum, value->I[i], REMUS6_N);
+        take_reals(sum, value->I_[i], REMUS6_N);
     }
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->J[i], REMUS6_N);
@@ -380,7 +384,12 @@ static void take_mount_table(tally *sum, const remus6_mount_table *value)
     }
 }
 
-/* ---- every function: called with the inputs; its results taken ---- */
+static void take_step_carry(tally *sum, const remus6_step_carry *value)
+{
+    take_reals(sum, value->rounding, 25);
+}
+
+/* ---- every function is called with the inputs, and its results are hashed and compared ---- */
 
 static remus6_status call_forward(void)
 {
@@ -711,6 +720,40 @@ static void take_prepare_mounts_results(tally *sum, remus6_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static remus6_status call_step_carried(void)
+{
+    results.step_carried.carry = in.carry;
+    return remus6_step_carried(&remus6_default, &in.x, in.tau, in.locked, in.dt, in.order,
+        &results.step_carried.carry, &results.step_carried.next);
+}
+
+static void take_step_carried_results(tally *sum, remus6_status status)
+{
+    take_step_carry(sum, &results.step_carried.carry);
+    if (status < 0) {
+        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
+        return;
+    }
+    take_state(sum, &results.step_carried.next);
+}
+
+static remus6_status call_step_driven_carried(void)
+{
+    results.step_driven_carried.carry = in.carry;
+    return remus6_step_driven_carried(&remus6_default, &in.x, in.phi_ddot, in.dt, in.order,
+        &results.step_driven_carried.carry, &results.step_driven_carried.next);
+}
+
+static void take_step_driven_carried_results(tally *sum, remus6_status status)
+{
+    take_step_carry(sum, &results.step_driven_carried.carry);
+    if (status < 0) {
+        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
+        return;
+    }
+    take_state(sum, &results.step_driven_carried.next);
+}
+
 static remus6_status call_center_of_mass_velocity(void)
 {
     return remus6_center_of_mass_velocity(&remus6_default, &in.x,
@@ -765,88 +808,109 @@ static const inputs golden[CASES] =
         .position = { -0x1.5944dp-2, 0x1.f3e8ep-2, 0x1.35894p-2 },
         .q_dot = { 0x1.d3fc6p-1, -0x1.23b5c4p+0, 0x1.cf1ac8p-1, 0x1.30188p-3, 0x1.942a08p-1, -0x1.92f53p-1 },
         .q_ddot = { 0x1.c0d28p+2, 0x1.9f33ep+2, 0x1.c06e04p+3, 0x1.6815p-1, -0x1.7e8e7p+1, 0x1.bc58ep+3 },
-        .mass_factor = 0x1.d4ebaap-1,
+        .carry = {
+            .rounding = { -0x1.58a2bp-25, 0x1.554cc8p-26, 0x1.55fcep-26, -0x1.9f3ap-31, 0x1.9b4488p-26,
+                0x1.0a9aap-28, -0x1.9c2068p-26, -0x1.9ed4ep-28, -0x1.085ab8p-26, 0x1.968a6p-26,
+                0x1.cdc694p-25, -0x1.0249c8p-25, -0x1.371e7p-26, -0x1.214c38p-25, 0x1.4171bp-27,
+                0x1.82ebap-27, 0x1.0b38ap-26, -0x1.055d68p-25, -0x1.8f2aap-27, -0x1.763e6p-28, -0x1.df9aep-25,
+                -0x1.f8caa4p-25, 0x1.3b88ccp-25, 0x1.8fd1ep-27, -0x1.0659ap-26 },
+        },
+        .mass_factor = 0x1.c9a77fp-1,
     },
     {   /* fast flywheels, large phases */
         .x = {
-            .position = { 0x1.554cc8p-1, 0x1.55fcep-1, -0x1.9f3ap-6 },
-            .attitude = { -0x1.78138b6971accp-1, -0x1.ffb66ba035ee3p-4, 0x1.6a768c3c26336p-4,
-                -0x1.5279ff30a3ac4p-1 },
-            .V = { 0x1.0a9aap-1, -0x1.9c2068p+1, -0x1.9ed4ep-1, -0x1.085ab8p+1, 0x1.968a6p+1, 0x1.cdc694p+2 },
-            .phi = { -0x1.0249c8p+22, -0x1.371e7p+21, -0x1.214c38p+22, 0x1.4171bp+20, 0x1.82ebap+20,
-                0x1.0b38ap+21 },
-            .phi_dot = { -0x1.055d68p+13, -0x1.8f2aap+11, -0x1.763e6p+10, -0x1.df9aep+13, -0x1.f8caa4p+13,
-                0x1.3b88ccp+13 },
+            .position = { -0x1.0c99cp-1, -0x1.5e586p+0, 0x1.d5b01p-1 },
+            .attitude = { 0x1.40325e37170c4p-5, 0x1.cddb5927e983ap-1, -0x1.189f32ee1fb47p-2,
+                -0x1.5315b2dfbba4bp-2 },
+            .V = { 0x1.499108p+2, -0x1.859fdp+2, 0x1.fdeeap+2, 0x1.1fb6fp+2, -0x1.2794p-5, 0x1.33ded8p+2 },
+            .phi = { -0x1.4256p+15, -0x1.923cb8p+22, -0x1.67826p+22, 0x1.512658p+21, -0x1.3b3c18p+21,
+                0x1.8eec5p+21 },
+            .phi_dot = { -0x1.bb3d38p+13, 0x1.a3f8a8p+13, 0x1.882d1p+11, 0x1.4d94ap+11, -0x1.c47ac4p+13,
+                0x1.1746e8p+13 },
         },
-        .phi_ddot = { 0x1.8fd1ep+6, -0x1.0659ap+7, -0x1.b2c408p+8, -0x1.0c99cp+7, -0x1.5e586p+8,
-            0x1.d5b01p+7 },
-        .V_dot = { -0x1.6b39ap+5, 0x1.499108p+5, -0x1.859fdp+5, 0x1.fdeeap+5, 0x1.1fb6fp+5, -0x1.2794p-2 },
-        .tau = { 0x1.33ded8p+0, -0x1.4256p-7, -0x1.923cb8p+0, -0x1.67826p+0, 0x1.512658p-1, -0x1.3b3c18p-1 },
-        .locked = { 0, 1, 0, 0, 0, 1 },
+        .phi_ddot = { 0x1.037d6p+7, 0x1.a1c0ecp+8, -0x1.cf6e3p+8, 0x1.56ea88p+8, 0x1.f688fp+7,
+            -0x1.0f622p+8 },
+        .V_dot = { 0x1.a26cfp+4, 0x1.df44a8p+5, 0x1.670cp+0, -0x1.23708p+1, 0x1.598328p+4, -0x1.466428p+4 },
+        .tau = { -0x1.3db6a8p+0, -0x1.3d4554p+0, -0x1.07562p-1, 0x1.a063e4p+0, -0x1.bdbb3p+0, 0x1.d98bf4p+0 },
+        .locked = { 0, 0, 0, 0, 1, 1 },
         .dt = 0x1p-14,
         .order = 2,
-        .phi = 0x1.037d6p+21,
-        .count = 15181,
-        .per_turn = 4095,
-        .zero = 0x1.56ea88p-1,
-        .moved = 193,
+        .phi = 0x1.70ed48p+21,
+        .count = 776494,
+        .per_turn = 4052,
+        .zero = -0x1.28b67p-1,
+        .moved = -213,
         .encoder = {
-            .counter = -1819,
-            .place = 1720,
-            .moved = 153,
+            .counter = -10237,
+            .place = 1974,
+            .moved = 262,
         },
-        .counter = -26408,
+        .counter = 19962,
         .bits = 16,
-        .angles = { 0x1.598328p-2, -0x1.466428p-2, -0x1.3db6a8p-1 },
-        .position = { -0x1.3d4554p+0, -0x1.07562p-1, 0x1.a063e4p+0 },
-        .q_dot = { -0x1.bdbb3p+0, 0x1.d98bf4p+0, 0x1.3c586p-2, -0x1.ed3ccp-1, 0x1.297088p-1, 0x1.c53fp-4 },
-        .q_ddot = { -0x1.d0ae24p+3, -0x1.70a96cp+3, -0x1.49e8p-1, 0x1.70ed48p+2, -0x1.52138p-2,
-            0x1.26f56p+3 },
-        .mass_factor = 0x1.dae932p-1,
+        .angles = { 0x1.63ddcp-4, 0x1.e05b2p-4, -0x1.68bbep-2 },
+        .position = { -0x1.cbd33cp+0, -0x1.c483b8p+0, -0x1.ed35p-5 },
+        .q_dot = { -0x1.bdd86p+0, 0x1.f8f3ep-2, -0x1.ca174p-3, 0x1.bc5528p-1, 0x1.67f6p-4, 0x1.7f7ed8p-1 },
+        .q_ddot = { 0x1.1db6ap+3, -0x1.046708p+3, 0x1.7c0718p+3, -0x1.8e30bp+3, 0x1.c57048p+2,
+            -0x1.b7cac8p+2 },
+        .carry = {
+            .rounding = { -0x1.74596p-25, 0x1.a5f084p-25, 0x1.107154p-25, 0x1.9703bp-27, -0x1.0a47f8p-26,
+                -0x1.3b6cap-27, -0x1.997158p-25, 0x1.caa508p-25, 0x1.64ac8p-29, 0x1.49a318p-26, 0x1.c85dp-28,
+                0x1.c55c48p-26, 0x1.ebfa1p-25, -0x1.afa2dp-27, -0x1.3dbc3cp-25, 0x1.e6041p-25, 0x1.efbb3cp-25,
+                -0x1.fcd4p-27, -0x1.05219cp-25, -0x1.1937p-30, -0x1.0b842cp-25, 0x1.7eee2p-27,
+                -0x1.093c78p-25, -0x1.8ed23cp-25, -0x1.027accp-25 },
+        },
+        .mass_factor = 0x1.1313078p+0,
     },
     {   /* out of range */
         .x = {
-            .position = { -0x1.7a5978p+39, 0x1.8ab58p+38, 0x1.b0decp+36 },
-            .attitude = { -0x1.a64a207452298p-1, 0x1.368f6b1ecd55fp-2, -0x1.d84f72e982f2bp-1,
-                -0x1.8aab9821cf9d3p+0 },
-            .V = { 0x1.a35e68p-1, -0x1.16ceep-3, 0x1.63ddcp-3, 0x1.e05b2p-3, -0x1.68bbep-1, -0x1.cbd33cp+0 },
-            .phi = { -0x1.c483b8p+43, -0x1.ed35p+38, -0x1.bdd86p+43, 0x1.f8f3ep+41, -0x1.ca174p+40,
-                0x1.bc5528p+42 },
-            .phi_dot = { 0x1.67f6p+3, 0x1.7f7ed8p+6, 0x1.1db6ap+7, -0x1.046708p+7, 0x1.7c0718p+7,
-                -0x1.8e30bp+7 },
+            .position = { 0x1.f09e08p+39, -0x1.f2802p+40, -0x1.31426p+37 },
+            .attitude = { -0x1.805ca6359016fp+0, 0x1.2c532da016609p-3, -0x1.a975d5f81fb37p-1,
+                -0x1.04481679acfe6p+0 },
+            .V = { 0x1.5360e8p-1, -0x1.bc3c4p+0, 0x1.4b5d2p+0, -0x1.e1ea1p-1, 0x1.43f77p-2, -0x1.7eaadp+0 },
+            .phi = { 0x1.9d9098p+42, 0x1.2190ap+43, 0x1.881898p+43, 0x1.f82364p+43, -0x1.f67078p+42,
+                0x1.ef22p+41 },
+            .phi_dot = { 0x1.9d4d4p+3, -0x1.125cp+7, -0x1.02414p+4, 0x1.bf9368p+7, 0x1.82c238p+7,
+                0x1.7c810cp+7 },
         },
-        .phi_ddot = { 0x1.c57048p+7, -0x1.b7cac8p+7, -0x1.74596p+8, 0x1.a5f084p+8, 0x1.107154p+8,
-            0x1.9703bp+6 },
-        .V_dot = { -0x1.0a47f8p+2, -0x1.3b6cap+1, -0x1.997158p+3, 0x1.caa508p+3, 0x1.64ac8p-1,
-            0x1.49a318p+2 },
-        .tau = { 0x1.c85dp-3, 0x1.c55c48p-1, 0x1.ebfa1p+0, -0x1.afa2dp-2, -0x1.3dbc3cp+0, 0x1.e6041p+0 },
-        .locked = { 0, 0, 1, 0, 1, 0 },
+        .phi_ddot = { -0x1.0c3e8p+8, -0x1.482048p+8, 0x1.504548p+8, -0x1.247d8cp+8, 0x1.c8244p+5,
+            0x1.a2090cp+8 },
+        .V_dot = { 0x1.e1a7c8p+2, -0x1.e5e79p+2, -0x1.db3bp+0, -0x1.378368p+3, -0x1.c1742cp+3,
+            -0x1.e7c7ep+0 },
+        .tau = { -0x1.4df71p-1, 0x1.1b7a98p+0, -0x1.67b038p-1, 0x1.ad1878p+0, -0x1.1e24f4p+0, 0x1.81a498p+0 },
+        .locked = { 0, 0, 0, 1, 0, 1 },
         .dt = 0x0p+0,
         .order = 2,
-        .phi = -0x1.8ed23cp+43,
-        .count = -963156,
+        .phi = -0x1.92b278p+43,
+        .count = -174072,
         .per_turn = 0,
-        .zero = 0x1.f09e08p+38,
-        .moved = -395,
+        .zero = 0x1.29377p+37,
+        .moved = -308,
         .encoder = {
-            .counter = 28157,
-            .place = 3128,
-            .moved = -210,
+            .counter = -1430,
+            .place = 2707,
+            .moved = -10,
         },
-        .counter = 28810,
+        .counter = -30267,
         .bits = 16,
-        .angles = { -0x1.e1ea1p+38, 0x1.43f77p+37, -0x1.7eaadp+39 },
-        .position = { 0x1.9d9098p+39, 0x1.2190ap+40, 0x1.881898p+40 },
-        .q_dot = { 0x1.f82364p+0, -0x1.f67078p-1, 0x1.ef22p-2, 0x1.9d4d4p-4, -0x1.125cp+0, -0x1.02414p-3 },
-        .q_ddot = { 0x1.bf9368p+3, 0x1.82c238p+3, 0x1.7c810cp+3, -0x1.0c3e8p+3, -0x1.482048p+3,
-            0x1.504548p+3 },
-        .mass_factor = -0x1.db704e8p-1,
+        .angles = { -0x1.ec054p+35, -0x1.74a658p+39, -0x1.8b2564p+39 },
+        .position = { 0x1.c553b4p+40, 0x1.ce86e8p+40, -0x1.2c24fp+39 },
+        .q_dot = { 0x1.c63afp+0, 0x1.9ff9b8p+0, -0x1.12f4p-2, 0x1.69a1c8p-1, -0x1.62c19p-2, 0x1.852fp-1 },
+        .q_ddot = { 0x1.8344dp+1, -0x1.7420b4p+3, 0x1.2adb4p+3, -0x1.e9f6ccp+3, 0x1.2b6874p+3,
+            0x1.2b38a8p+2 },
+        .carry = {
+            .rounding = { 0x1.f96c5p-26, 0x1.0100d8p-25, -0x1.a83864p-25, -0x1.d00b7p-25, -0x1.f6d9a8p-26,
+                0x1.41229cp-25, -0x1.6e7b7p-26, -0x1.8f755p-26, 0x1.f1e5fp-25, 0x1.661b5p-26, 0x1.cc741p-25,
+                -0x1.782598p-25, 0x1.30eddp-26, -0x1.1eb5b4p-25, -0x1.40e19cp-25, -0x1.e0cfc8p-26,
+                0x1.8f7858p-25, -0x1.f2c714p-25, -0x1.f53a1p-26, 0x1.3b55cp-29, 0x1.bb9c28p-25,
+                0x1.ea3264p-25, -0x1.1e9248p-26, 0x1.8d7fc8p-26, 0x1.f0fd5p-27 },
+        },
+        .mass_factor = -0x1.144e058p+0,
     },
 };
 
 typedef struct answer {
     int status;
-    uint32_t hash;  /* of the status and all outputs */
+    uint32_t hash;  /* hash of the status and all outputs */
     int listed;     /* outputs whose numbers are given, at most 32 */
 } answer;
 
@@ -854,16 +918,16 @@ static const remus6_real numbers_forward[] =
 {
     0x1.c909c8b922322p+0, -0x1.2683c46877af1p+6, -0x1.2bb77d5c0069dp+2, -0x1.81500d0b80d0ep+7,
         -0x1.5b73d4b5b0f7fp-1, -0x1.40699ec6bf47ap+5,
-    0x1.9a9282126b2c1p+6, 0x1.ce2a3551057b6p+6, -0x1.13c66a74f821bp+8, 0x1.59cfcb978fb39p+8,
-        -0x1.7c32045ac9de7p+10, -0x1.0135d7412f933p+5,
+    0x1.d30728ab1e99dp+9, 0x1.da14760ee3eccp+9, -0x1.bd934b429b04ep+9, -0x1.4e0564eb947b5p+13,
+        0x1.6d2b4345ffc55p+11, 0x1.f29bff1e42c81p+8,
 };
 
 static const remus6_real numbers_wrench[] =
 {
     -0x1.0d3be3db8aedap+3, -0x1.2781a9e277dabp+12, -0x1.bfc1ff764b094p+6, -0x1.032e290981da7p+2,
         -0x1.185c0b14043e3p+6, -0x1.33289b8bd508dp+6,
-    -0x1.407f0f2b113c4p+1, 0x1.a966b4d95a768p+13, 0x1.23d0352a83f8fp+6, 0x1.4a102032153c8p-3,
-        -0x1.da34ec4bd3e57p+10, -0x1.2fca68802789fp+12,
+    -0x1.376e74ca65969p+5, 0x1.7b68e1266468p+15, -0x1.03b7ca9b6197cp+13, -0x1.065dfad7bc4eep+2,
+        0x1.8d80a1a1be799p+7, -0x1.012bcc74727ep+11,
 };
 
 static const remus6_real numbers_matrices[] =
@@ -874,12 +938,12 @@ static const remus6_real numbers_matrices[] =
         -0x1.31f6456b1a65cp-1, -0x1.5c999b52447ecp-11, 0x1.fab033c920266p-3, 0x1.8a8c07a072ccbp-14,
         0x1.1b1d319638fa9p-13, 0x1.31f6456b1a65cp-1, 0x0p+0, 0x1.ee143310c6fe4p+0, 0x1.8a8c07a072ccbp-14,
         0x1.0a9144f0c3be1p+3, 0x1.2cb567136080bp-15, 0x1.5c999b52447ecp-11, -0x1.ee143310c6fe4p+0,
-    0x1.f68f5c28f5c29p+4, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.31e5adfea05aap-1, 0x1.7f407ec40fe18p-12, 0x0p+0,
-        0x1.07eb851eb851fp+6, 0x0p+0, -0x1.31e5adfea05aap-1, 0x0p+0, -0x1.ee0cdbe117a25p+0, 0x0p+0, 0x0p+0,
-        0x1.07eb851eb851fp+6, -0x1.7f407ec40fe18p-12, 0x1.ee0cdbe117a25p+0, 0x0p+0, 0x0p+0,
-        -0x1.31e5adfea05aap-1, -0x1.7f407ec40fe18p-12, 0x1.faaa3b5dd09e9p-3, 0x1.a81d00cbcca4dp-14,
-        -0x1.31b4dfce53d2dp-14, 0x1.31e5adfea05aap-1, 0x0p+0, 0x1.ee0cdbe117a25p+0, 0x1.a81d00cbcca4dp-14,
-        0x1.0a8f885c42b34p+3, 0x1.c18b2a4894a34p-17, 0x1.7f407ec40fe18p-12, -0x1.ee0cdbe117a25p+0,
+    0x1.f68f5c28f5c29p+4, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.31cbf3e30aa7cp-1, 0x1.2b43a1b128d19p-11, 0x0p+0,
+        0x1.07eb851eb851fp+6, 0x0p+0, -0x1.31cbf3e30aa7cp-1, 0x0p+0, -0x1.ee03fc3abec29p+0, 0x0p+0, 0x0p+0,
+        0x1.07eb851eb851fp+6, -0x1.2b43a1b128d19p-11, 0x1.ee03fc3abec29p+0, 0x0p+0, 0x0p+0,
+        -0x1.31cbf3e30aa7cp-1, -0x1.2b43a1b128d19p-11, 0x1.faac8fa807ccp-3, 0x1.2d05d87c269f8p-14,
+        0x1.b78bbb9a26f52p-13, 0x1.31cbf3e30aa7cp-1, 0x0p+0, 0x1.ee03fc3abec29p+0, 0x1.2d05d87c269f8p-14,
+        0x1.0a9092f725a1dp+3, 0x1.adb712bacde2bp-15, 0x1.2b43a1b128d19p-11, -0x1.ee03fc3abec29p+0,
 };
 
 static const remus6_real numbers_momentum[] =
@@ -888,18 +952,18 @@ static const remus6_real numbers_momentum[] =
         0x1.fd2b5b101fac2p+2, 0x1.a5a9063063bb5p+1, 0x1.774b13663af54p+5, 0x1.758fd5cff6309p+4,
         0x1.10616ed7b2b78p+7, 0x1.a5fac55614549p+7, 0x1.927252d7020a4p+6, -0x1.461cdf76ba24ep+6,
         0x1.8fe4b2a58d2b4p+7, 0x1.2d9542b730807p-23, -0x1.6dfbf9be84622p-16, 0x1.41384e4168fbfp-6,
-    0x1.e577fe8d2eb34p+3, -0x1.cacdec248ce44p+7, -0x1.89d1e8e294471p+5, 0x1.77e124a6033d8p-2,
-        0x1.7f76a0c4677b6p+4, 0x1.fd66adc00130ep+5, 0x1.c79a589c6e783p+7, 0x1.ddc2df1a45deap+2,
-        -0x1.cd9fc57adf041p+5, -0x1.df06480f6eca4p+5, 0x1.02c7631478cd9p+4, -0x1.5328921abadccp+6,
-        0x1.940be5474b624p+15, 0x1.00096e73c52dp-18, -0x1.925d3e894dd13p-17, 0x1.4126e3049ae99p-6,
+    0x1.4f4820b3f3188p+7, -0x1.9ee718b4bb866p+8, 0x1.075a02ece4b22p+9, 0x1.e1b7e911c5182p+1,
+        0x1.1bde64ef82f72p+4, 0x1.ad5fbbce8e1d2p+5, -0x1.9daaede8228ep+4, 0x1.428b56e315ee2p+8,
+        -0x1.315a415ca7b71p+9, 0x1.f4bab46d6d3acp+8, -0x1.631fe06984bd2p+8, -0x1.e80d8f6c3f45p+7,
+        0x1.b22fa60f3eb2p+15, 0x1.1513a9927a735p-17, -0x1.3a3028bf5e978p-16, 0x1.410be0781b5p-6,
 };
 
 static const remus6_real numbers_torque[] =
 {
     -0x1.1665f6604fc6ep-10, -0x1.2620a30d45a4bp-4, 0x1.24d34aba9a5dap-5, -0x1.7051763f7f778p-5,
         0x1.a009b9e8a601ap-5, -0x1.9912b305fbc79p-6,
-    0x1.220abb6c0d7cdp-6, -0x1.aa34c672e84dap-7, -0x1.a393f47c83ffp-5, -0x1.9dd86eed31d41p-6,
-        -0x1.74aa354b458b3p-5, 0x1.1e72ffc81792p-5,
+    0x1.d0d0b58e6dfd4p-7, 0x1.470132dc16ccbp-4, -0x1.d9cb9b8fdd1b6p-5, 0x1.f553ac2017d05p-5,
+        0x1.66ccb96e7abdcp-5, -0x1.5dd49446bb9e8p-5,
 };
 
 static const remus6_real numbers_coupled[] =
@@ -907,9 +971,9 @@ static const remus6_real numbers_coupled[] =
     0x1.d678bba07e73bp+0, -0x1.26c8ef13b211fp+6, -0x1.2b2b5e5914186p+2, -0x1.8a1b2256a489bp+7,
         -0x1.2e83a7841005ap-1, -0x1.406fc0ee1aa1ap+5, 0x0p+0, -0x1.67d24fc4abbd6p+12, 0x0p+0,
         -0x1.14b308c8647b6p+12, 0x1.65f654262a4e6p+12, 0x1.1f9bb187cc471p+11,
-    0x1.9a8e691844c8fp+6, 0x1.ce2e6341a35edp+6, -0x1.13c6a283f0edap+8, 0x1.5739c97b90cbdp+8,
-        -0x1.7c3da8ee135c7p+10, -0x1.fcee29fb11c88p+4, 0x1.284d887a3f605p+13, 0x0p+0, -0x1.3cac148930bbdp+13,
-        -0x1.34a58bb6dc86ap+13, 0x1.0ad80dec0e3a4p+12, 0x0p+0,
+    0x1.d305d6feeb054p+9, 0x1.da14ad2cfb99ap+9, -0x1.bd97a0b468834p+9, -0x1.4e0690eb1fbacp+13,
+        0x1.6d3d088f39a35p+11, 0x1.f295fe2e045e5p+8, -0x1.5b19a6d369508p+13, -0x1.8c6845d74b09p+13,
+        -0x1.a2581a97e3a1dp+12, 0x1.2f8010d7ad386p+13, 0x0p+0, 0x0p+0,
 };
 
 static const remus6_real numbers_step[] =
@@ -921,13 +985,12 @@ static const remus6_real numbers_step[] =
         -0x1.9bd0b5fa53528p-1, -0x1.ebcd00861a031p+0, -0x1.3a2e6bc3c542bp+0, -0x1.c61c58p+7,
         -0x1.41e747f3aeba3p+4, -0x1.c4d59p+7, 0x1.d712cf729eaa2p+7, 0x1.4042622fa3082p+3,
         0x1.2a470aa359213p+6,
-    0x1.556691dfd96a9p-1, 0x1.5600635225579p-1, -0x1.a010d9bb5469dp-6, -0x1.7802996439528p-1,
-        -0x1.ff2f7b77d8fe6p-4, 0x1.6a754abf1d0a5p-4, -0x1.529006ec2da7ap-1, 0x1.f2e32df28e148p-2,
-        -0x1.9dbee9c83b8fbp+1, -0x1.ae00001f519f5p-1, -0x1.df58235c53e97p+0, 0x1.8b2e13c165492p+1,
-        0x1.cc3dea38007ecp+2, -0x1.74e2f7f71fae8p-4, -0x1.44c02e94555b4p-5, -0x1.4edab2f4270fcp+0,
-        -0x1.227a750ea5b38p+0, -0x1.aa5e22d0c9ed4p+0, 0x1.24fa37ff8d005p+1, -0x1.05586bd43ca68p+13,
-        -0x1.8f2aap+11, -0x1.7664007dd6fdep+10, -0x1.df9f3ce6753ebp+13, -0x1.f8c9adf43f318p+13,
-        0x1.3b88ccp+13,
+    -0x1.0c9039389b246p-1, -0x1.5e4b1b2d86e25p+0, 0x1.d55a96c9ecf95p-1, 0x1.3fa8dcd1f169ap-5,
+        0x1.cdd6c74155d11p-1, -0x1.18cd0cfa464c1p-2, -0x1.530aaa1d72478p-2, 0x1.50a0b93b00a7cp+2,
+        -0x1.82b8ee3e3ba39p+2, 0x1.faff374bb3524p+2, 0x1.05693aa725b78p+2, 0x1.c730d87fb555ap-4,
+        0x1.36376da588cb6p+2, 0x1.cfebb11e8b9b6p+0, -0x1.29667eb196db5p+1, -0x1.4e062d8d43e14p+1,
+        -0x1.2f2c6939b4d18p-6, -0x1.13fbfe1929fa8p+1, -0x1.85b6fd6f200ep-2, -0x1.bb42731f7e4dp+13,
+        0x1.a3f23a578add2p+13, 0x1.881e42b4cc326p+11, 0x1.4da4dca562b2bp+11, -0x1.c47ac4p+13, 0x1.1746e8p+13,
 };
 
 static const remus6_real numbers_step_driven[] =
@@ -938,31 +1001,30 @@ static const remus6_real numbers_step_driven[] =
         0x1.a992db09b751p-1, -0x1.0bcb7abf9d9eep-3, 0x1.48e41a1d93f9fp+1, -0x1.256c5253707p+1,
         -0x1.9bcfb4ea38f3ep-1, -0x1.ebcda9574113ep+0, -0x1.3a2eb99cf9f9fp+0, -0x1.c61d220a4p+7,
         -0x1.3cc5160cp+4, -0x1.c4cf16e0ep+7, 0x1.d79355d84p+7, 0x1.35b56a86p+3, 0x1.29ab5bf58p+6,
-    0x1.556691dfebf2ep-1, 0x1.560063523243fp-1, -0x1.a010d9ba724b5p-6, -0x1.7802996395cedp-1,
-        -0x1.ff2f7beba6053p-4, 0x1.6a754a46653d9p-4, -0x1.529006ec2cd4bp-1, 0x1.f2e3fea1e2f4ep-2,
-        -0x1.9dbede736ab08p+1, -0x1.adffe518af67p-1, -0x1.df5350254f7f9p+0, 0x1.8b2e679bdeb51p+1,
-        0x1.cc3d8e37323a6p+2, -0x1.74f54ad56b528p-4, -0x1.44c0b1c1255b4p-5, -0x1.4ed983de32c69p+0,
-        -0x1.2279449b80fcap+0, -0x1.aa5eb32f93e35p+0, 0x1.24fa3baaed205p+1, -0x1.055d5b8171p+13,
-        -0x1.8f2ae19668p+11, -0x1.764012c408p+10, -0x1.df9af0c99cp+13, -0x1.f8cacfcb0cp+13,
-        0x1.3b88e95b01p+13,
+    -0x1.0c903938d31d7p-1, -0x1.5e4b1b2d873f6p+0, 0x1.d55a96c967143p-1, 0x1.3fa8dcae899aep-5,
+        0x1.cdd6c73fdbc33p-1, -0x1.18cd0cfbbc6d6p-2, -0x1.530aaa24cddeep-2, 0x1.50a0af62d7b7ap+2,
+        -0x1.82b8ef517e6b5p+2, 0x1.faff54e3d601fp+2, 0x1.0569393b247a6p+2, 0x1.c70e441b1d7bcp-4,
+        0x1.3637696cd99f9p+2, 0x1.cfed104627eecp+0, -0x1.2965b1f6703fbp+1, -0x1.4e05cc34f5fb4p+1,
+        -0x1.2f759b68dabdp-6, -0x1.13fbfa2c181a8p+1, -0x1.85b71f5b640ep-2, -0x1.bb3d27c82ap+13,
+        0x1.a3f8dc381d8p+13, 0x1.882c2848e8p+11, 0x1.4d954b7544p+11, -0x1.c47aa49771p+13, 0x1.1746c613bcp+13,
 };
 
 static const remus6_real numbers_wrap[] =
 {
     -0x1.87dc0f9990e92p+1,
-    0x1.71ac48d807bcap-3,
+    -0x1.a9ea3d19013a9p-1,
 };
 
 static const remus6_real numbers_phase_of_counts[] =
 {
     0x1.44ea670a66a78p+1,
-    -0x1.d73968ed94cd6p+0,
+    -0x1.279f66c7ce19p+1,
 };
 
 static const remus6_real numbers_speed_of_counts[] =
 {
     -0x1.2df624deb7b68p+6,
-    0x1.2f3cdb762dc2dp+12,
+    -0x1.5236779ab50a2p+12,
 };
 
 static const remus6_real numbers_accumulate[] =
@@ -980,14 +1042,14 @@ static const remus6_real numbers_forward_jacobian[] =
         -0x1.c3fabc7eadc17p-7, -0x1.0d8021fa8104cp+1, -0x1.468aa75befde2p-5, 0x1.05616574b3be4p-1,
         0x1.f2111f9ed1f6cp+1, -0x1.04ebea78e1e91p-4, 0x1.08c5c63f6055cp+3, 0x1.9c075f8f16fabp-1,
         -0x1.cb68e82af209fp+4, 0x1.c12fb5d7a927bp+0, -0x1.f53abe52232dep+2, -0x1.a1de3fccf5b59p+4,
-    0x1.9b64f62ece242p-9, 0x1.e55d3713c3507p+3, -0x1.af9fe44939e4dp+2, -0x1.0c7902e191969p-2,
-        0x1.0b951f0b4ce81p+2, -0x1.f67a48edf0d7dp+2, -0x1.75e24e47f2fd7p+1, -0x1.07863ae36e8e4p+7,
-        -0x1.085c8c3dfd465p+1, -0x1.c05fe19c32e57p-1, -0x1.991236b2ed25p-8, -0x1.3ea4fa444bbecp+2,
-        0x1.9987c7fb2d04ap+0, 0x1.0a432e4c87ccp+1, -0x1.aa10cace2c7e3p+1, 0x1.aa5350a7af067p+1,
-        0x1.1828407d00ae6p+2, -0x1.e452eb4a93c74p-7, 0x1.4bf5b40609c1cp+3, -0x1.3e36c0905982dp+8,
-        -0x1.b11526e85849ep-8, -0x1.a3ba4b1d45a5ap+0, 0x1.ccb396eff4e4ap+2, -0x1.f1c3f8c2470f1p+3,
-        -0x1.7fb19e2904032p+1, -0x1.23ca817019554p-1, 0x1.e740c227a174p+1, 0x1.a49d31a93ab2dp+2,
-        -0x1.20fbf2fe9b74bp+7, -0x1.8ff261e22fc12p+0, 0x1.cb6d2558eedb4p+3, -0x1.1930cf0ddd134p+5,
+    -0x1.2a8bdf86ddd82p+0, 0x1.43a2739e37aa8p+3, -0x1.2e9451eca1afap-1, -0x1.7bdeca248a96ap-3,
+        -0x1.0cb4ebd31c304p+4, -0x1.b46da79d0bb3fp+3, -0x1.7494041a88822p+0, -0x1.f34d21d85081p+7,
+        0x1.1fa9cb3202be9p+2, 0x1.fd972cd3d5f81p+2, -0x1.7bcf9bdbffae2p-4, -0x1.6dc0c20e7f48cp+2,
+        -0x1.fc7a6045dc3aap-1, -0x1.1f583f2145677p+2, -0x1.0550d9d81adf3p+5, 0x1.8d04a9de2ca46p+2,
+        0x1.51c535b21bcf6p+1, -0x1.fbe5b9d1d479p-7, 0x1.021a9263c6e72p+3, -0x1.2d4fb64a5e945p+9,
+        -0x1.66496e704146cp-4, -0x1.2587d28bc479ap+2, -0x1.5ac57cfdd7c8cp+2, -0x1.838660aba8cp-8,
+        0x1.0af7968f43b34p+5, -0x1.80e063755ec51p-2, 0x1.18861bd39b007p+5, 0x1.3c69ac0935e72p+2,
+        -0x1.4b8f1a47fc91ep-2, 0x1.41a17d7d65f4ap+2, 0x1.a0a9ee06be8f4p+4, -0x1.4f5922ac42a2dp+6,
 };
 
 static const remus6_real numbers_coupled_jacobian[] =
@@ -1000,14 +1062,14 @@ static const remus6_real numbers_coupled_jacobian[] =
         -0x1.b4d0e2d5772ccp-7, -0x1.0dc5a7fd59495p+1, -0x1.447113bd2de06p-5, 0x1.fedd2bb757658p-2,
         0x1.f215642693ed8p+1, -0x1.04dbe2e295fa6p-4, 0x1.08c6e62cd512bp+3, 0x1.9c0a02186cba7p-1,
         -0x1.cb6bfc913f6c5p+4, 0x1.c13b6cdf01abdp+0, -0x1.f5409a8901924p+2, -0x1.a1fa531b0523ep+4,
-    0x1.9d73f19b7b296p-9, 0x1.e562ee2e96c6p+3, -0x1.afa0700f77dbdp+2, -0x1.0c75c4df8f15fp-2,
-        0x1.0b8c6c12e1ac1p+2, -0x1.f683b9fdc03d4p+2, -0x1.75dc67132bb6ap+1, -0x1.078820a5cc884p+7,
-        -0x1.085cf294c571ap+1, -0x1.c062b87f79a8ap-1, -0x1.9914adb9031fp-8, -0x1.3eb5db029dc59p+2,
-        0x1.998963ab15991p+0, 0x1.0a27719a973b1p+1, -0x1.aa11447f8854dp+1, 0x1.aa52c374cc6b8p+1,
-        0x1.182e8b0528689p+2, -0x1.e34bac00d18dp-7, 0x1.4c3bac2c00e38p+3, -0x1.3e76096969023p+8,
-        -0x1.0f372e01126d7p-7, -0x1.a40a61bbba0acp+0, 0x1.cd550067753dep+2, -0x1.f2a73f4baca7fp+3,
-        -0x1.7fb29a7e2af7bp+1, -0x1.23f35002fa245p-1, 0x1.e743bdeebfdc8p+1, 0x1.a49fc3f9a7057p+2,
-        -0x1.20fdf33391858p+7, -0x1.900b607e5608p+0, 0x1.cb730aa315e31p+3, -0x1.193e0c597223p+5,
+    -0x1.2a799995c7367p+0, 0x1.4395bb9cfe20fp+3, -0x1.2ea3f8c587935p-1, -0x1.7bdc5ebe2a4dbp-3,
+        -0x1.0cb64d7d6af04p+4, -0x1.b479ed6a9131dp+3, -0x1.748fe1fe60b7p+0, -0x1.f34d4bec7ba8fp+7,
+        0x1.1fa9f6772d78dp+2, 0x1.fd9733c83d706p+2, -0x1.7bf32c8a89f76p-4, -0x1.6dc4edec74e34p+2,
+        -0x1.fc88d19fc43dp-1, -0x1.1f57566dafa7ep+2, -0x1.0551251213969p+5, 0x1.8d04703332affp+2,
+        0x1.51c4d10d9af4ep+1, -0x1.fb8974211a5bp-7, 0x1.0215af6bfc389p+3, -0x1.2d4fa65af94adp+9,
+        -0x1.6952664c542b5p-4, -0x1.2588f50f4659ap+2, -0x1.5ac66a558ae75p+2, -0x1.75523ec4bf4p-8,
+        0x1.0afadd015e138p+5, -0x1.815b680a4d856p-2, 0x1.188a3894f768ep+5, 0x1.3c6d32d4605bcp+2,
+        -0x1.4b92796c9e58bp-2, 0x1.41a0a347adf1p+2, 0x1.a0ae1ea96d95ap+4, -0x1.4f5e1eedff4e7p+6,
 };
 
 static const remus6_real numbers_inverse[] =
@@ -1017,19 +1079,19 @@ static const remus6_real numbers_inverse[] =
         0x1p-37, 0x1.f5089e134331bp-6, 0x1.0f4d9066313fep-7, 0x1.c109ee5e1e8cp-8, 0x1.5491a0ecf1e2cp-9,
         0x1.8c928f6b316b7p-10, 0x1.655947a50128p-13, 0x0p+0, 0x1.01c10c2f66506p+1, 0x1.10ff889ddf18cp+2,
         0x1.64bb644cc5c3ap+2, -0x1.7c4550f90fc1ep-5, -0x1.7c68d88805aafp-1, -0x1.f485ea701dac5p-2,
-    0x1.fc915acfe275ep+22, -0x1.439585d220bd3p+27, 0x1.aa5912b050e88p+26, -0x1.0a30291c88dc6p+27,
-        -0x1.0ebf7535f46b2p+25, 0x1.5b4442ac2789dp+25, -0x1.cp-39, 0x1.cp-37, -0x1.4cp-38, 0x0p+0, 0x1.8p-42,
-        0x1.36p-36, 0x1.f929a3e50bbcp-6, 0x1.c682dc4c253c6p-8, 0x1.af26db6ab6a41p-8, 0x1.428332ec936a9p-8,
-        0x1.15344359cc6dcp-9, 0x1.c470773f9e533p-11, 0x0p+0, 0x1.8f3bb233e3902p-2, -0x1.50b6d0bbb0c1dp+1,
-        0x1.e4665694c439dp+2, 0x1.998e42582ba7p-9, 0x1.ef3225d7568b9p-2, 0x1.98ac5ecf3acafp-2,
+    0x1.bf8941db1bb9cp+26, -0x1.edd658d6662bdp+28, 0x1.ef72b60d2d60bp+29, -0x1.7585a906c9a07p+28,
+        0x1.1b39b382b15b5p+29, -0x1.6346670db16a9p+29, -0x1p-34, 0x1.4p-34, 0x1p-34, 0x1p-34, 0x1.cp-35,
+        -0x1p-35, 0x1.f4f82acb2368p-6, 0x1.fabf5202886f5p-8, 0x1.ba7776e3daf4ep-8, 0x1.0a294e0dbd82fp-8,
+        0x1.25fdecbbfced5p-11, 0x1.1f543f9351f74p-12, 0x0p+0, -0x1.ad8130c27602fp-2, 0x1.8f77ae1075d2ep+2,
+        0x1.468d8d0dbc7e7p+2, -0x1.86fbe38d023a4p-4, 0x1.29c6bdc99d0e4p-2, -0x1.e5522ffefe6b2p-3,
 };
 
 static const remus6_real numbers_inverse_fast[] =
 {
     0x1.138725b4df9ep+27, -0x1.988d4e59d3601p+26, -0x1.5a44480b73a01p+25, -0x1.b1c1a27decfe4p+21,
         -0x1.acb0014130569p+25, 0x1.e82cfd61d5848p+25,
-    0x1.fc915acfe2738p+22, -0x1.439585d220bd4p+27, 0x1.aa5912b050e88p+26, -0x1.0a30291c88dc8p+27,
-        -0x1.0ebf7535f46b7p+25, 0x1.5b4442ac27891p+25,
+    0x1.bf8941db1bd2ap+26, -0x1.edd658d666282p+28, 0x1.ef72b60d2d585p+29, -0x1.7585a906c98edp+28,
+        0x1.1b39b382b1599p+29, -0x1.6346670db1695p+29,
 };
 
 static const remus6_real numbers_points[] =
@@ -1042,20 +1104,20 @@ static const remus6_real numbers_points[] =
         0x1.5edc1055a43e5p+1, 0x1.eac5dp+2, 0x1.998f234cc752ap+3, -0x1.8a6555577e9a7p-1, 0x1.6026f4648e787p+0,
         0x1.40e20ea31e0e8p-7, -0x1.63e0ba9aa6dfcp-2, 0x1.912b11fecedaep-1, -0x1.07b720737a69bp-1,
         -0x1.6b9cae0a9fcf9p-1, 0x1.1c1c20f7c4e6cp-3,
-    0x1.70943f0c67a95p-1, 0x1.1ed8450be13b1p+0, 0x1.01c9d2421326ap-3, 0x1.d5cfb11576b3bp-4,
-        -0x1.fc8f19db617edp-1, 0x1.fbd6c4148d19cp-7, 0x1.c3d0ed862c0d3p-1, 0x1.83f1c78dd1f9p-4,
-        -0x1.d7d318fb3c15bp-2, 0x1.d326876cfdacp-2, 0x1.107dbec7770f5p-4, 0x1.c6577cb5a5ebfp-1,
-        0x1.1bf6dcfd2da4ep-3, 0x1.0e92afffffffdp-2, -0x1.32964271bf48ap+1, -0x1.8fdc61df241eap-1,
-        0x1.968a6p+1, 0x1.ddb66dc90def4p+2, -0x1.1779f4317d9d2p+6, 0x1.3773dc310ceecp+5,
-        -0x1.09f9df6cba481p+6, 0x1.f5c8bc6a0a257p+5, 0x1.1fb6fp+5, -0x1.6b4aa8235991bp+3,
-        0x1.5d3a5ef2d2d83p-1, 0x1.a37dd9191dbdcp-1, -0x1.3c8d9089a18e6p-7, 0x1.c3a69092b57ap-4,
-        -0x1.fc8f19db617edp-1, 0x1.2031d683d46dcp-5, 0x1.e5eaf286b04e3p-1, 0x1.83f1c78dd1f9p-4,
+    -0x1.d34643324b5f6p-3, -0x1.9dfece0eedd6bp+0, 0x1.44268a30a1b86p-1, 0x1.06e3bccfeb5eap-1,
+        -0x1.dfc543388119dp-2, -0x1.70164c08d3603p-1, -0x1.f8f5294583464p-2, -0x1.b188597040842p-1,
+        0x1.98dc3084e596fp-3, -0x1.6790d23f9a838p-1, 0x1.020eee92a12a6p-2, -0x1.54e495c765322p-1,
+        0x1.9d473781247b2p+2, -0x1.e9727947ae148p+1, 0x1.be0d54d1d015fp+2, 0x1.50ce01eaba77dp+2, -0x1.2794p-5,
+        0x1.fa76d8d5919p+1, 0x1.716d251cf76ep+5, 0x1.245223d85f7e8p+5, -0x1.ac38c323ccfa8p+4,
+        -0x1.723702fda7b12p+2, 0x1.598328p+4, -0x1.3b1b4bf66df74p+4, -0x1.a558b2bc13e86p-2,
+        -0x1.732d4cbab86ccp+0, 0x1.b5656a3486c76p-1, 0x1.42d03900db045p-1, -0x1.dfc543388119dp-2,
+        -0x1.3cd840126d1e9p-1, -0x1.0a647f06392eep-1, -0x1.b188597040842p-1,
 };
 
 static const remus6_real numbers_quaternion[] =
 {
     0x1.d1c580c9de08fp-1, 0x1.987cd3fe2cc46p-5, -0x1.a458e2ae68224p-2, -0x1.3651b35238a8ap-5,
-    0x1.deb4a2fc0adb9p-1, -0x1.16501d07af652p-2, -0x1.98c207bb7a262p-3, 0x1.c2f86acd35134p-4,
+    0x1.f68238403821p-1, -0x1.6b0c56560d266p-3, 0x1.99f99ad082726p-5, 0x1.b1b175e9eda29p-5,
 };
 
 static const remus6_real numbers_state_from_coordinates[] =
@@ -1067,18 +1129,18 @@ static const remus6_real numbers_state_from_coordinates[] =
         -0x1.c61c58p+7, -0x1.3c48p+4, -0x1.c4d59p+7, 0x1.d79d24p+7, 0x1.3513p+3, 0x1.29b748p+6,
         0x1.cc99e9fb28c4bp+3, 0x1.0d711e9dd585ep+3, 0x1.009af4639ee5cp+2, 0x1.ca8f77507078ap+3,
         -0x1.6688b27a5f158p+1, 0x1.b7b5b24f19a08p+0,
-    -0x1.3d4554p+0, -0x1.07562p-1, 0x1.a063e4p+0, 0x1.deb4a2fc0adb9p-1, -0x1.16501d07af652p-2,
-        -0x1.98c207bb7a262p-3, 0x1.c2f86acd35134p-4, -0x1.c38482257bfe6p-1, 0x1.87d7f36d6c1e1p+0,
-        0x1.d9fe1c5f935cdp+0, -0x1.87a4aeb7a8674p-3, 0x1.012c02e975ce9p+0, -0x1.a03c331a53dd4p-2,
-        -0x1.0249c8p+22, -0x1.371e7p+21, -0x1.214c38p+22, 0x1.4171bp+20, 0x1.82ebap+20, 0x1.0b38ap+21,
-        -0x1.055d68p+13, -0x1.8f2aap+11, -0x1.763e6p+10, -0x1.df9aep+13, -0x1.f8caa4p+13, 0x1.3b88ccp+13,
-        -0x1.35173faa47cc7p+4, -0x1.0f6b43bbbc303p+3, -0x1.3599e7b299206p-3, 0x1.71c551fb7d96ep+3,
-        -0x1.b283b803c5073p+1, 0x1.007f1b83b045ep+2,
-    -0x1.7a5978p+39, 0x1.8ab58p+38, 0x1.b0decp+36, -0x1.a64a207452298p-1, 0x1.368f6b1ecd55fp-2,
-        -0x1.d84f72e982f2bp-1, -0x1.8aab9821cf9d3p+0, 0x1.a35e68p-1, -0x1.16ceep-3, 0x1.63ddcp-3,
-        0x1.e05b2p-3, -0x1.68bbep-1, -0x1.cbd33cp+0, -0x1.c483b8p+43, -0x1.ed35p+38, -0x1.bdd86p+43,
-        0x1.f8f3ep+41, -0x1.ca174p+40, 0x1.bc5528p+42, 0x1.67f6p+3, 0x1.7f7ed8p+6, 0x1.1db6ap+7,
-        -0x1.046708p+7, 0x1.7c0718p+7, -0x1.8e30bp+7,
+    -0x1.cbd33cp+0, -0x1.c483b8p+0, -0x1.ed35p-5, 0x1.f68238403821p-1, -0x1.6b0c56560d266p-3,
+        0x1.99f99ad082726p-5, 0x1.b1b175e9eda29p-5, -0x1.a788ba24b2dbap+0, 0x1.7eebf59c02b64p-1,
+        -0x1.61ada365e592fp-3, 0x1.4b81893df23fep-1, -0x1.b81b472340288p-3, 0x1.adb4bfb1c8e5dp-1,
+        -0x1.4256p+15, -0x1.923cb8p+22, -0x1.67826p+22, 0x1.512658p+21, -0x1.3b3c18p+21, 0x1.8eec5p+21,
+        -0x1.bb3d38p+13, 0x1.a3f8a8p+13, 0x1.882d1p+11, 0x1.4d94ap+11, -0x1.c47ac4p+13, 0x1.1746e8p+13,
+        0x1.d5589bdab9efap+2, -0x1.6eb4d101b0039p+3, 0x1.18d5938b09e72p+3, -0x1.5f756315ed956p+2,
+        0x1.71752d8d6d63ap+3, -0x1.200f6d0c3c38ep+3,
+    0x1.f09e08p+39, -0x1.f2802p+40, -0x1.31426p+37, -0x1.805ca6359016fp+0, 0x1.2c532da016609p-3,
+        -0x1.a975d5f81fb37p-1, -0x1.04481679acfe6p+0, 0x1.5360e8p-1, -0x1.bc3c4p+0, 0x1.4b5d2p+0,
+        -0x1.e1ea1p-1, 0x1.43f77p-2, -0x1.7eaadp+0, 0x1.9d9098p+42, 0x1.2190ap+43, 0x1.881898p+43,
+        0x1.f82364p+43, -0x1.f67078p+42, 0x1.ef22p+41, 0x1.9d4d4p+3, -0x1.125cp+7, -0x1.02414p+4,
+        0x1.bf9368p+7, 0x1.82c238p+7, 0x1.7c810cp+7,
 };
 
 static const remus6_real numbers_generalized[] =
@@ -1088,26 +1150,26 @@ static const remus6_real numbers_generalized[] =
         -0x1.80540954e8e0ep-1, -0x1.e870fe184e90ap-5, 0x1.50e740352e2f7p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
         0x0p+0, 0x0p+0, 0x1.7c75b6483a306p-1, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.f2fd639430ecfp-4,
         0x1.f771d1d15770ap-1, 0x0p+0, 0x0p+0, 0x0p+0,
-    0x1.cacb962289016p-1, 0x1.41eb2b256d86dp-2, 0x1.40e47ef55edbap-2, 0x0p+0, 0x0p+0, 0x0p+0,
-        -0x1.8ee76dd1332acp-4, 0x1.a7f1c0d6279bp-1, -0x1.1ab7899d7445p-1, 0x0p+0, 0x0p+0, 0x0p+0,
-        -0x1.bb76382558441p-2, 0x1.db6cdc380755p-2, 0x1.8b90c93cf4e25p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x1.40e47ef55edbap-2, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.1ab7899d74451p-1,
-        0x1.a08bfade08706p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.fa90b6b00d9e4p-1, 0x1.60fa3641888e5p-4, -0x1.df41714e6bf9p-4, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.f2546260ad78cp-4, 0x1.dcf3865d167ebp-1, -0x1.5ee457e8a4b06p-2, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.457e8f1c83dd7p-4, 0x1.69be856db65dap-2, 0x1.dd41b0a4ef505p-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, -0x1.df41714e6bf8ep-4, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.5ee457e8a4b04p-2,
+        0x1.e08eb43e33601p-1, 0x0p+0, 0x0p+0, 0x0p+0,
 };
 
 static const remus6_real numbers_prepare[] =
 {
-    0x1.bea5970b851ebp+4, 0x1.257532b15bedp-5, -0x1.1b29d9db2fp-15, -0x1.67eee396ba05p-12,
-        0x1.1832d87b6a4ccp-1, 0x1.dc329ee016db4p-3, 0x1.0145afc8526e2p+3, 0x1.0145ad36e9d06p+3,
-        0x1.e82056bec29fap-14, 0x1.52eb9498b38ap-14, 0x1.90ad2aa47c144p-16, 0x1.cd86deb999999p+4,
-        0x1.fb52cb85c28f6p+5, 0x1.fb52cb85c28f6p+5, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.1bff19c294dbep-5,
-        0x1.025c1ed928c81p-6, 0x1.025c1ed928c81p-6, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.b3ea6b870a3d7p+4, 0x1.2cae96ba589cfp-5, -0x1.145c35e3d08p-15, -0x1.5f491097af11p-12,
+        0x1.117770e517bd2p-1, 0x1.d4387d55562bcp-3, 0x1.fdaf8f969d5f7p+2, 0x1.fdaf8a9363204p+2,
+        0x1.dc660afb41142p-14, 0x1.4ac6ffdd32cep-14, 0x1.870cbe9f20fb5p-16, 0x1.c2cbb3351eb85p+4,
+        0x1.f5f535c3851ecp+5, 0x1.f5f535c3851ecp+5, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.22c1c9d68985cp-5,
+        0x1.051f1c4d2de26p-6, 0x1.051f1c4d2de26p-6, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
         0x0p+0, 0x1.ee147ae147ae1p+0, 0x0p+0, -0x1.ee147ae147ae1p+0, 0x0p+0,
-    0x1.c45a474e147aep+4, 0x1.21c1987c37ff9p-5, -0x1.1ec7e48f2b8p-15, -0x1.6c87fe796b8dp-12,
-        0x1.1bc730fa1d29p-1, 0x1.e0706f6ae3ed6p-3, 0x1.02905bb9fc2bep+3, 0x1.029059202d9a6p+3,
-        0x1.ee5cadf5bc9f3p-14, 0x1.573ff74bc3a8p-14, 0x1.95cb841df443ap-16, 0x1.d33b8efc28f5cp+4,
-        0x1.fe2d23a70a3d7p+5, 0x1.fe2d23a70a3d7p+5, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.1887414fd10c8p-5,
-        0x1.00ea43c8fea58p-6, 0x1.00ea43c8fea58p-6, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.0602201a8f5c2p+5, 0x1.f4424afd4a08ep-6, -0x1.4c36cda3db8p-15, -0x1.a648360b82aep-12,
+        0x1.48bc51fdc7a4bp-1, 0x1.0adb07f11830dp-2, 0x1.12c9882d93661p+3, 0x1.12c9852a49d6ap+3,
+        0x1.1e57356eaededp-13, 0x1.8da11453dbb2p-14, 0x1.d615424081cb4p-16, 0x1.0d72c3f199999p+5,
+        0x1.1101100d47ae1p+6, 0x1.1101100d47ae1p+6, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.e672212a13b0ep-6,
+        0x1.e01c236ed643bp-7, 0x1.e01c236ed643bp-7, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
         0x0p+0, 0x1.ee147ae147ae1p+0, 0x0p+0, -0x1.ee147ae147ae1p+0, 0x0p+0,
     0x1.e7ae147ae147bp+4, 0x1.0cc43310cc433p-5, -0x1.352d72b245p-15, -0x1.88ffff9054b2p-12,
         0x1.31f0b69c17004p-1, 0x1.fab337d996f7p-3, 0x1.0a8fb3411c04p+3, 0x1.0a8fb0734e185p+3,
@@ -1127,39 +1189,77 @@ static const remus6_real numbers_mounts[] =
         0x1.fc26f6f6186e4p+2, -0x1.7051763f7f77bp-5, 0x1.1b50e4d428e8bp-4, 0x1.06970375e3a8ap-5,
         0x1.1ec80ad0b00b8p+1, 0x1.2a845a33d2001p+1, 0x1.66da543dee276p-2, 0x1.a009b9e8a6017p-5,
         -0x1.01cc3bc07764p-12, 0x1.a078b30ebdacep-11, 0x1.fabbd4fba9014p+0, 0x1.ac58ca0cb28d7p+1,
-    -0x1.35091b659da82p+3, -0x1.8f7a3eda8acdcp+13, -0x1.6473a96e7d2a1p+12, 0x1.220abb6c0d7dfp-6,
-        0x1.44ebcfc3cb774p+5, 0x1.a43ed2c13a314p+4, 0x1.4768f686cf4ebp+4, -0x1.0685da9e85bd9p+11,
-        -0x1.47300e4c8348ap+8, -0x1.aa34c672e84d8p-7, 0x1.e662955dbe432p+1, -0x1.57237765c9d5cp+2,
-        -0x1.590738c2c8ef7p+3, -0x1.079c00491d432p+7, 0x1.93bf4a684168p+8, -0x1.a393f47c83ff1p-5,
-        -0x1.49f71fe8902a4p+0, -0x1.b02405b28fdfp-4, 0x1.23ecef54ae529p+4, -0x1.6f0c22f38dcebp+15,
-        -0x1.78243f2860224p+11, -0x1.9dd86eed3200bp-6, 0x1.1cf7668f90bbcp+2, -0x1.81e02f848e35ap+3,
-        0x1.4d863dc29623ap+2, -0x1.3d11bfa64c55dp+15, 0x1.0027fe6843ff6p+15, -0x1.74aa354b458f2p-5,
-        -0x1.6b2ce1a8290c8p+6, -0x1.4f895fdf4c7e2p+4, 0x1.0a21c799b16c2p+1, 0x1.d58775a708139p+10,
+    0x1.7193b0b4b166dp+4, 0x1.191cc3a9493cp+15, -0x1.18f2d964524d5p+14, 0x1.d0d0b58e6e549p-7,
+        -0x1.d43cf1ad858dep+6, 0x1.00b468afb8226p+6, 0x1.41be145bee285p+5, 0x1.28586c7e3e88bp+15,
+        -0x1.7e14ec6494d14p+6, 0x1.470132dc16c25p-4, -0x1.5bf5a1630aba2p+6, 0x1.b9bb4223095b4p+5,
+        0x1.1030fa641ce39p+1, 0x1.bd0379137cccap+10, 0x1.31ed6524349a1p+9, -0x1.d9cb9b8fdd35bp-5,
+        -0x1.b34ce705425edp+1, 0x1.1c05efc1bb639p+2, -0x1.202cf85ac1421p+3, -0x1.66b41d0d2b827p+10,
+        -0x1.899b754a59e66p+6, 0x1.f553ac2017d4ep-5, 0x1.bfd67bdf80848p+0, 0x1.2b15363d53b1p-1,
+        0x1.1d7c01662166dp+5, -0x1.80989c0d3b07bp+13, 0x1.38cf8bd173f62p+15, 0x1.66ccb96e7a938p-5,
+        -0x1.17533abaa9bd5p+6, 0x1.b9781d950696ep+3, 0x1.0ff6d861fd8c8p+2, -0x1.0e2112e8c8793p+13,
 };
 
 static const remus6_real numbers_prepare_mounts[] =
 {
-    0x1.d4ebaap-3, 0x0p+0, 0x1.8023c504816fp-13, 0x0p+0, 0x1.201ad3c361134p-13, 0x1.4684cddd6e04cp-14,
-        0x1.59b9caea747d8p-14, -0x1.456cd424fb242p-75, -0x1.2704f16be8866p-21, 0x0p+0, 0x1.c28f5c28f5c29p-3,
+    0x1.c9a77fp-3, 0x0p+0, 0x1.76e90f27bb2ffp-13, 0x0p+0, 0x1.192ecb5dcc63fp-13, 0x1.3eac8014f8b59p-14,
+        0x1.516b5a708ede6p-14, -0x1.3d9b4064c0ca4p-75, -0x1.1fee61a7bac49p-21, 0x0p+0, 0x1.c28f5c28f5c29p-3,
         0x1.1eb851eb851ecp-5, 0x1.47ae147ae147bp-6, 0x0p+0, 0x0p+0, 0x1p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1p+0, 0x0p+0, 0x1.d4ebaap-3, 0x0p+0, 0x1.9358c21187e7cp-13, 0x0p+0, 0x1.201ad3c361134p-13,
-        0x1.4684cddd6e04cp-14, 0x1.520aff4ba51ap-14, -0x1.ebb2e7b3d8dfep-23, -0x1.a9d2dd91bf12p-22, 0x0p+0,
-    0x1.dae932p-3, 0x0p+0, 0x1.850c09d495183p-13, 0x0p+0, 0x1.23c9075f6fd22p-13, 0x1.4ab0a1f4b1ee3p-14,
-        0x1.5e246f3f52fc3p-14, -0x1.4995149e91f6ep-75, -0x1.2ac9c1eaf17bp-21, 0x0p+0, 0x1.c28f5c28f5c29p-3,
+        0x1p+0, 0x0p+0, 0x1.c9a77fp-3, 0x0p+0, 0x1.89a7e9835158cp-13, 0x0p+0, 0x1.192ecb5dcc63fp-13,
+        0x1.3eac8014f8b59p-14, 0x1.49ebcfe586013p-14, -0x1.dfe2a2c237477p-23, -0x1.9f97c57df30c4p-22, 0x0p+0,
+    0x1.1313078p-2, 0x0p+0, 0x1.c2ae89a027526p-13, 0x0p+0, 0x1.5202e7381d7dbp-13, 0x1.7f145b61bb06p-14,
+        0x1.959d157689ca2p-14, -0x1.7dcbe2150009ep-75, -0x1.5a1fa516a55dfp-21, 0x0p+0, 0x1.c28f5c28f5c29p-3,
         0x1.1eb851eb851ecp-5, 0x1.47ae147ae147bp-6, 0x0p+0, 0x0p+0, 0x1p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1p+0, 0x0p+0, 0x1.dae932p-3, 0x0p+0, 0x1.987fd71f36263p-13, 0x0p+0, 0x1.23c9075f6fd22p-13,
-        0x1.4ab0a1f4b1ee3p-14, 0x1.565c8387df5cfp-14, -0x1.f1faeddce7ccep-23, -0x1.af437487a02d3p-22, 0x0p+0,
+        0x1p+0, 0x0p+0, 0x1.1313078p-2, 0x0p+0, 0x1.d93743b4f6167p-13, 0x0p+0, 0x1.5202e7381d7dbp-13,
+        0x1.7f145b61bb06p-14, 0x1.8c9997d49d7bap-14, -0x1.206fb43d89ce3p-22, -0x1.f3961e7a5e62dp-22, 0x0p+0,
+};
+
+static const remus6_real numbers_step_carried[] =
+{
+    -0x1.7ap-60, -0x1.bd5ap-54, -0x1.18p-58, 0x1.ff13698p-55, -0x1.25723ap-59, 0x1.0417fcp-56, 0x1.8facp-63,
+        -0x1.527p-54, -0x1p-57, -0x1.ed8p-55, -0x1.ap-56, -0x1.1d4p-56, -0x1.1p-56, -0x1p-56, -0x1.558p-53,
+        0x0p+0, 0x1p-59, 0x1.468p-54, 0x1.9p-56, 0x1p-47, -0x1.ap-50, -0x1p-47, 0x1.68p-47, 0x1.8p-51,
+        -0x1.4p-53, -0x1.779a1c8c26818p-1, 0x1.80b85a8c25976p+0, -0x1.10f694af4b603p-4, 0x1.23d5bacbe58aep-1,
+        -0x1.2f86ec8a955bbp-5, -0x1.fa5efcae30f91p-2, -0x1.4f6e34d2d730dp-1,
+    0x1.62p-55, -0x1.05p-54, 0x1.e2p-56, 0x1.bd422a4p-59, 0x1.889881p-56, -0x1.1dbcbap-59, -0x1.10d814p-59,
+        -0x1.cp-52, 0x1p-54, -0x1.1p-52, -0x1p-54, 0x0p+0, -0x1.5p-53, -0x1p-53, 0x1.9676733ae8fe4p-54,
+        0x1.cp-53, 0x0p+0, 0x1p-52, 0x0p+0, -0x1.966p-41, -0x1.1fap-42, 0x1.b88p-43, -0x1.8ap-45, 0x1.c4p-41,
+        0x1.34p-41, -0x1.0c903aacf4846p-1, -0x1.5e4b1a5a8ea05p+0, 0x1.d55a97da5e4d5p-1, 0x1.3fa8e3145d2ccp-5,
+        0x1.cdd6c69727bcfp-1, -0x1.18cd0d81776fep-2, -0x1.530aad35240b4p-2,
+    0x1.f96c5p-26, 0x1.0100d8p-25, -0x1.a83864p-25, -0x1.d00b7p-25, -0x1.f6d9a8p-26, 0x1.41229cp-25,
+        -0x1.6e7b7p-26, -0x1.8f755p-26, 0x1.f1e5fp-25, 0x1.661b5p-26, 0x1.cc741p-25, -0x1.782598p-25,
+        0x1.30eddp-26, -0x1.1eb5b4p-25, -0x1.40e19cp-25, -0x1.e0cfc8p-26, 0x1.8f7858p-25, -0x1.f2c714p-25,
+        -0x1.f53a1p-26, 0x1.3b55cp-29, 0x1.bb9c28p-25, 0x1.ea3264p-25, -0x1.1e9248p-26, 0x1.8d7fc8p-26,
+        0x1.f0fd5p-27,
+};
+
+static const remus6_real numbers_step_driven_carried[] =
+{
+    0x1.1f4p-58, -0x1.3a2ap-54, -0x1.6p-58, -0x1.f04be7p-56, 0x1.8c7cba8p-59, 0x1.f94108p-57, -0x1.293d18p-58,
+        0x1.724p-55, -0x1.7p-55, -0x1.d28p-55, -0x1p-53, 0x1.918p-58, 0x1.ap-56, -0x1p-56, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x1p-47, 0x0p+0, -0x1p-47, -0x1p-47, 0x0p+0, 0x0p+0, -0x1.779a1c8af174cp-1,
+        0x1.80b85a8c793fep+0, -0x1.10f694aec3da7p-4, 0x1.23d5baccde40ep-1, -0x1.2f86eb5161faep-5,
+        -0x1.fa5efcdd137e6p-2, -0x1.4f6e34c1686b4p-1,
+    -0x1.88p-58, -0x1.c3p-56, 0x1.5ap-55, 0x1.1c04d1p-59, -0x1.f22ed5p-56, 0x1.2e63b3p-58, 0x1.efd13d8p-57,
+        0x1.cp-52, -0x1.bp-53, 0x1.fp-53, -0x1.cp-52, 0x0p+0, 0x1.8p-56, 0x0p+0, 0x1.cb3b399d747f2p-53,
+        0x0p+0, 0x0p+0, 0x1p-52, 0x0p+0, -0x1.b8p-41, -0x1.6p-44, -0x1.ep-43, -0x1.ep-43, 0x1.c4p-41,
+        0x1.34p-41, -0x1.0c903aad2c7d7p-1, -0x1.5e4b1a5a8efd6p+0, 0x1.d55a97d9d8683p-1, 0x1.3fa8e2f0f55ep-5,
+        0x1.cdd6c695adaf1p-1, -0x1.18cd0d82ed912p-2, -0x1.530aad3c7fa2ap-2,
+    0x1.f96c5p-26, 0x1.0100d8p-25, -0x1.a83864p-25, -0x1.d00b7p-25, -0x1.f6d9a8p-26, 0x1.41229cp-25,
+        -0x1.6e7b7p-26, -0x1.8f755p-26, 0x1.f1e5fp-25, 0x1.661b5p-26, 0x1.cc741p-25, -0x1.782598p-25,
+        0x1.30eddp-26, -0x1.1eb5b4p-25, -0x1.40e19cp-25, -0x1.e0cfc8p-26, 0x1.8f7858p-25, -0x1.f2c714p-25,
+        -0x1.f53a1p-26, 0x1.3b55cp-29, 0x1.bb9c28p-25, 0x1.ea3264p-25, -0x1.1e9248p-26, 0x1.8d7fc8p-26,
+        0x1.f0fd5p-27,
 };
 
 static const remus6_real numbers_center_of_mass_velocity[] =
 {
     0x1.b87df8aaeaf0cp-2, -0x1.0746fda4efbc8p-2, 0x1.4944de9517948p+1,
-    0x1.a8e70840c0fa7p+1, 0x1.9ed98a26982d5p-2, -0x1.d208f797c604p-1,
+    0x1.5449eb94adb74p+0, 0x1.afaeec1f0dd5cp+1, -0x1.5bc1e095a900cp+3,
 };
 
 typedef struct function {
     const char *name;
-    size_t size;  /* of its results, bytes */
+    size_t size;  /* bytes of its results */
     remus6_status (*call)(void);
     void (*take)(tally *sum, remus6_status status);
     const remus6_real *numbers;
@@ -1171,99 +1271,107 @@ static const function functions[FUNCTIONS] =
 {
     { "forward", sizeof results.forward,
       call_forward, take_forward_results, numbers_forward,
-      { { 0, 0x1c432034u, 6 }, { 0, 0xfab68c2du, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x1c432034u, 6 }, { 0, 0xe20a71e3u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x47e0f5b1u },
     { "wrench", sizeof results.wrench,
       call_wrench, take_wrench_results, numbers_wrench,
-      { { 0, 0x813cdd82u, 6 }, { 0, 0xe969b9f2u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x813cdd82u, 6 }, { 0, 0x513c3fc9u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x52ceaa10u },
     { "matrices", sizeof results.matrices,
       call_matrices, take_matrices_results, numbers_matrices,
-      { { 0, 0xe2460fbfu, 32 }, { 0, 0x10b38163u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xe2460fbfu, 32 }, { 0, 0x1628a993u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xeb3a9428u },
     { "momentum", sizeof results.momentum,
       call_momentum, take_momentum_results, numbers_momentum,
-      { { 0, 0x4f6bd2c0u, 16 }, { 0, 0x343cfa2du, 16 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x4f6bd2c0u, 16 }, { 0, 0x5da77d40u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x4914391du },
     { "torque", sizeof results.torque,
       call_torque, take_torque_results, numbers_torque,
-      { { 0, 0xa33fdd42u, 6 }, { 0, 0x8c7e10c5u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xa33fdd42u, 6 }, { 0, 0x23da9ddcu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x4da12f02u },
     { "coupled", sizeof results.coupled,
       call_coupled, take_coupled_results, numbers_coupled,
-      { { 0, 0xd7c991bbu, 12 }, { 0, 0xb69eda78u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xd7c991bbu, 12 }, { 0, 0xcac511c4u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa3863f39u },
     { "step", sizeof results.step,
       call_step, take_step_results, numbers_step,
-      { { 0, 0xb0c15179u, 25 }, { 0, 0xeac1b2acu, 25 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xb0c15179u, 25 }, { 32, 0xdf26e291u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x085f936eu },
     { "step_driven", sizeof results.step_driven,
       call_step_driven, take_step_driven_results, numbers_step_driven,
-      { { 0, 0x4f70ddb5u, 25 }, { 0, 0x2151e463u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x4f70ddb5u, 25 }, { 32, 0x43b030f6u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x602b2015u },
     { "wrap", sizeof results.wrap,
       call_wrap, take_wrap_results, numbers_wrap,
-      { { 0, 0x3f5b19b4u, 1 }, { 0, 0xf431d285u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x3f5b19b4u, 1 }, { 0, 0x47688450u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xfb61958bu },
     { "phase_of_counts", sizeof results.phase_of_counts,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
-      { { 0, 0x9a384185u, 1 }, { 0, 0x8a27cf3bu, 1 }, { -5, 0x2107376du, 0 } },
+      { { 0, 0x9a384185u, 1 }, { 0, 0x9e337ecdu, 1 }, { -5, 0x2107376du, 0 } },
       0x6a80af01u },
     { "speed_of_counts", sizeof results.speed_of_counts,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
-      { { 0, 0x208714f1u, 1 }, { 0, 0xa988041du, 1 }, { -5, 0x2107376du, 0 } },
+      { { 0, 0x208714f1u, 1 }, { 0, 0x222d4c64u, 1 }, { -5, 0x2107376du, 0 } },
       0xfdc52a3du },
     { "accumulate", sizeof results.accumulate,
       call_accumulate, take_accumulate_results, numbers_accumulate,
-      { { 0, 0xe9416429u, 0 }, { 0, 0x9a415034u, 0 }, { -5, 0x3918c3aeu, 0 } },
+      { { 0, 0xe9416429u, 0 }, { 0, 0x3cc1e79fu, 0 }, { -5, 0xce17516bu, 0 } },
       0x400cb891u },
     { "forward_jacobian", sizeof results.forward_jacobian,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
-      { { 0, 0x272d9789u, 32 }, { 0, 0x1c20383eu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x272d9789u, 32 }, { 0, 0xf8aad72bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x1c424b74u },
     { "coupled_jacobian", sizeof results.coupled_jacobian,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
-      { { 0, 0xde793f08u, 32 }, { 0, 0xd9b05f41u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xde793f08u, 32 }, { 0, 0x65862584u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa2a735b4u },
     { "inverse", sizeof results.inverse,
       call_inverse, take_inverse_results, numbers_inverse,
-      { { 0, 0xca65e1e7u, 25 }, { 0, 0x21c65c55u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xca65e1e7u, 25 }, { 0, 0xb29f36f0u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x35248d2eu },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0x63eed221u, 6 }, { 0, 0x4ea66c00u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x63eed221u, 6 }, { 0, 0xf292087eu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xffce03eeu },
     { "points", sizeof results.points,
       call_points, take_points_results, numbers_points,
-      { { 0, 0x529ea787u, 32 }, { 0, 0xde8f82b2u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x529ea787u, 32 }, { 0, 0x73557e8eu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x46d707d2u },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,
-      { { 0, 0x13a20f40u, 4 }, { 0, 0x6d6e6ffdu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x13a20f40u, 4 }, { 0, 0x631a0e67u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xea132f50u },
     { "state_from_coordinates", sizeof results.state_from_coordinates,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
-      { { 0, 0x4ff18024u, 31 }, { 0, 0x6f1d1552u, 31 }, { -2, 0x054a767bu, 25 } },
+      { { 0, 0x4ff18024u, 31 }, { 0, 0x7b5e9777u, 31 }, { -2, 0x249e3b21u, 25 } },
       0xe24ae2abu },
     { "generalized", sizeof results.generalized,
       call_generalized, take_generalized_results, numbers_generalized,
-      { { 0, 0x2e9f5fdcu, 32 }, { 0, 0x54ab7219u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x2e9f5fdcu, 32 }, { 0, 0x540287eau, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc01e18bfu },
     { "prepare", sizeof results.prepare,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0x3de85d7eu, 32 }, { 0, 0x9c70b239u, 32 }, { -2, 0x3fcf95c4u, 32 } },
-      0xd8e44938u },
+      { { 0, 0xf18254e8u, 32 }, { 0, 0xfe3ac9b6u, 32 }, { -2, 0x3fcf95c4u, 32 } },
+      0xd2ca316du },
     { "mounts", sizeof results.mounts,
       call_mounts, take_mounts_results, numbers_mounts,
-      { { 0, 0xfcdfa476u, 32 }, { 0, 0x338ed681u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xfcdfa476u, 32 }, { 0, 0xf0d20713u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6800c1d0u },
     { "prepare_mounts", sizeof results.prepare_mounts,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
-      { { 0, 0x6e899a9au, 32 }, { 0, 0x0f37b00bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x5b6a3873u },
+      { { 0, 0xd0c5eb5au, 32 }, { 0, 0x64b18ae0u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x5b6b7036u },
+    { "step_carried", sizeof results.step_carried,
+      call_step_carried, take_step_carried_results, numbers_step_carried,
+      { { 0, 0x11493f28u, 32 }, { 32, 0xde78bf88u, 32 }, { -2, 0xd062397fu, 25 } },
+      0x8d0dcbf4u },
+    { "step_driven_carried", sizeof results.step_driven_carried,
+      call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
+      { { 0, 0x11dfee7du, 32 }, { 32, 0xd8366f8au, 32 }, { -2, 0xd062397fu, 25 } },
+      0x7f2c9b67u },
     { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
-      { { 0, 0x6c6b9003u, 3 }, { 0, 0x9e2a894cu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x6c6b9003u, 3 }, { 0, 0xdd88a83fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x45bcba45u },
 };
 
@@ -1279,7 +1387,7 @@ static uint32_t draw_word(uint32_t *seed)  /* xorshift32 */
     return x;
 }
 
-/* 24 bits as a real in [-largest, largest). */
+/* A random real in [-largest, largest) from 24 bits. */
 static remus6_real draw_real(uint32_t *seed, remus6_real largest)
 {
     const int32_t part = (int32_t)(draw_word(seed) >> 8) - 8388608;
@@ -1300,11 +1408,11 @@ static void draw_flags(uint32_t *seed, int *flags, int count)
     }
 }
 
-/* The square of a quaternion of integers, by its length: a unit quaternion, of twice the length if refused. */
+/* The square of a quaternion of integers, divided by its length: a unit quaternion; to be refused: of length 2. */
 static void draw_attitude(uint32_t *seed, remus6_real attitude[4], int refused)
 {
     const uint32_t word = draw_word(seed);
-    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd: not all are 0 */
+    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd, so that not all are 0 */
     const int32_t b = (int32_t)((word >> 16) & 0xffu) - 128;
     const int32_t c = (int32_t)((word >> 8) & 0xffu) - 128;
     const int32_t d = (int32_t)(word & 0xffu) - 128;
@@ -1326,7 +1434,7 @@ static int draw_order(uint32_t *seed)
     return (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
 }
 
-/* A constant that even light flywheels in strong laws of damping can take. */
+/* A step short enough for light flywheels with strong damping. */
 static remus6_real draw_step(const uint32_t *seed)
 {
     (void)seed;
@@ -1367,6 +1475,7 @@ static void draw_inputs(uint32_t *seed, unsigned long state)
     draw_reals(seed, in.position, 3, 2.0);
     draw_reals(seed, in.q_dot, 6, 2.0);
     draw_reals(seed, in.q_ddot, 6, 16.0);
+    draw_reals(seed, in.carry.rounding, 25, 5.960464477539063e-8);
     in.mass_factor = draw_factor(seed, 0.125);
 }
 
@@ -1394,7 +1503,7 @@ static void scale_parameters(void)
 
 /* ---- the test ---- */
 
-/* Calls one function and takes its results. */
+/* Calls one function, then hashes and compares its results. */
 static void call(const function *f, tally *sum, int *status)
 {
     unsigned char *bytes = results.bytes;
@@ -1451,7 +1560,7 @@ static void end_line(void (*print)(const char *text))
     length = 0u;
 }
 
-/* The golden vectors of one function; not 0 if it failed. */
+/* Tests the golden vectors of one function; returns 0 if all are right. */
 static int judge(const function *f, uint32_t swept, void (*print)(const char *text))
 {
     const remus6_real *numbers = f->numbers;
@@ -1492,7 +1601,7 @@ static int judge(const function *f, uint32_t swept, void (*print)(const char *te
 
 static tally sums[FUNCTIONS];
 
-/* Hashes of every function over so many states. */
+/* Prints a hash of every function over a number of states. */
 static void run_sweep(unsigned long states)
 {
     uint32_t seed = 0x6d61686fu;
@@ -1509,7 +1618,7 @@ static void run_sweep(unsigned long states)
     }
 }
 
-/* Runs everything and prints it, a line a call of `print`; returns the number of functions that failed. */
+/* Runs all tests and prints one line per call of `print`; returns the number of functions that failed. */
 int remus6_selftest(void (*print)(const char *text), unsigned long sweep)
 {
     int failures = 0;

@@ -11,6 +11,31 @@
 #if SAT4_LANES != 1
 #error "sat4.h and sat4.c were generated for different numbers of lanes"
 #endif
+#if SAT4_REAL_BYTES != 8
+#error "sat4.h and sat4.c were generated for different element types"
+#endif
+#if SAT4_VERSION_MAJOR != 0 || SAT4_VERSION_MINOR != 1 || SAT4_VERSION_PATCH != 0
+#error "sat4.h and sat4.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
+        ".type sat4_link_double_lanes1_v0_1_0_347c0b3b, %object\n"
+        ".size sat4_link_double_lanes1_v0_1_0_347c0b3b, 1\n"
+        ".set sat4_link_double_lanes1_v0_1_0_347c0b3b, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef SAT4_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile sat4 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile sat4 without -ffinite-math-only"
+#endif
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef SAT4_CODE
@@ -33,8 +58,8 @@ typedef struct sat4_sums {
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct sat4_coupling {
-    sat4_real I[6];  /* kg m, kg m2; column of I (9) */
-    sat4_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+    sat4_real I_[6];  /* kg m, kg m2; column of I (9) */
+    sat4_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
 } sat4_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
@@ -46,11 +71,11 @@ typedef struct sat4_schur {
 
 /* Scratch of inverse. */
 typedef struct sat4_inverse_work {
-    sat4_real I[6][SAT4_N];   /* kg m, kg m2; flywheel coupling (9) */
+    sat4_real I_[6][SAT4_N];  /* kg m, kg m2; flywheel coupling (9) */
     sat4_real W[6][SAT4_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
     sat4_real U[6][6];        /* rotations of the rows */
     sat4_real G[6][6];        /* Cholesky factor of K, lower triangle */
-    sat4_real b[6];           /* N, N m; what the flywheels must give */
+    sat4_real b[6];           /* N, N m; the wrench demanded of the flywheels */
     sat4_real r[6];           /* scaled: G^-1 b; then U^T r */
     sat4_real sigma[6];       /* singular values */
     sat4_real scale[SAT4_N];  /* D^-1 */
@@ -74,13 +99,17 @@ static sat4_real sat4_real_of(sat4_word word)
     return both.real;
 }
 
-/* sine and cosine of an angle.
+/* What null stands for. */
+SAT4_CONST
+static const int sat4_none_locked[SAT4_N] = { 0 };
+
+/* Sine and cosine of an angle.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SAT4_CODE
 static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restrict cosine)
 {
-    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
     const sat4_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
     const sat4_word quadrant = sat4_bits_of(shifted);  /* mod 4: its last two bits */
     const sat4_real k = shifted - 6755399441055744.0;
@@ -91,7 +120,7 @@ static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restri
     /* rounding error of r_hi, and the third part */
     const sat4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
     const sat4_real z = r_hi * r_hi;
-    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
     const sat4_real half_z = z * 0.5;
     const sat4_real flat = 1.0 - half_z;
     const sat4_real cos_fit = 0.0416666666666666
@@ -113,58 +142,63 @@ static void sat4_sincos(sat4_real x, sat4_real *restrict sine, sat4_real *restri
     *cosine = sat4_real_of(cos_bits ^ exchange ^ cosine_sign);
 }
 
-/* square root, correctly rounded.
+/* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
 SAT4_CODE
 static sat4_real sat4_sqrt(sat4_real x)
 {
-    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+#ifdef SAT4_SQRT
+    return SAT4_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
     const int subnormal = x < 2.2250738585072014e-308;
     const sat4_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
     const sat4_word lowered = (subnormal) ? 27u : 0u;
     const sat4_word bits = sat4_bits_of(x * lift);
     const sat4_word exponent = bits >> 52u;
-    const sat4_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const sat4_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
     const sat4_word fraction = bits & 0xfffffffffffffu;
     const sat4_word m_bits = fraction + ((odd + 1023u) << 52u);
     const sat4_real m = sat4_real_of(m_bits);
     const sat4_real half_m = m * 0.5;
-    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
     const sat4_real y0 = sat4_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
     const sat4_real y1 = y0 * (1.5 - half_m * y0 * y0);
     const sat4_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const sat4_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const sat4_real s = m * y3;
     const sat4_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
      * place. */
     const sat4_word root = sat4_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const sat4_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
-    const sat4_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
-    const sat4_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const sat4_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const sat4_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
     const sat4_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
     const sat4_real result = sat4_real_of(root + up - down + ((halved - 1u) << 52u));
     return (x > 0.0) ? result : x;
+#endif
 }
 
-/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
 SAT4_CODE
 static sat4_real sat4_unwound(sat4_real phi, sat4_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
-/* the equal angle within half a turn of zero.
- * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
 SAT4_CODE
 static sat4_real sat4_wrapped(sat4_real phi)
 {
-    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
     const sat4_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return sat4_unwound(phi, k);
 }
 
-/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
 SAT4_CODE
 static sat4_status sat4_within(const sat4_real values[], int count, sat4_real limit)
 {
@@ -177,7 +211,7 @@ static sat4_status sat4_within(const sat4_real values[], int count, sat4_real li
     return SAT4_OK;
 }
 
-/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
 SAT4_CODE
 static sat4_status sat4_check_state(const sat4_state *x)
 {
@@ -199,7 +233,7 @@ static sat4_status sat4_check_state(const sat4_state *x)
     return SAT4_OK;
 }
 
-/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
 SAT4_CODE
 static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
 {
@@ -215,7 +249,7 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
 SAT4_CODE
 static void sat4_start_sums(const sat4_table *table, sat4_sums *restrict sum)
 {
@@ -232,15 +266,16 @@ static void sat4_start_sums(const sat4_table *table, sat4_sums *restrict sum)
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
-/* sines and cosines of all phases.
+/* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SAT4_CODE
 static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict SAT4_N],
                              sat4_real cosine[restrict SAT4_N])
 {
     for (int s = 0; s < SAT4_N; ++s) {
-        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
         const sat4_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const sat4_word quadrant = sat4_bits_of(shifted);  /* mod 4: its last two bits */
         const sat4_real k = shifted - 6755399441055744.0;
@@ -251,7 +286,7 @@ static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict 
         /* rounding error of r_hi, and the third part */
         const sat4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
         const sat4_real z = r_hi * r_hi;
-        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
         const sat4_real half_z = z * 0.5;
         const sat4_real flat = 1.0 - half_z;
         const sat4_real cos_fit = 0.0416666666666666
@@ -275,18 +310,18 @@ static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict 
     }
 }
 
-/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
 SAT4_CODE
 static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat4_real phi_dot,
                               sat4_real phi_ddot, sat4_sums *restrict sum)
 {
-    const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
     const sat4_real s2 = 2.0 * c * s;
-    const sat4_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const sat4_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
     const sat4_real ds = phi_dot * c;
     const sat4_real dc2 = -2.0 * phi_dot * s2;
     const sat4_real ds2 = 2.0 * phi_dot * c2;
-    const sat4_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const sat4_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
     const sat4_real dds = phi_ddot * c + phi_dot * dc;
     /* first moment and its rate */
     sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
@@ -322,7 +357,7 @@ static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 SAT4_CODE
 static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, const sat4_real V[6],
                                 sat4_real Z[restrict 6])
@@ -338,7 +373,7 @@ static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, c
         - sum->mu[1] * V[0];
 }
 
-/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 SAT4_CODE
 static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], const sat4_real Z[6],
                                 sat4_real F[restrict 6])
@@ -357,7 +392,7 @@ static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], cons
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SAT4_CODE
 static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[restrict 3])
 {
@@ -381,7 +416,7 @@ static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_
     return SAT4_OK;
 }
 
-/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
 SAT4_CODE
 static sat4_status sat4_solve_carrier(const sat4_table *table, const sat4_sums *sum, const sat4_real F[6],
                                       sat4_real y[restrict 6])
@@ -425,7 +460,7 @@ static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    sat4_real F[6];  /* wrench (7); then what K V* must equal */
+    sat4_real F[6];  /* wrench (7); then the right-hand side of (8) */
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -540,19 +575,19 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
         rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
         rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
         rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-        out->I[0][s] = column[0];
+        out->I_[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
-        out->I[1][s] = column[1];
+        out->I_[1][s] = column[1];
         out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
-        out->I[2][s] = column[2];
+        out->I_[2][s] = column[2];
         out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
-        out->I[3][s] = column[3];
+        out->I_[3][s] = column[3];
         out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
             + rate[3] * x->phi_dot[s];
-        out->I[4][s] = column[4];
+        out->I_[4][s] = column[4];
         out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
             + rate[4] * x->phi_dot[s];
-        out->I[5][s] = column[5];
+        out->I_[5][s] = column[5];
         out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
             + rate[5] * x->phi_dot[s];
     }
@@ -615,7 +650,7 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
     return SAT4_OK;
 }
 
-/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 SAT4_CODE
 static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
                         const sat4_real origin_acceleration[3], const sat4_real spun[6],
@@ -623,12 +658,12 @@ static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
 {
     const sat4_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const sat4_real two_s2 = 4.0 * c * s;
-    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
-    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
-    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
-    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
-    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
-    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     /* dJ / dphi */
     const sat4_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
     const sat4_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
@@ -637,27 +672,27 @@ static void sat4_couple(const sat4_row *row, sat4_real s, sat4_real c,
     const sat4_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
     const sat4_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
-        + out->I[2] * origin_acceleration[2];
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
 }
 
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SAT4_CODE
-static void sat4_eliminate(const sat4_real I[6], sat4_real spin_inv, sat4_real rate, sat4_schur *restrict K,
-                           sat4_real F[restrict 6])
+static void sat4_eliminate(const sat4_real column[6], sat4_real spin_inv, sat4_real rate,
+                           sat4_schur *restrict K, sat4_real F[restrict 6])
 {
     sat4_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -680,7 +715,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -688,14 +723,14 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
     sat4_coupling drive;
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return SAT4_OK;
 }
 
-/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 SAT4_CODE
 static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], sat4_real y[restrict 6])
 {
@@ -760,7 +795,7 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    sat4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -779,7 +814,7 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -790,7 +825,7 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            sat4_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
+            sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = sat4_solve_schur(&K, F, V_dot);
@@ -798,9 +833,9 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
-            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
-                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
         }
     }
     return SAT4_OK;
@@ -811,8 +846,9 @@ SAT4_CODE
 sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N])
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = sat4_none_locked; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
@@ -832,7 +868,7 @@ sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat
     return SAT4_OK;
 }
 
-/* to = x + h rate, phases from within half a turn. */
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
 SAT4_CODE
 static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real h, sat4_state *restrict to)
 {
@@ -853,7 +889,7 @@ static void sat4_advance(const sat4_state *x, const sat4_state *rate, sat4_real 
     }
 }
 
-/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
 SAT4_CODE
 static sat4_status sat4_finish(sat4_state *restrict x)
 {
@@ -874,7 +910,7 @@ static sat4_status sat4_finish(sat4_state *restrict x)
     return SAT4_OK;
 }
 
-/* rates of the state under drive torques. */
+/* Time derivatives of the state under drive torques. */
 SAT4_CODE
 static sat4_status sat4_rate(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                              const int locked[SAT4_N], sat4_state *restrict rate)
@@ -904,13 +940,88 @@ static sat4_status sat4_rate(const sat4_table *table, const sat4_state *x, const
     return SAT4_OK;
 }
 
-/* State a time step later, under drive torques and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+SAT4_CODE
+static sat4_status sat4_stages(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
+                               const int locked[SAT4_N], sat4_real h, int order, sat4_state *restrict y,
+                               sat4_state *restrict total)
+{
+    sat4_status status;
+    sat4_state k;  /* time derivatives at a stage */
+    status = sat4_rate(table, x, tau, locked, &k);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real half = 0.5 * h;
+    if (order == 2) {
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate(table, y, tau, locked, total);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+    } else {
+        *total = k;
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate(table, y, tau, locked, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate(table, y, tau, locked, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, h, y);
+        status = sat4_rate(table, y, tau, locked, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return SAT4_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
 SAT4_CODE
 sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || next == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = sat4_none_locked; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
@@ -921,83 +1032,27 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
     if (status != SAT4_OK) { return status; }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
-    sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
-    status = sat4_rate(table, x, tau, locked, &k);
+    sat4_state total;  /* sum of the rates at the stages */
+    status = sat4_stages(table, x, tau, locked, dt, order, &y, &total);
     if (status != SAT4_OK) { return status; }
-    const sat4_real half = 0.5 * dt;
-    if (order == 2) {
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate(table, &y, tau, locked, &k);
-        if (status != SAT4_OK) { return status; }
-        sat4_advance(x, &k, dt, &y);
-    } else {
-        sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate(table, &y, tau, locked, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate(table, &y, tau, locked, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        sat4_advance(x, &k, dt, &y);
-        status = sat4_rate(table, &y, tau, locked, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const sat4_real sixth = dt / 6.0;
-        sat4_advance(x, &total, sixth, &y);
+    const sat4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    sat4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    sat4_advance(x, &total, over, &y);
     status = sat4_finish(&y);
-    if (status != SAT4_OK) { return status; }
+    if (status != SAT4_OK) { return SAT4_RANGE; }
     *next = y;
+    const sat4_real most = (order == 2) ? SAT4_MAX_TURN_2 : SAT4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SAT4_COARSE; }
     return SAT4_OK;
 }
 
-/* rates of the state under given flywheel accelerations. */
+/* Time derivatives of the state under given flywheel accelerations. */
 SAT4_CODE
 static sat4_status sat4_rate_driven(const sat4_table *table, const sat4_state *x,
                                     const sat4_real phi_ddot[SAT4_N], sat4_state *restrict rate)
@@ -1028,7 +1083,82 @@ static sat4_status sat4_rate_driven(const sat4_table *table, const sat4_state *x
     return SAT4_OK;
 }
 
-/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+SAT4_CODE
+static sat4_status sat4_stages_driven(const sat4_table *table, const sat4_state *x,
+                                      const sat4_real phi_ddot[SAT4_N], sat4_real h, int order,
+                                      sat4_state *restrict y, sat4_state *restrict total)
+{
+    sat4_status status;
+    sat4_state k;  /* time derivatives at a stage */
+    status = sat4_rate_driven(table, x, phi_ddot, &k);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real half = 0.5 * h;
+    if (order == 2) {
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate_driven(table, y, phi_ddot, total);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+    } else {
+        *total = k;
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate_driven(table, y, phi_ddot, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, half, y);
+        status = sat4_rate_driven(table, y, phi_ddot, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        sat4_advance(x, &k, h, y);
+        status = sat4_rate_driven(table, y, phi_ddot, &k);
+        if (status != SAT4_OK) { return SAT4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SAT4_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return SAT4_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
 SAT4_CODE
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next)
@@ -1044,83 +1174,27 @@ sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const
     if (status != SAT4_OK) { return status; }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
-    sat4_state k;  /* rates of a stage */
     sat4_state y;  /* state of a stage; then the new state */
-    status = sat4_rate_driven(table, x, phi_ddot, &k);
+    sat4_state total;  /* sum of the rates at the stages */
+    status = sat4_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
     if (status != SAT4_OK) { return status; }
-    const sat4_real half = 0.5 * dt;
-    if (order == 2) {
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SAT4_OK) { return status; }
-        sat4_advance(x, &k, dt, &y);
-    } else {
-        sat4_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        sat4_advance(x, &k, half, &y);
-        status = sat4_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        sat4_advance(x, &k, dt, &y);
-        status = sat4_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SAT4_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < SAT4_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const sat4_real sixth = dt / 6.0;
-        sat4_advance(x, &total, sixth, &y);
+    const sat4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    sat4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    sat4_advance(x, &total, over, &y);
     status = sat4_finish(&y);
-    if (status != SAT4_OK) { return status; }
+    if (status != SAT4_OK) { return SAT4_RANGE; }
     *next = y;
+    const sat4_real most = (order == 2) ? SAT4_MAX_TURN_2 : SAT4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SAT4_COARSE; }
     return SAT4_OK;
 }
 
-/* The equal angle in [-pi, pi] (pi as the nearest real). */
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
 SAT4_CODE
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped)
 {
@@ -1130,7 +1204,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped)
     given[0] = phi;
     status = sat4_within(given, 1, SAT4_MAX_PHASE);
     if (status != SAT4_OK) { return status; }
-    sat4_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    sat4_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     sat4_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
     angle = sat4_unwound(phi, k);
@@ -1142,7 +1216,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped)
     return SAT4_OK;
 }
 
-/* Phase of an encoder's count. */
+/* Phase for a count of an encoder. */
 SAT4_CODE
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi)
 {
@@ -1155,8 +1229,8 @@ sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_r
     given[0] = zero;
     status = sat4_within(given, 1, size);
     if (status != SAT4_OK) { return status; }
-    const int rest = count - count / turn * turn;  /* whole turns taken off */
-    sat4_real place = (sat4_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    sat4_real place = (sat4_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
     const sat4_real half = size * 0.5;
     for (int i = 0; i < 2; ++i) {
         place = (place > half) ? place - size : ((place < -half) ? place + size : place);
@@ -1184,8 +1258,8 @@ sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_rea
     return SAT4_OK;
 }
 
-/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
- * exactly. */
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
 SAT4_CODE
 sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn)
 {
@@ -1193,7 +1267,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     if (!(encoder->place >= 0 && encoder->place < turn)) { return SAT4_BAD_ARGUMENT; }
-    int moved;  /* counts since the last reading: the shorter way round */
+    int moved;  /* counts since the last reading, in the shorter direction */
     if (bits == 0) {
         if (!(counter >= 0 && counter < turn
             && (encoder->counter >= 0 && encoder->counter < turn))) { return SAT4_BAD_ARGUMENT; }
@@ -1214,7 +1288,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
     return SAT4_OK;
 }
 
-/* derivative of F - Phi Z - K* V by the twist, (8). */
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
 SAT4_CODE
 static void sat4_twist_slope(const sat4_real Z[6], const sat4_matrices_result *m,
                              sat4_real slope[restrict 36])
@@ -1238,12 +1312,12 @@ static void sat4_twist_slope(const sat4_real Z[6], const sat4_matrices_result *m
     }
 }
 
-/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 SAT4_CODE
 static void sat4_row_slope(const sat4_row *row, const sat4_real weight[12], const sat4_real V[6],
                            const sat4_real V_dot[6], sat4_real out[restrict 6])
 {
-    sat4_sums change;  /* of the sums */
+    sat4_sums change;  /* change of the sums */
     sat4_real Z[6];  /* change of the momentum screw */
     change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
     change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
@@ -1331,7 +1405,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    sat4_real F[6];  /* what K V* must equal */
+    sat4_real F[6];  /* right-hand side of (8) */
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_real V_result[6];  /* V_r* */
     sat4_real rhs[6];
@@ -1368,7 +1442,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     sat4_velocity_matrix(x->V, &m);
-    sat4_real slope[36];  /* by V, row by row */
+    sat4_real slope[36];  /* derivative by V, row by row */
     sat4_twist_slope(Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1379,17 +1453,17 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             out->V_dot_V[i][j] = y[i];
         }
     }
-    sat4_real change[12];  /* of the weights of a row */
+    sat4_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
-        const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const sat4_real s2 = 2.0 * c_phi * s_phi;
-        const sat4_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const sat4_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const sat4_real ds = x->phi_dot[s] * c_phi;
         const sat4_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const sat4_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const sat4_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const sat4_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
         const sat4_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1435,8 +1509,8 @@ SAT4_CODE
 sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = sat4_none_locked; }
     sat4_status status = sat4_check_state(x);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
@@ -1481,14 +1555,14 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     sat4_velocity_matrix(x->V, &m);
-    sat4_real slope[36];  /* by V, row by row */
+    sat4_real slope[36];  /* derivative by V, row by row */
     sat4_twist_slope(Z, &m, slope);
     sat4_coupling drive[SAT4_N];
     sat4_real origin_acceleration[3];  /* omega x v */
     origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
-    sat4_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -1501,18 +1575,18 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    sat4_real rhs[6];  /* of the carrier */
-    sat4_real drive_rhs[SAT4_N];  /* of the drives */
+    sat4_real rhs[6];  /* right-hand side of the carrier */
+    sat4_real drive_rhs[SAT4_N];  /* right-hand sides of the drives */
     sat4_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            sat4_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+            sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
-    sat4_real drive_slope[SAT4_N][6];  /* of the bias torques by V */
+    sat4_real drive_slope[SAT4_N][6];  /* derivatives of the bias torques by V */
     sat4_real J_p[6];  /* dJ / dphi */
     sat4_real turned[3];  /* J' omega */
     for (int s = 0; s < SAT4_N; ++s) {
@@ -1535,12 +1609,12 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
-        drive_slope[s][0] = drive[s].I[1] * x->V[5] - drive[s].I[2] * x->V[4];
-        drive_slope[s][1] = drive[s].I[2] * x->V[3] - drive[s].I[0] * x->V[5];
-        drive_slope[s][2] = drive[s].I[0] * x->V[4] - drive[s].I[1] * x->V[3];
-        drive_slope[s][3] = drive[s].I[2] * x->V[1] - drive[s].I[1] * x->V[2] - turned[0];
-        drive_slope[s][4] = drive[s].I[0] * x->V[2] - drive[s].I[2] * x->V[0] - turned[1];
-        drive_slope[s][5] = drive[s].I[1] * x->V[0] - drive[s].I[0] * x->V[1] - turned[2];
+        drive_slope[s][0] = drive[s].I_[1] * x->V[5] - drive[s].I_[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I_[2] * x->V[3] - drive[s].I_[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I_[0] * x->V[4] - drive[s].I_[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I_[2] * x->V[1] - drive[s].I_[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * x->V[2] - drive[s].I_[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * x->V[0] - drive[s].I_[0] * x->V[1] - turned[2];
     }
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1553,7 +1627,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             if (locked[t] == 0) {
                 const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1565,23 +1639,23 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             out->phi_ddot_V[t][j] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
     }
-    sat4_real change[12];  /* of the weights of a row */
+    sat4_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
-        const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const sat4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const sat4_real s2 = 2.0 * c_phi * s_phi;
-        const sat4_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const sat4_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const sat4_real ds = x->phi_dot[s] * c_phi;
         const sat4_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const sat4_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const sat4_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const sat4_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
         const sat4_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1627,7 +1701,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                 if (locked[t] == 0) {
                     const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1639,8 +1713,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1658,7 +1732,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                 if (locked[t] == 0) {
                     const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1670,8 +1744,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1686,7 +1760,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             if (locked[t] == 0) {
                 const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1698,8 +1772,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -1707,7 +1781,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     return SAT4_OK;
 }
 
-/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 SAT4_CODE
 static void sat4_orthogonalise(sat4_inverse_work *restrict work)
@@ -1732,7 +1806,7 @@ static void sat4_orthogonalise(sat4_inverse_work *restrict work)
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
                 const sat4_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
-                /* of size 1, so that no square underflows */
+                /* scaled to size 1, so that no square underflows */
                 const sat4_real unit = (size > 0.0) ? size : 1.0;
                 const sat4_real d = (b - a) / unit;
                 const sat4_real h = 2.0 * g / unit;
@@ -1768,7 +1842,7 @@ static void sat4_orthogonalise(sat4_inverse_work *restrict work)
     }
 }
 
-/* cholesky factor of the mass matrix, in place: K = G G^T. */
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
 SAT4_CODE
 static sat4_status sat4_factor(sat4_inverse_work *restrict work)
 {
@@ -1791,7 +1865,7 @@ static sat4_status sat4_factor(sat4_inverse_work *restrict work)
     return SAT4_OK;
 }
 
-/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
 SAT4_CODE
 static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, const sat4_real sine[SAT4_N],
                                const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
@@ -1817,10 +1891,10 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
         column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
             + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->I[i][s] = column[i];
+            work->I_[i][s] = column[i];
         }
     }
-    sat4_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    sat4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -1838,7 +1912,7 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
     work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
     work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
-    /* b = F - K V*: what the flywheels must give */
+    /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
             - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
@@ -1850,7 +1924,7 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
     for (int s = 0; s < SAT4_N; ++s) {
         work->scale[s] = 1.0 / sat4_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * work->scale[s];
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
@@ -1870,7 +1944,7 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
     return SAT4_OK;
 }
 
-/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SAT4_CODE
 static void sat4_solve_gram(sat4_real gram[restrict 6][6], sat4_real z[restrict 6], sat4_real least)
 {
@@ -1900,16 +1974,16 @@ static void sat4_solve_gram(sat4_real gram[restrict 6][6], sat4_real z[restrict 
     }
 }
 
-/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
- * do, (12). */
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
 SAT4_CODE
 static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
                           sat4_real phi_ddot[restrict SAT4_N], int limited[restrict SAT4_N])
 {
     sat4_real share[SAT4_N];  /* 1/weight */
-    sat4_real give[SAT4_N];  /* the share of flywheels that are free, 0 of those held */
-    sat4_real step[SAT4_N];  /* what the free flywheels shall give more */
-    sat4_real row[6];  /* factor of each row; 0: it does not count */
+    sat4_real give[SAT4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    sat4_real step[SAT4_N];  /* increment of the free flywheels */
+    sat4_real row[6];  /* factor of each row; 0: the row is left out */
     sat4_real gram[6][6];
     sat4_real z[6];
     /* until the end phi_ddot holds y = D phi'' */
@@ -1928,7 +2002,8 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
             most = (give[s] > most) ? give[s] : most;
         }
         const sat4_real regular = 1.0e-12 * most;
-        const sat4_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        /* lower bound that keeps the diagonal positive */
+        const sat4_real least = (most > 0.0) ? regular : 1.0;
         for (int i = 0; i < 6; ++i) {
             row[i] = 0.0;
             if (i < rank) {
@@ -1977,7 +2052,7 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
                 }
             }
         } else {
-            /* as long a step as all limits allow; the flywheel that stops it is held */
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
             sat4_real length = 1.0;
             int stopped = -1;
             for (int s = 0; s < SAT4_N; ++s) {
@@ -2001,7 +2076,7 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
                     limited[s] = 1;
                 }
             }
-            /* after a whole step: free the held flywheel that would lower the residual most */
+            /* after a full step, release the held flywheel that would lower the residual most */
             if (stopped < 0) {
                 sat4_real left[6];
                 sat4_real wanted = 0.0;
@@ -2014,7 +2089,7 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
                         }
                     }
                 }
-                sat4_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
                 int freed = -1;
                 for (int s = 0; s < SAT4_N; ++s) {
                     if (limited[s] > 0) {
@@ -2037,10 +2112,13 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
             }
         }
     }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
-        if (limited[s] > 0) {
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= SAT4_LARGEST)) {
             phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
@@ -2066,7 +2144,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_RANGE; }
     }
     for (int s = 0; s < SAT4_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SAT4_NOT_FINITE; }
@@ -2083,7 +2161,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         wanted += work.r[i] * work.r[i];
     }
     sat4_orthogonalise(&work);
-    /* descending singular values, by exchanging neighbours */
+    /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
         for (int i = 0; i < 5; ++i) {
             if (work.sigma[i] < work.sigma[i + 1]) {
@@ -2139,7 +2217,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     for (int i = 0; i < 6; ++i) {
         out->residual[i] = work.b[i];
         for (int s = 0; s < SAT4_N; ++s) {
-            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
@@ -2153,7 +2231,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     if (left > 1.0e-18 * wanted) {
         flags = flags | SAT4_UNREACHABLE;
     }
-    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     sat4_real part[6];
     for (int i = 0; i < 6; ++i) {
         part[i] = (i < rank) ? 0.0 : work.r[i];
@@ -2173,7 +2251,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         square += part[i] * part[i];
     }
     const sat4_real length = sat4_sqrt(square);
-    sat4_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    sat4_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -2214,7 +2292,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     if (status != SAT4_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_RANGE; }
     }
     sat4_inverse_work work;
     sat4_real sine[SAT4_N];
@@ -2239,12 +2317,12 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
             z[i] += work.W[k][i] * work.r[k];
         }
     }
-    const sat4_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    const sat4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
     for (int i = 0; i < 4; ++i) {
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 4; ++j) {
-        const sat4_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
+        const sat4_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
@@ -2277,13 +2355,13 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     return SAT4_OK;
 }
 
-/* reading of one sensor. */
+/* Reading of an accelerometer and a gyro at one instrument or point. */
 SAT4_CODE
 static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sat4_real V[6],
                        const sat4_real V_dot[6], const sat4_real C[9], sat4_points_result *restrict out)
 {
     sat4_real velocity[3];  /* in E1 */
-    sat4_real force[3];  /* acceleration less gravity, in E1 */
+    sat4_real force[3];  /* acceleration minus gravity, in E1 */
     velocity[0] = sensor->origin[2] * V[4] + V[0] - sensor->origin[1] * V[5];
     velocity[1] = sensor->origin[0] * V[5] + V[1] - sensor->origin[2] * V[3];
     velocity[2] = sensor->origin[1] * V[3] + V[2] - sensor->origin[0] * V[4];
@@ -2328,7 +2406,7 @@ static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sa
         + sensor->axes[8] * V_dot[5];
 }
 
-/* What an accelerometer and a gyro read at each instrument and point. */
+/* Readings of an accelerometer and a gyro at each instrument and point. */
 SAT4_CODE
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         sat4_points_result out[SAT4_SENSORS])
@@ -2528,7 +2606,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
     return SAT4_OK;
 }
 
-/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SAT4_CODE
 static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3],
                                       sat4_real R[restrict 9])
@@ -2563,7 +2641,7 @@ static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real z
     return SAT4_OK;
 }
 
-/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SAT4_CODE
 static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], const sat4_real O[3],
                        const sat4_real R[9], sat4_real mu[restrict 3], sat4_real J1[restrict 6],
@@ -2606,7 +2684,7 @@ static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], 
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
  * inertia. */
 SAT4_CODE
 static sat4_status sat4_check_inertia(sat4_real mass, const sat4_real c[3], const sat4_real J[6])
@@ -2625,7 +2703,7 @@ static sat4_status sat4_check_inertia(sat4_real mass, const sat4_real c[3], cons
     const sat4_real P12 = -J[3] - b1 * c[1];
     const sat4_real P13 = -J[4] - b1 * c[2];
     const sat4_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
@@ -2641,7 +2719,7 @@ static sat4_status sat4_check_inertia(sat4_real mass, const sat4_real c[3], cons
     return SAT4_OK;
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 SAT4_CODE
 static sat4_status sat4_check_body(const sat4_body *body)
 {
@@ -2658,7 +2736,7 @@ static sat4_status sat4_check_body(const sat4_body *body)
     return sat4_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* origin and axes (at phi = 0) of a flywheel in E1. */
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
 SAT4_CODE
 static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restrict 3],
                                        sat4_real R[restrict 9])
@@ -2671,7 +2749,7 @@ static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restr
     return SAT4_OK;
 }
 
-/* origin and axes of a point in E1. */
+/* Origin and axes of a point in E1. */
 SAT4_CODE
 static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[restrict 3], sat4_real R[restrict 9])
 {
@@ -2683,13 +2761,14 @@ static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[restrict 3]
     return SAT4_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
 SAT4_CODE
 static sat4_status sat4_check_parameters(const sat4_parameters *parameters)
 {
     sat4_status status;
     sat4_real mass;
-    sat4_real size;  /* moment of inertia that no product of the equations may overflow */
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    sat4_real size;
     sat4_real O[3];
     sat4_real R[9];
     status = sat4_check_body(&parameters->carrier);
@@ -2723,7 +2802,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
     if (parameters == NULL || table == NULL) { return SAT4_BAD_ARGUMENT; }
     sat4_status status = sat4_check_parameters(parameters);
     if (status != SAT4_OK) { return status; }
-    /* all is good: from here on the table is written and nothing can fail */
+    /* all checks passed: from here on the table is written and nothing can fail */
     sat4_real mass;
     sat4_real first_moment[3];
     sat4_real inertia[6];
@@ -2823,11 +2902,11 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
     return SAT4_OK;
 }
 
-/* L^T of a twist, to mounting axes at Os. */
+/* L^T V: a twist carried to Os, in mounting axes. */
 SAT4_CODE
 static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4_real U[restrict 6])
 {
-    sat4_real velocity[3];  /* of Os */
+    sat4_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
     velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
     velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
@@ -2839,7 +2918,7 @@ static void sat4_carry_twist(const sat4_mount *mount, const sat4_real V[6], sat4
     U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
 }
 
-/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SAT4_CODE
 static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c, sat4_real phi_dot,
                               sat4_real phi_ddot, const sat4_real V[6], const sat4_real V_dot[6],
@@ -2900,7 +2979,7 @@ static void sat4_mount_wrench(const sat4_mount *mount, sat4_real s, sat4_real c,
     W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
 }
 
-/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 SAT4_CODE
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24])
@@ -2929,7 +3008,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
     return SAT4_OK;
 }
 
-/* Makes the second table that mounts needs. */
+/* Makes the second table, which the function mounts needs. */
 SAT4_CODE
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting)
 {
@@ -2956,6 +3035,166 @@ sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_ta
     return SAT4_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+SAT4_CODE
+static void sat4_advance_carried(const sat4_state *x, const sat4_state *rate, sat4_real h,
+                                 sat4_step_carry *restrict carry, sat4_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const sat4_real step = h * rate->position[i] + carry->rounding[i];
+        const sat4_real sum = x->position[i] + step;
+        const sat4_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const sat4_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const sat4_real sum = x->attitude[i] + step;
+        const sat4_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const sat4_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const sat4_real sum = x->V[i] + step;
+        const sat4_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < SAT4_N; ++i) {
+        const sat4_real start = sat4_wrapped(x->phi[i]);
+        const sat4_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const sat4_real sum = start + step;
+        const sat4_real sum_b = sum - start;
+        const sat4_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+        const sat4_real left = sum - k * 6.283185303211212;
+        const sat4_real within = left + -(k * 3.968374318722146e-9);
+        const sat4_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < SAT4_N; ++i) {
+        const sat4_real step = h * rate->phi_dot[i] + carry->rounding[i + 17];
+        const sat4_real sum = x->phi_dot[i] + step;
+        const sat4_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 17] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+SAT4_CODE
+static sat4_status sat4_finish_carried(sat4_state *restrict x, sat4_step_carry *restrict carry)
+{
+    sat4_status status;
+    const sat4_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return SAT4_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const sat4_real excess = (1.0 - square) / (sat4_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const sat4_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const sat4_real sum = x->attitude[i] + step;
+        const sat4_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    return SAT4_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+SAT4_CODE
+sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
+                              const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
+                              sat4_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || carry == NULL
+        || next == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = sat4_none_locked; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
+    if (status != SAT4_OK) { return status; }
+    sat4_real given[1];
+    given[0] = dt;
+    status = sat4_within(given, 1, SAT4_MAX_STEP);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
+    status = sat4_within(carry->rounding, 21, SAT4_MAX_ROUNDING);
+    if (status != SAT4_OK) { return status; }
+    sat4_state y;  /* state of a stage; then the new state */
+    sat4_state total;  /* sum of the rates at the stages */
+    status = sat4_stages(table, x, tau, locked, dt, order, &y, &total);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    sat4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    sat4_step_carry kept;  /* the new carry */
+    kept = *carry;
+    sat4_advance_carried(x, &total, over, &kept, &y);
+    status = sat4_finish_carried(&y, &kept);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    *carry = kept;
+    *next = y;
+    const sat4_real most = (order == 2) ? SAT4_MAX_TURN_2 : SAT4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SAT4_COARSE; }
+    return SAT4_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+SAT4_CODE
+sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
+                                     const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
+                                     sat4_step_carry *carry, sat4_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || next == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    sat4_real given[1];
+    given[0] = dt;
+    status = sat4_within(given, 1, SAT4_MAX_STEP);
+    if (status != SAT4_OK) { return status; }
+    if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
+    status = sat4_within(carry->rounding, 21, SAT4_MAX_ROUNDING);
+    if (status != SAT4_OK) { return status; }
+    sat4_state y;  /* state of a stage; then the new state */
+    sat4_state total;  /* sum of the rates at the stages */
+    status = sat4_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    sat4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    sat4_step_carry kept;  /* the new carry */
+    kept = *carry;
+    sat4_advance_carried(x, &total, over, &kept, &y);
+    status = sat4_finish_carried(&y, &kept);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    *carry = kept;
+    *next = y;
+    const sat4_real most = (order == 2) ? SAT4_MAX_TURN_2 : SAT4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SAT4_COARSE; }
+    return SAT4_OK;
+}
+
 /* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
 SAT4_CODE
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
@@ -2974,7 +3213,7 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    sat4_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    sat4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
     own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];

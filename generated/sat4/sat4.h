@@ -1,11 +1,16 @@
 /* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
  * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
  *
- * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
- * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well, gcc 12 for x86-64 with FMA and Cortex-M55
- * -fno-tree-vectorize). gcc may call memcpy, memmove and memset.
- * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
+ * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
+ * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
+ * Also needed: for 32-bit x86 -msse2 -mfpmath=sse; with gcc 12 for x86-64 with FMA
+ * and for a Cortex-M55 -fno-tree-vectorize. gcc may call memcpy, memmove and memset.
+ * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
+ * The source refuses what the compiler shows of them; clang does not show all.
+ * SAT4_SQRT, defined for the source, takes the square root of a processor in the place of its own:
+ * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
+ * not called.
+ * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -18,9 +23,14 @@
 extern "C" {
 #endif
 
-#define SAT4_STRUCTURE 0x60e5c883u  /* of the stand: names, counts, kinds of wrench */
-#define SAT4_PHYSICS   0x347c0b3bu  /* of the stand: structure and all numbers */
+#define SAT4_STRUCTURE 0x60e5c883u  /* hash of the stand's names, counts and kinds of wrench */
+#define SAT4_PHYSICS   0x347c0b3bu  /* hash of its structure and all numbers */
+#define SAT4_TABLE_HASH 0xca9f3637u /* FNV-1a of all numbers of the default table but its stream */
 #define SAT4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
+#define SAT4_REAL_BYTES 8           /* bytes of a sat4_real */
+#define SAT4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
+#define SAT4_VERSION_MINOR 1
+#define SAT4_VERSION_PATCH 0
 
 typedef double sat4_real;
 
@@ -34,42 +44,53 @@ typedef double sat4_real;
 #define SAT4_MAX_WRENCH          1.0e9     /* N, N m; each component of a run-time wrench */
 #define SAT4_MAX_STEP            10.0      /* s; a time step */
 #define SAT4_MAX_PARAMETER       1.0e15    /* SI; each mass, length and moment of inertia */
-#define SAT4_MAX_WEIGHT          1.0e6     /* the weight of a flywheel in inverse */
+#define SAT4_MAX_WEIGHT          1.0e6     /* the weight of a flywheel in inverse; at least its inverse */
+#define SAT4_MAX_ROUNDING        1.0       /* SI; each number of a carry */
+#define SAT4_MAX_TURN_4          1.0       /* rad; turn in a step of order 4; beyond: COARSE */
+#define SAT4_MAX_TURN_2          0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define SAT4_LARGEST             1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
-typedef enum sat4_status {
-    SAT4_OK = 0,                          /* good */
-    SAT4_NEAR_SINGULAR = 1,               /* least singular value below `near` of the largest */
+typedef int sat4_status;  /* not the enum, whose size compilers choose */
+
+enum {
+    SAT4_OK = 0,                          /* success */
+    SAT4_NEAR_SINGULAR = 1,               /* least singular value less than `near` times the largest */
     SAT4_DAMPED = 2,                      /* damping was applied */
-    SAT4_LIMITED = 4,                     /* a limit was reached; the mask says whose */
-    SAT4_UNREACHABLE = 8,                 /* least squares: residual above 1e-9 of the demand */
+    SAT4_LIMITED = 4,                     /* a limit was reached; `limited` says by which flywheels */
+    SAT4_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
     SAT4_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
+    SAT4_COARSE = 32,                     /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     SAT4_RANGE = -2,                      /* out of range, quaternion off unit length */
     SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
     SAT4_SINGULAR_ATTITUDE = -4,          /* attitude angles within 1e-6 of their singularity */
     SAT4_BAD_ARGUMENT = -5                /* a null pointer, a count, an index, a step or an option */
-} sat4_status;
+};
 
 /* ---- numbers of bodies ---- */
 
 /* flywheels, in the order of the stand file */
 enum { SAT4_RW1, SAT4_RW2, SAT4_RW3, SAT4_RW4, SAT4_N = 4 };
-/* instruments and points, which measure reads */
+/* instruments and points: those of the function points */
 enum { SAT4_SENSOR_ACC1, SAT4_SENSORS = 1 };
 
 /* ---- data ---- */
 
 /* State of the whole system. */
 typedef struct sat4_state {
-    sat4_real position[3];      /* m; of O1, in E0 */
+    sat4_real position[3];      /* m; position of O1, in E0 */
     sat4_real attitude[4];      /* unit quaternion, w first: x0 = C x1 */
     sat4_real V[6];             /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
     sat4_real phi[SAT4_N];      /* rad; phases */
     sat4_real phi_dot[SAT4_N];  /* rad/s; speeds relative to the mount */
 } sat4_state;
+
+/* What rounding took from a state: kept from step to step, all zero at first. */
+typedef struct sat4_step_carry {
+    sat4_real rounding[21];  /* SI; of each number of the state, in its order */
+} sat4_step_carry;
 
 /* Mass properties of one body, in its own frame. */
 typedef struct sat4_body {
@@ -83,14 +104,14 @@ typedef struct sat4_flywheel {
     sat4_body body;
     sat4_real position[3];  /* m; Os, in the frame of the mount */
     sat4_real axis[3];      /* spin axis in the frame of the mount, any length */
-    sat4_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+    sat4_real zero[3];      /* its component perpendicular to the axis is the second axis of Es at phi = 0 */
 } sat4_flywheel;
 
 /* A sensor or a place of interest. */
 typedef struct sat4_point {
     sat4_real position[3];  /* m; in the frame of the mount */
     sat4_real axis[3];      /* first axis in the frame of the mount, any length */
-    sat4_real zero[3];      /* its part across the first axis is the second axis */
+    sat4_real zero[3];      /* its component perpendicular to the first axis is the second axis */
 } sat4_point;
 
 /* Input of prepare: masses, inertias and mountings. */
@@ -100,7 +121,7 @@ typedef struct sat4_parameters {
     sat4_point point[1];
 } sat4_parameters;
 
-/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+/* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct sat4_row {
     sat4_real mu_c[3];   /* kg m; first moment about O1: cos phi */
     sat4_real mu_s[3];   /* kg m; sin phi */
@@ -121,9 +142,9 @@ typedef struct sat4_sensor {
     sat4_real axes[9];    /* own axes to E1, row by row */
 } sat4_sensor;
 
-/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
 typedef struct sat4_table {
-    sat4_real mass;                    /* kg; of all bodies */
+    sat4_real mass;                    /* kg; mass of all bodies */
     sat4_real mass_inverse;            /* 1/kg */
     sat4_real first_moment[3];         /* kg m; mu about O1, constant part */
     sat4_real inertia[6];              /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
@@ -133,20 +154,20 @@ typedef struct sat4_table {
 
 /* The matrices of (8). */
 typedef struct sat4_matrices_result {
-    sat4_real K[6][6];       /* kg, kg m, kg m2; mass matrix (2) */
-    sat4_real K_dot[6][6];   /* per s; its rate (6) */
-    sat4_real M[6][6];       /* per s; velocity matrix (9) */
-    sat4_real I[6][SAT4_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
-    sat4_real J[6][SAT4_N];  /* per s; its velocity part (9) */
-    sat4_real F[6];          /* N, N m; total external wrench (7) */
+    sat4_real K[6][6];        /* kg, kg m, kg m2; mass matrix (2) */
+    sat4_real K_dot[6][6];    /* per s; its rate (6) */
+    sat4_real M[6][6];        /* per s; velocity matrix (9) */
+    sat4_real I_[6][SAT4_N];  /* kg m, kg m2; flywheel coupling (9), one column per flywheel */
+    sat4_real J[6][SAT4_N];   /* per s; its velocity part (9) */
+    sat4_real F[6];           /* N, N m; total external wrench (7) */
 } sat4_matrices_result;
 
 /* Momentum, energy and mass centre. */
 typedef struct sat4_momentum_result {
     sat4_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    sat4_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
-    sat4_real energy;             /* J; kinetic */
-    sat4_real center_of_mass[3];  /* m; of all bodies, in E1 */
+    sat4_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    sat4_real energy;             /* J; kinetic energy */
+    sat4_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
 } sat4_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -156,7 +177,7 @@ typedef struct sat4_generalized_result {
     sat4_real I0[6][6];   /* K A (11) */
     sat4_real J0[6][6];   /* K D + M A (11) */
     sat4_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
-    sat4_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+    sat4_real q_ddot[6];  /* m/s2, rad/s2; solution of (11) for the given phi_ddot */
 } sat4_generalized_result;
 
 /* One flywheel and its mounting; used by mounts only. */
@@ -165,10 +186,10 @@ typedef struct sat4_mount {
     sat4_real first_moment[3];  /* kg m; m rc, in Es */
     sat4_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
     sat4_real origin[3];        /* m; Os in E1 */
-    sat4_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+    sat4_real axes[9];          /* axes of Es in E1 at phi = 0, row by row */
 } sat4_mount;
 
-/* Second table that mounts needs. Made by prepare_mounts. */
+/* Second table, which the function mounts needs. Made by prepare_mounts. */
 typedef struct sat4_mount_table {
     sat4_mount flywheel[SAT4_N];
 } sat4_mount_table;
@@ -177,38 +198,41 @@ typedef struct sat4_mount_table {
 typedef struct sat4_points_result {
     sat4_real position[3];              /* m; in E0 */
     sat4_real C[3][3];                  /* own axes to E0 */
-    sat4_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes: a gyro reads the last
-                                         * three */
-    sat4_real specific_force[3];        /* m/s2; acceleration less gravity, in own axes: an accelerometer */
+    sat4_real twist[6];                 /* m/s, rad/s; relative to E0, in own axes; the last three are the
+                                         * gyro's reading */
+    sat4_real specific_force[3];        /* m/s2; acceleration minus gravity, in own axes: the
+                                         * accelerometer's reading */
     sat4_real angular_acceleration[3];  /* rad/s2; in own axes */
 } sat4_points_result;
 
-/* An encoder whose counter wraps. Kept by accumulate. */
+/* An encoder whose counter wraps. Updated by accumulate. */
 typedef struct sat4_encoder {
     int counter;  /* last reading */
-    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int place;    /* counts within the turn, 0 to |per_turn| - 1 */
     int moved;    /* counts between the last two readings */
 } sat4_encoder;
 
-/* How inverse chooses among flywheels, and near singularity. */
+/* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
-    sat4_real limit[SAT4_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
-    sat4_real near;            /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
-    sat4_real damping;         /* part of the largest singular value that damps those near zero, 0..1; 0:
+    sat4_real weight[SAT4_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    sat4_real limit[SAT4_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                * limit */
+    sat4_real near;            /* status NEAR_SINGULAR below this fraction of the largest singular value,
+                                * 0..1 */
+    sat4_real damping;         /* damping of small singular values, as a fraction of the largest, 0..1; 0:
                                 * none */
 } sat4_inverse_options;
 
-/* Answer of inverse, and how good it is. */
+/* Result of inverse and its quality. */
 typedef struct sat4_inverse_result {
     sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations */
     sat4_real residual[6];       /* N, N m; F - K V* - M V - J phi' - I phi'' */
     sat4_real sigma[4];          /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
-    int rank;                    /* of them that count */
-    sat4_real damped_by;         /* largest lambda applied, in units of sigma; 0: none */
-    int limited[SAT4_N];         /* 1 where the limit of a flywheel was reached */
-    sat4_real hardest[6];        /* wrench out of reach, or hardest to reach; of unit size in the norm of
-                                  * K^-1 */
+    int rank;                    /* number of singular values above the rank threshold */
+    sat4_real damped_by;         /* largest damping lambda applied, in units of sigma; 0: none */
+    int limited[SAT4_N];         /* 1 if the flywheel reached its limit */
+    sat4_real hardest[6];        /* the unreachable wrench, or the one hardest to reach; a unit vector in
+                                  * the norm of K^-1 */
 } sat4_inverse_result;
 
 /* Derivatives of coupled. */
@@ -281,7 +305,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[4]       N m; drive torques, mount on flywheel
- *   locked[4]    not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[4]    not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
@@ -290,72 +314,78 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
 sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
-/* step: state a time step later, under drive torques and wrenches held constant.
+/* step: state after one time step; drive torques and wrenches are held constant.
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
- *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 8760 operations on reals, 22 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 8783 operations on reals, 22 of them divisions. */
 sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
-/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+/* step_driven: state after one time step; given flywheel accelerations and wrenches are held constant.
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
  *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next         out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 5656 operations on reals, 18 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 5679 operations on reals, 18 of them divisions. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
-/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+/* wrap: the angle wrapped to [-pi, pi] (pi rounded to the nearest real).
  *   phi      rad; any angle within MAX_PHASE
- *   wrapped  out: rad; the equal angle, in [-pi, pi]
- * Error below 5e-16 rad, modulo a turn.
+ *   wrapped  out: rad; the same angle in [-pi, pi]
+ * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 29 operations on reals, no division. */
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
 
-/* phase_of_counts: phase of an encoder's count.
- *   count     of the encoder, any; or `place` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- *   zero      count at phi = 0, at most a turn
- *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
- * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
- * RANGE where |zero| is more than a turn.
+/* phase_of_counts: phase for a count of an encoder.
+ *   count     any count of the encoder; or `place` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ *   zero      count at phi = 0, at most one turn in magnitude
+ *   phi       out: rad; phase, in [-pi, pi] (pi rounded to the nearest real)
+ * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
+ * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 20 operations on reals, 1 of them a division. */
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
- *   moved     counts in the time dt: `moved` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   moved     counts during dt: `moved` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
  *   dt        s; greater than 0
- *   phi_dot   out: rad/s; mean speed in this time
- * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ *   phi_dot   out: rad/s; mean speed during dt
+ * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 10 operations on reals, 2 of them divisions. */
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot);
 
-/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
- * moved, exactly.
- *   encoder   in and out: begin with the first reading, place: counts within the turn
- *   counter   as it is read; of 32 bits: as signed
- *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- * Read it before the counter has moved by half its range (where bits is 0: half a turn).
- * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+/* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
+ * moved, both exact.
+ *   encoder   in and out: start with counter = first reading, place = its counts within the turn
+ *   counter   counter as read; a 32-bit counter as a signed number
+ *   bits      width of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ * Call it before the counter has moved by half its range (by half a turn if bits is 0).
+ * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
  * No operation on reals. */
 sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn);
@@ -365,7 +395,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5542 operations on reals, 57 of them divisions. */
@@ -376,9 +406,9 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[4]     N m; drive torques, mount on flywheel
- *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   out        out: derivatives of V* and phi''
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 12436 operations on reals, 76 of them divisions. */
@@ -386,17 +416,17 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
- * is shared among the others, (12).
+ * Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit
+ * cannot give is shared among the others, (12).
  *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; default_options has those of the stand
- *   out       out: phi_ddot and how good it is
- * Positive statuses are bits that may come together.
+ *   options   weights, limits, damping; default_options holds those of the stand file
+ *   out       out: phi_ddot and its quality
+ * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33681 operations on reals, 997 of them divisions. */
+ * At most 33705 operations on reals, 997 of them divisions. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -405,22 +435,22 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; near and limits are not read
+ *   options      weights and damping; `near` and limits are ignored
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
- * Squares the condition: as good as inverse where singular values are within some thousands of one
- * another;
- * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
+ * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
+ * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2328 operations on reals, 39 of them divisions. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
-/* points: what an accelerometer and a gyro read at each instrument and point.
+/* points: readings of an accelerometer and a gyro at each instrument and point.
  *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
- *   out[1]    out: a reading each
+ *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 335 operations on reals, 1 of them a division. */
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
@@ -435,11 +465,11 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
  * + D q', (10).
- *   position[3]  m; of O1, in E0
+ *   position[3]  m; position of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
- *   q_ddot[6]    m/s2, rad/s2; their rates
- *   x            in and out: its position, attitude and V are written; phases stay
+ *   q_ddot[6]    m/s2, rad/s2; rates of q_dot
+ *   x            in and out: its position, attitude and V are written; phases and speeds are kept
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
@@ -451,7 +481,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
 /* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
  *   table        the prepared table
- *   x            state; its attitude is not read, the angles take its place
+ *   x            state; its attitude is ignored, `angles` replaces it
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
@@ -463,18 +493,18 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
- * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * RANGE also where a mass is negative or axes have no direction.
- * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
- * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
- * inertia; no mass at all.
+ *   table       in and out: start with a copy of the default; its laws (gravity, damping, ...) are kept
+ * The generator makes the default table by the same operations: the default parameters give its bits.
+ * Also returns RANGE if a mass is negative or an axis has no direction.
+ * NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are negative or
+ * break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin inertia; no
+ * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 5763 operations on reals, 40 of them divisions. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
-/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+/* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
  *   mounting          made once by prepare_mounts
  *   x                 state; its attitude within 1e-3 of unit length
  *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
@@ -486,13 +516,49 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
-/* prepare_mounts: makes the second table that mounts needs.
+/* prepare_mounts: makes the second table, which the function mounts needs.
  *   parameters  masses, inertias, mountings
- *   mounting    out: what mounts needs
+ *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1943 operations on reals, 33 of them divisions. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
+
+/* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
+ * compensated by a carry.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[4]     N m; drive torques, mount on flywheel
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry      in and out: of the step before; at first all zero
+ *   next       out: state after the step; may be x itself
+ * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 9051 operations on reals, 22 of them divisions. */
+sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
+                              const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
+                              sat4_state *next);
+
+/* step_driven_carried: state after one time step under given flywheel accelerations and wrenches, held
+ * constant; sums are compensated by a carry.
+ *   table        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[4]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry        in and out: of the step before; at first all zero
+ *   next         out: state after the step; may be x itself
+ * Statuses as of step_driven. A carry belongs to its state: where another state is set, set the carry to
+ * zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 5947 operations on reals, 18 of them divisions. */
+sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
+                                     const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
+                                     sat4_step_carry *carry, sat4_state *next);
 
 /* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
  *   table                       the prepared table
@@ -507,4 +573,22 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
 }
 #endif
 
+#endif
+
+/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
+ * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
+ * Define SAT4_NO_LINK_CHECK where only types are used, and the source is not linked. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+#if !defined SAT4_NO_LINK_CHECK && !defined SAT4_LINK_CHECKED
+#define SAT4_LINK_CHECKED
+#if __SIZEOF_POINTER__ == 8
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".quad sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
+        ".popsection\n");
+#elif __SIZEOF_POINTER__ == 4
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".long sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
+        ".popsection\n");
+#endif
+#endif
 #endif

@@ -295,12 +295,27 @@ static void bits_parameters(sat4_parameters *x)
     }
 }
 
+static void normal_step_carry(sat4_step_carry *x)
+{
+    reals(&x->rounding[0], 21, 1.0e-6);
+}
+
+static void any_step_carry(sat4_step_carry *x)
+{
+    reals(&x->rounding[0], 21, SAT4_LARGEST);
+}
+
+static void bits_step_carry(sat4_step_carry *x)
+{
+    all_bits(&x->rounding[0], 21);
+}
+
 static void untouched_matrices_result(const sat4_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 24);
+    untouched(&x->I_[0][0], 24);
     untouched(&x->J[0][0], 24);
     untouched(&x->F[0], 6);
 }
@@ -310,7 +325,7 @@ static void written_matrices_result(const sat4_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 24);
+    written(&x->I_[0][0], 24);
     written(&x->J[0][0], 24);
     written(&x->F[0], 6);
 }
@@ -320,7 +335,7 @@ static void initialised_matrices_result(const sat4_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 24);
+    initialised(&x->I_[0][0], 24);
     initialised(&x->J[0][0], 24);
     initialised(&x->F[0], 6);
 }
@@ -689,6 +704,16 @@ static void initialised_mount_table(const sat4_mount_table *x)
     initialised(&x->flywheel[3].inertia[0], 6);
     initialised(&x->flywheel[3].origin[0], 3);
     initialised(&x->flywheel[3].axes[0], 9);
+}
+
+static void written_step_carry(const sat4_step_carry *x)
+{
+    written(&x->rounding[0], 21);
+}
+
+static void initialised_step_carry(const sat4_step_carry *x)
+{
+    initialised(&x->rounding[0], 21);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -1923,6 +1948,156 @@ void sat4_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void sat4_eva_normal_step_carried(void);
+void sat4_eva_normal_step_carried(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, 100.0);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, 0, 1);
+    sat4_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    sat4_step_carry carry;
+    normal_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_carried(&sat4_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void sat4_eva_any_step_carried(void);
+void sat4_eva_any_step_carried(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real tau[SAT4_N];
+    reals(&tau[0], 4, SAT4_LARGEST);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real dt;
+    reals(&dt, 1, SAT4_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_step_carry carry;
+    any_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_carried(&sat4_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void sat4_eva_bits_step_carried(void);
+void sat4_eva_bits_step_carried(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real tau[SAT4_N];
+    all_bits(&tau[0], 4);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_step_carry carry;
+    bits_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_carried(&sat4_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void sat4_eva_normal_step_driven_carried(void);
+void sat4_eva_normal_step_driven_carried(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, 1.0e4);
+    sat4_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    sat4_step_carry carry;
+    normal_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven_carried(&sat4_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void sat4_eva_any_step_driven_carried(void);
+void sat4_eva_any_step_driven_carried(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real phi_ddot[SAT4_N];
+    reals(&phi_ddot[0], 4, SAT4_LARGEST);
+    sat4_real dt;
+    reals(&dt, 1, SAT4_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_step_carry carry;
+    any_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven_carried(&sat4_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void sat4_eva_bits_step_driven_carried(void);
+void sat4_eva_bits_step_driven_carried(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real phi_ddot[SAT4_N];
+    all_bits(&phi_ddot[0], 4);
+    sat4_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    sat4_step_carry carry;
+    bits_step_carry(&carry);
+    sat4_state next;
+    const sat4_status status = sat4_step_driven_carried(&sat4_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

@@ -13,12 +13,12 @@
 #define SAT4_CODE
 #endif
 
-/* Header and recorder have the same real: else this array has no size. */
+/* Header and recorder use the same real type: otherwise this array has a negative size. */
 typedef char sat4_recorder_real[(sizeof(sat4_real) == 8) ? 1 : -1];
 
 typedef uint64_t sat4_record_word;  /* the bits of a real */
 
-/* Counts of bytes, and the first byte of a step's record. */
+/* Sizes in bytes, and the first byte of a step's record. */
 enum {
     SAT4_RECORD_STEP = 0x53,
     SAT4_RECORD_REAL_BYTES = 8,
@@ -30,7 +30,7 @@ enum {
 #define SAT4_RECORD_BASIS 2166136261u
 #define SAT4_RECORD_PRIME 16777619u
 
-/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+/* A record being written: the bytes that wait for write, and their hash so far. Without a log nothing is written. */
 typedef struct sat4_page {
     sat4_recorder *log;
     uint32_t check;
@@ -99,7 +99,7 @@ static void sat4_record_put_bytes(sat4_page *page, const unsigned char *bytes, s
     }
 }
 
-/* The check, and out with what waits. */
+/* Appends the check and writes the waiting bytes. */
 SAT4_CODE
 static void sat4_record_end(sat4_page *page)
 {
@@ -199,7 +199,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
     sat4_record_put_reals(&page, x->V, 6);
     sat4_record_put_reals(&page, x->phi, SAT4_N);
     sat4_record_put_reals(&page, x->phi_dot, SAT4_N);
-    if (check == SAT4_RECORDER_TABLE) {
+    if (check == SAT4_TABLE_HASH) {
         sat4_record_put(&page, 0, 4);
     } else {
         sat4_record_put(&page, SAT4_RECORD_TABLE_BYTES, 4);
@@ -211,7 +211,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
     return SAT4_OK;
 }
 
-/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log remembers the new values. */
 SAT4_CODE
 static unsigned sat4_notice_changes(sat4_recorder *log, const sat4_state *x,
                                   sat4_real dt, int order)
@@ -285,15 +285,15 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
     sat4_page page;
     sat4_status status;
     unsigned flags = 0;
-    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL
         || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
     for (int s = 0; s < SAT4_N; ++s) {
-        flags |= (locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
+        flags |= (locked != NULL && locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
     }
     flags |= sat4_notice_changes(log, x, dt, order);
     sat4_record_head(&page, log, x, flags);
     sat4_record_put_reals(&page, tau, SAT4_N);
-    if (flags & SAT4_RECORD_LOCKS) {
+    if ((flags & SAT4_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
         for (int first = 0; first < SAT4_N; first += SAT4_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
             for (int s = first; s < SAT4_N && s < first + SAT4_RECORD_LOCKS_A_BYTE; ++s) {

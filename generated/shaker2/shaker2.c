@@ -11,6 +11,31 @@
 #if SHAKER2_LANES != 1
 #error "shaker2.h and shaker2.c were generated for different numbers of lanes"
 #endif
+#if SHAKER2_REAL_BYTES != 8
+#error "shaker2.h and shaker2.c were generated for different element types"
+#endif
+#if SHAKER2_VERSION_MAJOR != 0 || SHAKER2_VERSION_MINOR != 1 || SHAKER2_VERSION_PATCH != 0
+#error "shaker2.h and shaker2.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
+        ".type shaker2_link_double_lanes1_v0_1_0_2591b2a4, %object\n"
+        ".size shaker2_link_double_lanes1_v0_1_0_2591b2a4, 1\n"
+        ".set shaker2_link_double_lanes1_v0_1_0_2591b2a4, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef SHAKER2_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile shaker2 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile shaker2 without -ffinite-math-only"
+#endif
+#endif
 
 /* Attributes for sections, such as fast memory: define them to place code and tables. */
 #ifndef SHAKER2_CODE
@@ -33,8 +58,8 @@ typedef struct shaker2_sums {
 
 /* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
 typedef struct shaker2_coupling {
-    shaker2_real I[6];  /* kg m, kg m2; column of I (9) */
-    shaker2_real bias;  /* N m; drive torque at V* = 0, phi'' = 0 */
+    shaker2_real I_[6];  /* kg m, kg m2; column of I (9) */
+    shaker2_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
 } shaker2_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
@@ -46,11 +71,11 @@ typedef struct shaker2_schur {
 
 /* Scratch of inverse. */
 typedef struct shaker2_inverse_work {
-    shaker2_real I[6][SHAKER2_N];   /* kg m, kg m2; flywheel coupling (9) */
+    shaker2_real I_[6][SHAKER2_N];  /* kg m, kg m2; flywheel coupling (9) */
     shaker2_real W[6][SHAKER2_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
     shaker2_real U[6][6];           /* rotations of the rows */
     shaker2_real G[6][6];           /* Cholesky factor of K, lower triangle */
-    shaker2_real b[6];              /* N, N m; what the flywheels must give */
+    shaker2_real b[6];              /* N, N m; the wrench demanded of the flywheels */
     shaker2_real r[6];              /* scaled: G^-1 b; then U^T r */
     shaker2_real sigma[6];          /* singular values */
     shaker2_real scale[SHAKER2_N];  /* D^-1 */
@@ -74,13 +99,17 @@ static shaker2_real shaker2_real_of(shaker2_word word)
     return both.real;
 }
 
-/* sine and cosine of an angle.
+/* What null stands for. */
+SHAKER2_CONST
+static const int shaker2_none_locked[SHAKER2_N] = { 0 };
+
+/* Sine and cosine of an angle.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SHAKER2_CODE
 static void shaker2_sincos(shaker2_real x, shaker2_real *restrict sine, shaker2_real *restrict cosine)
 {
-    /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
     const shaker2_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
     const shaker2_word quadrant = shaker2_bits_of(shifted);  /* mod 4: its last two bits */
     const shaker2_real k = shifted - 6755399441055744.0;
@@ -91,7 +120,7 @@ static void shaker2_sincos(shaker2_real x, shaker2_real *restrict sine, shaker2_
     /* rounding error of r_hi, and the third part */
     const shaker2_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
     const shaker2_real z = r_hi * r_hi;
-    /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
     const shaker2_real half_z = z * 0.5;
     const shaker2_real flat = 1.0 - half_z;
     const shaker2_real cos_fit = 0.0416666666666666
@@ -113,41 +142,45 @@ static void shaker2_sincos(shaker2_real x, shaker2_real *restrict sine, shaker2_
     *cosine = shaker2_real_of(cos_bits ^ exchange ^ cosine_sign);
 }
 
-/* square root, correctly rounded.
+/* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
 SHAKER2_CODE
 static shaker2_real shaker2_sqrt(shaker2_real x)
 {
-    /* x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first. */
+#ifdef SHAKER2_SQRT
+    return SHAKER2_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
     const int subnormal = x < 2.2250738585072014e-308;
     const shaker2_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
     const shaker2_word lowered = (subnormal) ? 27u : 0u;
     const shaker2_word bits = shaker2_bits_of(x * lift);
     const shaker2_word exponent = bits >> 52u;
-    const shaker2_word odd = (exponent & 1u) ^ 1u;  /* the bias is odd */
+    const shaker2_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
     const shaker2_word fraction = bits & 0xfffffffffffffu;
     const shaker2_word m_bits = fraction + ((odd + 1023u) << 52u);
     const shaker2_real m = shaker2_real_of(m_bits);
     const shaker2_real half_m = m * 0.5;
-    /* y = 1/sqrt(m): a shift of the bits, then Newton steps. */
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
     const shaker2_real y0 = shaker2_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
     const shaker2_real y1 = y0 * (1.5 - half_m * y0 * y0);
     const shaker2_real y2 = y1 * (1.5 - half_m * y1 * y1);
     const shaker2_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const shaker2_real s = m * y3;
     const shaker2_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
      * place. */
     const shaker2_word root = shaker2_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const shaker2_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
-    const shaker2_word up = (root - d) >> 63u;  /* 1 where d > s: the next larger is nearer */
-    const shaker2_word down = (d + root - 1u) >> 63u;  /* 1 where d <= -s: the next smaller is */
+    const shaker2_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const shaker2_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
     const shaker2_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
     const shaker2_real result = shaker2_real_of(root + up - down + ((halved - 1u) << 52u));
     return (x > 0.0) ? result : x;
+#endif
 }
 
-/* angle of the vector (x, y), in [-pi, pi].
+/* Angle of the vector (x, y), in [-pi, pi].
  * x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0. */
 SHAKER2_CODE
 static shaker2_real shaker2_atan2(shaker2_real y, shaker2_real x)
@@ -163,7 +196,7 @@ static shaker2_real shaker2_atan2(shaker2_real y, shaker2_real x)
     /* The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2. */
     const int beyond = minor + minor > major;
     const shaker2_real above = (beyond) ? minor - major : minor;
-    const shaker2_real below = (beyond) ? minor + major : ((major > 0.0) ? major : 1.0);  /* 1 for 0/0 */
+    const shaker2_real below = (beyond) ? minor + major : ((major > 0.0) ? major : 1.0);  /* 1 avoids 0/0 */
     const shaker2_real octant = (beyond) ? 1.0 : 0.0;
     /* Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle. */
     const shaker2_real above_1 = (steep) ? -above : above;
@@ -187,24 +220,25 @@ static shaker2_real shaker2_atan2(shaker2_real y, shaker2_real x)
     return shaker2_real_of(shaker2_bits_of(angle) | (shaker2_bits_of(y) & 0x8000000000000000u));
 }
 
-/* phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
 SHAKER2_CODE
 static shaker2_real shaker2_unwound(shaker2_real phi, shaker2_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
-/* the equal angle within half a turn of zero.
- * |phi| <= 1e+07: beyond it the result is meaningless, nothing worse. */
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
 SHAKER2_CODE
 static shaker2_real shaker2_wrapped(shaker2_real phi)
 {
-    /* k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
     const shaker2_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return shaker2_unwound(phi, k);
 }
 
-/* are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
 SHAKER2_CODE
 static shaker2_status shaker2_within(const shaker2_real values[], int count, shaker2_real limit)
 {
@@ -217,7 +251,7 @@ static shaker2_status shaker2_within(const shaker2_real values[], int count, sha
     return SHAKER2_OK;
 }
 
-/* is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
 SHAKER2_CODE
 static shaker2_status shaker2_check_state(const shaker2_state *x)
 {
@@ -239,7 +273,7 @@ static shaker2_status shaker2_check_state(const shaker2_state *x)
     return SHAKER2_OK;
 }
 
-/* rotation matrix of a quaternion; its length does not matter, so no root is needed. */
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
 SHAKER2_CODE
 static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[restrict 9])
 {
@@ -255,7 +289,7 @@ static void shaker2_rotation(const shaker2_real q[4], shaker2_real C[restrict 9]
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
 }
 
-/* C^T a: from the outer axes to the turned ones. */
+/* C^T a: components from the outer axes to the rotated axes. */
 SHAKER2_CODE
 static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3],
                                 shaker2_real out[restrict 3])
@@ -265,7 +299,7 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
 }
 
-/* sums of carrier, instruments and the constant part of the flywheels, (2). */
+/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
 SHAKER2_CODE
 static void shaker2_start_sums(const shaker2_table *table, shaker2_sums *restrict sum)
 {
@@ -282,15 +316,16 @@ static void shaker2_start_sums(const shaker2_table *table, shaker2_sums *restric
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
-/* sines and cosines of all phases.
+/* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
- * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, nothing worse. */
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
 SHAKER2_CODE
 static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real sine[restrict SHAKER2_N],
                                 shaker2_real cosine[restrict SHAKER2_N])
 {
     for (int s = 0; s < SHAKER2_N; ++s) {
-        /* k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
         const shaker2_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const shaker2_word quadrant = shaker2_bits_of(shifted);  /* mod 4: its last two bits */
         const shaker2_real k = shifted - 6755399441055744.0;
@@ -301,7 +336,7 @@ static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real si
         /* rounding error of r_hi, and the third part */
         const shaker2_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
         const shaker2_real z = r_hi * r_hi;
-        /* cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back. */
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
         const shaker2_real half_z = z * 0.5;
         const shaker2_real flat = 1.0 - half_z;
         const shaker2_real cos_fit = 0.0416666666666666
@@ -325,18 +360,18 @@ static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real si
     }
 }
 
-/* adds what one flywheel's row gives at its phase to the sums, (2), (5), (6). */
+/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
 SHAKER2_CODE
 static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c,
                                  shaker2_real phi_dot, shaker2_real phi_ddot, shaker2_sums *restrict sum)
 {
-    const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* of the double phase */
+    const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
     const shaker2_real s2 = 2.0 * c * s;
-    const shaker2_real dc = -phi_dot * s;  /* rates: d(cos phi)/dt */
+    const shaker2_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
     const shaker2_real ds = phi_dot * c;
     const shaker2_real dc2 = -2.0 * phi_dot * s2;
     const shaker2_real ds2 = 2.0 * phi_dot * c2;
-    const shaker2_real ddc = -phi_dot * ds - phi_ddot * s;  /* second rates */
+    const shaker2_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
     const shaker2_real dds = phi_ddot * c + phi_dot * dc;
     /* first moment and its rate */
     sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
@@ -372,19 +407,19 @@ static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2
     sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
 }
 
-/* rotation vector of a quaternion of about unit length; its length is at most pi. */
+/* Rotation vector of a quaternion of about unit length; its length is at most pi. */
 SHAKER2_CODE
 static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[restrict 3])
 {
-    /* q and -q are the same rotation: take the shorter way */
+    /* q and -q are the same rotation: take the one of the smaller angle */
     const shaker2_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const shaker2_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    shaker2_real ratio = 2.0;  /* angle over the length of the vector part */
+    shaker2_real ratio = 2.0;  /* rotation angle divided by the length of the vector part */
     if (square > 1.0e-30) {
         const shaker2_real length = shaker2_sqrt(square);
         ratio = 2.0 * shaker2_atan2(length, side * q[0]) / length;
     } else {
-        /* as it must be; the test keeps zero out of the division whatever q is */
+        /* |w| is near 1 here; the test only prevents a division by zero for other q */
         if (side * q[0] > 0.5) {
             ratio = 2.0 / (side * q[0]);
         }
@@ -392,7 +427,7 @@ static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[rest
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
 
-/* adds the suspension: -(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C),
+/* Adds the suspension: -(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C),
  * (7). */
 SHAKER2_CODE
 static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *x, const shaker2_real C[9],
@@ -424,14 +459,14 @@ static void shaker2_suspend(const shaker2_suspension *law, const shaker2_state *
     }
 }
 
-/* total external wrench of weight, suspension, from checked inputs, (7). */
+/* Total external wrench of weight, suspension, from checked inputs, (7). */
 SHAKER2_CODE
 static void shaker2_external(const shaker2_table *table, const shaker2_state *x, const shaker2_sums *sum,
                              const shaker2_real C[9], const shaker2_real g[3], shaker2_real F[restrict 6])
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    /* weight of every body: its line of action moves with the flywheels */
+    /* weight of all bodies: its line of action moves with the flywheels */
     F[0] += g[0] * table->mass;  F[1] += g[1] * table->mass;  F[2] += g[2] * table->mass;
     F[3] += g[2] * sum->mu[1] - g[1] * sum->mu[2];
     F[4] += g[0] * sum->mu[2] - g[2] * sum->mu[0];
@@ -439,7 +474,7 @@ static void shaker2_external(const shaker2_table *table, const shaker2_state *x,
     shaker2_suspend(&table->suspension, x, C, F);
 }
 
-/* momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
 SHAKER2_CODE
 static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sums *sum,
                                    const shaker2_real V[6], shaker2_real Z[restrict 6])
@@ -455,7 +490,7 @@ static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sum
         - sum->mu[1] * V[0];
 }
 
-/* F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
 SHAKER2_CODE
 static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V[6], const shaker2_real Z[6],
                                    shaker2_real F[restrict 6])
@@ -474,7 +509,7 @@ static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V
         - Z[1] * V[0];
 }
 
-/* solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
 SHAKER2_CODE
 static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real b[3],
                                      shaker2_real y[restrict 3])
@@ -499,7 +534,7 @@ static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real
     return SHAKER2_OK;
 }
 
-/* solves K y = F: the translational block of K is constant, so a 3x3 solve is left, (8). */
+/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
 SHAKER2_CODE
 static shaker2_status shaker2_solve_carrier(const shaker2_table *table, const shaker2_sums *sum,
                                             const shaker2_real F[6], shaker2_real y[restrict 6])
@@ -549,7 +584,7 @@ static shaker2_status shaker2_accelerate(const shaker2_table *table, const shake
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    shaker2_real F[6];  /* wrench (7); then what K V* must equal */
+    shaker2_real F[6];  /* wrench (7); then the right-hand side of (8) */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_external(table, x, &sum, C, g, F);
     shaker2_momentum_screw(table, &sum, x->V, Z);
@@ -693,19 +728,19 @@ shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state 
         rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
         rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
         rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
-        out->I[0][s] = column[0];
+        out->I_[0][s] = column[0];
         out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
-        out->I[1][s] = column[1];
+        out->I_[1][s] = column[1];
         out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
-        out->I[2][s] = column[2];
+        out->I_[2][s] = column[2];
         out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
-        out->I[3][s] = column[3];
+        out->I_[3][s] = column[3];
         out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
             + rate[3] * x->phi_dot[s];
-        out->I[4][s] = column[4];
+        out->I_[4][s] = column[4];
         out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
             + rate[4] * x->phi_dot[s];
-        out->I[5][s] = column[5];
+        out->I_[5][s] = column[5];
         out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
             + rate[5] * x->phi_dot[s];
     }
@@ -769,7 +804,7 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
     return SHAKER2_OK;
 }
 
-/* column of I of one flywheel, and the drive torque that it takes at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
 SHAKER2_CODE
 static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real c,
                            const shaker2_real origin_acceleration[3], const shaker2_real spun[6],
@@ -777,12 +812,12 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
 {
     const shaker2_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const shaker2_real two_s2 = 4.0 * c * s;
-    out->I[0] = row->mu_s[0] * c - row->mu_c[0] * s;
-    out->I[1] = row->mu_s[1] * c - row->mu_c[1] * s;
-    out->I[2] = row->mu_s[2] * c - row->mu_c[2] * s;
-    out->I[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
-    out->I[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
-    out->I[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
     /* dJ / dphi */
     const shaker2_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2
         - row->J_c[0] * s;
@@ -797,27 +832,27 @@ static void shaker2_couple(const shaker2_row *row, shaker2_real s, shaker2_real 
     const shaker2_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2
         - row->J_c[5] * s;
     out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
-        + J_p6 * spun[5] + out->I[0] * origin_acceleration[0] + out->I[1] * origin_acceleration[1]
-        + out->I[2] * origin_acceleration[2];
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
 }
 
-/* eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
 SHAKER2_CODE
-static void shaker2_eliminate(const shaker2_real I[6], shaker2_real spin_inv, shaker2_real rate,
+static void shaker2_eliminate(const shaker2_real column[6], shaker2_real spin_inv, shaker2_real rate,
                               shaker2_schur *restrict K, shaker2_real F[restrict 6])
 {
     shaker2_real scaled[6];  /* I / Theta_ff */
-    scaled[0] = I[0] * spin_inv;  scaled[1] = I[1] * spin_inv;  scaled[2] = I[2] * spin_inv;
-    scaled[3] = I[3] * spin_inv;  scaled[4] = I[4] * spin_inv;  scaled[5] = I[5] * spin_inv;
-    K->A[0] -= I[0] * scaled[0];  K->A[1] -= I[1] * scaled[1];  K->A[2] -= I[2] * scaled[2];
-    K->A[3] -= I[0] * scaled[1];  K->A[4] -= I[0] * scaled[2];  K->A[5] -= I[1] * scaled[2];
-    K->B[0] -= I[3] * scaled[0];  K->B[1] -= I[3] * scaled[1];  K->B[2] -= I[3] * scaled[2];
-    K->B[3] -= I[4] * scaled[0];  K->B[4] -= I[4] * scaled[1];  K->B[5] -= I[4] * scaled[2];
-    K->B[6] -= I[5] * scaled[0];  K->B[7] -= I[5] * scaled[1];  K->B[8] -= I[5] * scaled[2];
-    K->D[0] -= I[3] * scaled[3];  K->D[1] -= I[4] * scaled[4];  K->D[2] -= I[5] * scaled[5];
-    K->D[3] -= I[3] * scaled[4];  K->D[4] -= I[3] * scaled[5];  K->D[5] -= I[4] * scaled[5];
-    F[0] -= I[0] * rate;  F[1] -= I[1] * rate;  F[2] -= I[2] * rate;
-    F[3] -= I[3] * rate;  F[4] -= I[4] * rate;  F[5] -= I[5] * rate;
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -841,11 +876,11 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -853,14 +888,14 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
     shaker2_coupling drive;
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
-        tau[s] = V_dot[0] * drive.I[0] + V_dot[1] * drive.I[1] + V_dot[2] * drive.I[2] + V_dot[3] * drive.I[3]
-            + V_dot[4] * drive.I[4] + V_dot[5] * drive.I[5] + table->flywheel[s].spin * phi_ddot[s]
-            + drive.bias;
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
     }
     return SHAKER2_OK;
 }
 
-/* solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
 SHAKER2_CODE
 static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_real F[6],
                                           shaker2_real y[restrict 6])
@@ -932,7 +967,7 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    shaker2_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_external(table, x, &sum, C, g, F);
     shaker2_momentum_screw(table, &sum, x->V, Z);
@@ -946,11 +981,11 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     shaker2_coupling drive[SHAKER2_N];
-    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -961,7 +996,7 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
         rate[s] = 0.0;
         if (locked[s] == 0) {
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            shaker2_eliminate(drive[s].I, table->flywheel[s].spin_inv, rate[s], &K, F);
+            shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
     status = shaker2_solve_schur(&K, F, V_dot);
@@ -969,9 +1004,9 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
-            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I[0] + V_dot[1] * drive[s].I[1]
-                + V_dot[2] * drive[s].I[2] + V_dot[3] * drive[s].I[3] + V_dot[4] * drive[s].I[4]
-                + V_dot[5] * drive[s].I[5]) * table->flywheel[s].spin_inv;
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
         }
     }
     return SHAKER2_OK;
@@ -983,8 +1018,9 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N])
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL || V_dot == NULL
+    if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = shaker2_none_locked; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
@@ -1004,7 +1040,7 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
     return SHAKER2_OK;
 }
 
-/* to = x + h rate, phases from within half a turn. */
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
 SHAKER2_CODE
 static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, shaker2_real h,
                             shaker2_state *restrict to)
@@ -1026,7 +1062,7 @@ static void shaker2_advance(const shaker2_state *x, const shaker2_state *rate, s
     }
 }
 
-/* quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges. */
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
 SHAKER2_CODE
 static shaker2_status shaker2_finish(shaker2_state *restrict x)
 {
@@ -1047,7 +1083,7 @@ static shaker2_status shaker2_finish(shaker2_state *restrict x)
     return SHAKER2_OK;
 }
 
-/* rates of the state under drive torques. */
+/* Time derivatives of the state under drive torques. */
 SHAKER2_CODE
 static shaker2_status shaker2_rate(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
@@ -1078,14 +1114,90 @@ static shaker2_status shaker2_rate(const shaker2_table *table, const shaker2_sta
     return SHAKER2_OK;
 }
 
-/* State a time step later, under drive torques and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+SHAKER2_CODE
+static shaker2_status shaker2_stages(const shaker2_table *table, const shaker2_state *x,
+                                     const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                                     shaker2_real h, int order, shaker2_state *restrict y,
+                                     shaker2_state *restrict total)
+{
+    shaker2_status status;
+    shaker2_state k;  /* time derivatives at a stage */
+    status = shaker2_rate(table, x, tau, locked, &k);
+    if (status != SHAKER2_OK) { return status; }
+    const shaker2_real half = 0.5 * h;
+    if (order == 2) {
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate(table, y, tau, locked, total);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    } else {
+        *total = k;
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate(table, y, tau, locked, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate(table, y, tau, locked, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        shaker2_advance(x, &k, h, y);
+        status = shaker2_rate(table, y, tau, locked, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return SHAKER2_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
 SHAKER2_CODE
 shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = shaker2_none_locked; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
@@ -1096,83 +1208,27 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
     if (status != SHAKER2_OK) { return status; }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
-    status = shaker2_rate(table, x, tau, locked, &k);
+    shaker2_state total;  /* sum of the rates at the stages */
+    status = shaker2_stages(table, x, tau, locked, dt, order, &y, &total);
     if (status != SHAKER2_OK) { return status; }
-    const shaker2_real half = 0.5 * dt;
-    if (order == 2) {
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(table, &y, tau, locked, &k);
-        if (status != SHAKER2_OK) { return status; }
-        shaker2_advance(x, &k, dt, &y);
-    } else {
-        shaker2_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(table, &y, tau, locked, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate(table, &y, tau, locked, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        shaker2_advance(x, &k, dt, &y);
-        status = shaker2_rate(table, &y, tau, locked, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const shaker2_real sixth = dt / 6.0;
-        shaker2_advance(x, &total, sixth, &y);
+    const shaker2_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    shaker2_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        const shaker2_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    shaker2_advance(x, &total, over, &y);
     status = shaker2_finish(&y);
-    if (status != SHAKER2_OK) { return status; }
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
     *next = y;
+    const shaker2_real most = (order == 2) ? SHAKER2_MAX_TURN_2 : SHAKER2_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SHAKER2_COARSE; }
     return SHAKER2_OK;
 }
 
-/* rates of the state under given flywheel accelerations. */
+/* Time derivatives of the state under given flywheel accelerations. */
 SHAKER2_CODE
 static shaker2_status shaker2_rate_driven(const shaker2_table *table, const shaker2_state *x,
                                           const shaker2_real phi_ddot[SHAKER2_N],
@@ -1204,7 +1260,83 @@ static shaker2_status shaker2_rate_driven(const shaker2_table *table, const shak
     return SHAKER2_OK;
 }
 
-/* State a time step later, under given flywheel accelerations and wrenches held constant. */
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+SHAKER2_CODE
+static shaker2_status shaker2_stages_driven(const shaker2_table *table, const shaker2_state *x,
+                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real h,
+                                            int order, shaker2_state *restrict y,
+                                            shaker2_state *restrict total)
+{
+    shaker2_status status;
+    shaker2_state k;  /* time derivatives at a stage */
+    status = shaker2_rate_driven(table, x, phi_ddot, &k);
+    if (status != SHAKER2_OK) { return status; }
+    const shaker2_real half = 0.5 * h;
+    if (order == 2) {
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate_driven(table, y, phi_ddot, total);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    } else {
+        *total = k;
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate_driven(table, y, phi_ddot, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        shaker2_advance(x, &k, half, y);
+        status = shaker2_rate_driven(table, y, phi_ddot, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        shaker2_advance(x, &k, h, y);
+        status = shaker2_rate_driven(table, y, phi_ddot, &k);
+        if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < SHAKER2_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return SHAKER2_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
 SHAKER2_CODE
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
@@ -1221,83 +1353,27 @@ shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_sta
     if (status != SHAKER2_OK) { return status; }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_state k;  /* rates of a stage */
     shaker2_state y;  /* state of a stage; then the new state */
-    status = shaker2_rate_driven(table, x, phi_ddot, &k);
+    shaker2_state total;  /* sum of the rates at the stages */
+    status = shaker2_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
     if (status != SHAKER2_OK) { return status; }
-    const shaker2_real half = 0.5 * dt;
-    if (order == 2) {
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SHAKER2_OK) { return status; }
-        shaker2_advance(x, &k, dt, &y);
-    } else {
-        shaker2_state total;  /* k1 + 2 k2 + 2 k3 + k4 */
-        total = k;
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        shaker2_advance(x, &k, half, &y);
-        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
-        shaker2_advance(x, &k, dt, &y);
-        status = shaker2_rate_driven(table, &y, phi_ddot, &k);
-        if (status != SHAKER2_OK) { return status; }
-        for (int i = 0; i < 3; ++i) {
-            total.position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total.attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total.V[i] += k.V[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < SHAKER2_N; ++i) {
-            total.phi_dot[i] += k.phi_dot[i];
-        }
-        const shaker2_real sixth = dt / 6.0;
-        shaker2_advance(x, &total, sixth, &y);
+    const shaker2_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    shaker2_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        const shaker2_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
     }
+    shaker2_advance(x, &total, over, &y);
     status = shaker2_finish(&y);
-    if (status != SHAKER2_OK) { return status; }
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
     *next = y;
+    const shaker2_real most = (order == 2) ? SHAKER2_MAX_TURN_2 : SHAKER2_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SHAKER2_COARSE; }
     return SHAKER2_OK;
 }
 
-/* The equal angle in [-pi, pi] (pi as the nearest real). */
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
 SHAKER2_CODE
 shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
 {
@@ -1307,7 +1383,7 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
     given[0] = phi;
     status = shaker2_within(given, 1, SHAKER2_MAX_PHASE);
     if (status != SHAKER2_OK) { return status; }
-    shaker2_real k;  /* turns to nearest; next to an odd multiple of pi perhaps one off */
+    shaker2_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     shaker2_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
     angle = shaker2_unwound(phi, k);
@@ -1319,7 +1395,7 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
     return SHAKER2_OK;
 }
 
-/* Phase of an encoder's count. */
+/* Phase for a count of an encoder. */
 SHAKER2_CODE
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi)
 {
@@ -1332,8 +1408,9 @@ shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zer
     given[0] = zero;
     status = shaker2_within(given, 1, size);
     if (status != SHAKER2_OK) { return status; }
-    const int rest = count - count / turn * turn;  /* whole turns taken off */
-    shaker2_real place = (shaker2_real)rest - zero;  /* counts from phi = 0, then those within half a turn */
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    /* counts from phi = 0; then reduced to within half a turn */
+    shaker2_real place = (shaker2_real)rest - zero;
     const shaker2_real half = size * 0.5;
     for (int i = 0; i < 2; ++i) {
         place = (place > half) ? place - size : ((place < -half) ? place + size : place);
@@ -1361,8 +1438,8 @@ shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt,
     return SHAKER2_OK;
 }
 
-/* One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved,
- * exactly. */
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
 SHAKER2_CODE
 shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn)
 {
@@ -1370,7 +1447,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     if (!(encoder->place >= 0 && encoder->place < turn)) { return SHAKER2_BAD_ARGUMENT; }
-    int moved;  /* counts since the last reading: the shorter way round */
+    int moved;  /* counts since the last reading, in the shorter direction */
     if (bits == 0) {
         if (!(counter >= 0 && counter < turn
             && (encoder->counter >= 0 && encoder->counter < turn))) { return SHAKER2_BAD_ARGUMENT; }
@@ -1392,7 +1469,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
     return SHAKER2_OK;
 }
 
-/* derivative of F - Phi Z - K* V by the twist, (8). */
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
 SHAKER2_CODE
 static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z[6],
                                 const shaker2_matrices_result *m, shaker2_real slope[restrict 36])
@@ -1421,13 +1498,13 @@ static void shaker2_twist_slope(const shaker2_table *table, const shaker2_real Z
     }
 }
 
-/* change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row, (8). */
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
 SHAKER2_CODE
 static void shaker2_row_slope(const shaker2_row *row, const shaker2_real weight[12], const shaker2_real V[6],
                               const shaker2_real V_dot[6], const shaker2_real g[3],
                               shaker2_real out[restrict 6])
 {
-    shaker2_sums change;  /* of the sums */
+    shaker2_sums change;  /* change of the sums */
     shaker2_real Z[6];  /* change of the momentum screw */
     change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
     change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
@@ -1520,7 +1597,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
     }
-    shaker2_real F[6];  /* what K V* must equal */
+    shaker2_real F[6];  /* right-hand side of (8) */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_real V_result[6];  /* V_r* */
     shaker2_real rhs[6];
@@ -1556,7 +1633,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     shaker2_velocity_matrix(x->V, &m);
-    shaker2_real slope[36];  /* by V, row by row */
+    shaker2_real slope[36];  /* derivative by V, row by row */
     shaker2_twist_slope(table, Z, &m, slope);
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1567,17 +1644,17 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             out->V_dot_V[i][j] = y[i];
         }
     }
-    shaker2_real change[12];  /* of the weights of a row */
+    shaker2_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
-        const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const shaker2_real s2 = 2.0 * c_phi * s_phi;
-        const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const shaker2_real ds = x->phi_dot[s] * c_phi;
         const shaker2_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const shaker2_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const shaker2_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second rates */
+        const shaker2_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
         const shaker2_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1624,8 +1701,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_jacobian_result *out)
 {
-    if (table == NULL || x == NULL || tau == NULL || locked == NULL
-        || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (table == NULL || x == NULL || tau == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = shaker2_none_locked; }
     shaker2_status status = shaker2_check_state(x);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
@@ -1674,14 +1751,14 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
     m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
     shaker2_velocity_matrix(x->V, &m);
-    shaker2_real slope[36];  /* by V, row by row */
+    shaker2_real slope[36];  /* derivative by V, row by row */
     shaker2_twist_slope(table, Z, &m, slope);
     shaker2_coupling drive[SHAKER2_N];
-    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, less gravity */
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
-    shaker2_real spun[6];  /* J . spun = -omega . J omega / 2 for any J */
+    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
     spun[0] = -0.5 * (x->V[3] * x->V[3]);
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
@@ -1694,18 +1771,18 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
-    shaker2_real rhs[6];  /* of the carrier */
-    shaker2_real drive_rhs[SHAKER2_N];  /* of the drives */
+    shaker2_real rhs[6];  /* right-hand side of the carrier */
+    shaker2_real drive_rhs[SHAKER2_N];  /* right-hand sides of the drives */
     shaker2_real y[6];
     rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
     rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
         if (locked[s] == 0) {
-            shaker2_eliminate(drive[s].I, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+            shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
-    shaker2_real drive_slope[SHAKER2_N][6];  /* of the bias torques by V */
+    shaker2_real drive_slope[SHAKER2_N][6];  /* derivatives of the bias torques by V */
     shaker2_real J_p[6];  /* dJ / dphi */
     shaker2_real turned[3];  /* J' omega */
     for (int s = 0; s < SHAKER2_N; ++s) {
@@ -1728,12 +1805,12 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
         turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
         turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
         turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
-        drive_slope[s][0] = drive[s].I[1] * x->V[5] - drive[s].I[2] * x->V[4];
-        drive_slope[s][1] = drive[s].I[2] * x->V[3] - drive[s].I[0] * x->V[5];
-        drive_slope[s][2] = drive[s].I[0] * x->V[4] - drive[s].I[1] * x->V[3];
-        drive_slope[s][3] = drive[s].I[2] * x->V[1] - drive[s].I[1] * x->V[2] - turned[0];
-        drive_slope[s][4] = drive[s].I[0] * x->V[2] - drive[s].I[2] * x->V[0] - turned[1];
-        drive_slope[s][5] = drive[s].I[1] * x->V[0] - drive[s].I[0] * x->V[1] - turned[2];
+        drive_slope[s][0] = drive[s].I_[1] * x->V[5] - drive[s].I_[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I_[2] * x->V[3] - drive[s].I_[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I_[0] * x->V[4] - drive[s].I_[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I_[2] * x->V[1] - drive[s].I_[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * x->V[2] - drive[s].I_[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * x->V[0] - drive[s].I_[0] * x->V[1] - turned[2];
     }
     for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
@@ -1746,7 +1823,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             if (locked[t] == 0) {
                 const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1758,23 +1835,23 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             out->phi_ddot_V[t][j] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_V[t][j] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
     }
-    shaker2_real change[12];  /* of the weights of a row */
+    shaker2_real change[12];  /* changes of the harmonic weights of a flywheel */
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
-        const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* of the double phase */
+        const shaker2_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
         const shaker2_real s2 = 2.0 * c_phi * s_phi;
-        const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* rates: d(cos phi)/dt */
+        const shaker2_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
         const shaker2_real ds = x->phi_dot[s] * c_phi;
         const shaker2_real dc2 = -2.0 * x->phi_dot[s] * s2;
         const shaker2_real ds2 = 2.0 * x->phi_dot[s] * c2;
-        const shaker2_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second rates */
+        const shaker2_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
         const shaker2_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
         {
             change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
@@ -1820,7 +1897,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                 if (locked[t] == 0) {
                     const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1832,8 +1909,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                 out->phi_ddot_phi[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1851,7 +1928,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                 if (locked[t] == 0) {
                     const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                     for (int i = 0; i < 6; ++i) {
-                        rhs[i] -= drive[t].I[i] * share;
+                        rhs[i] -= drive[t].I_[i] * share;
                     }
                 }
             }
@@ -1863,8 +1940,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                 out->phi_ddot_phi_dot[t][s] = 0.0;
                 if (locked[t] == 0) {
                     out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
-                        - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                        + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                         * table->flywheel[t].spin_inv;
                 }
             }
@@ -1879,7 +1956,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             if (locked[t] == 0) {
                 const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
                 for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I[i] * share;
+                    rhs[i] -= drive[t].I_[i] * share;
                 }
             }
         }
@@ -1891,8 +1968,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             out->phi_ddot_tau[t][s] = 0.0;
             if (locked[t] == 0) {
                 out->phi_ddot_tau[t][s] = (drive_rhs[t]
-                    - (y[0] * drive[t].I[0] + y[1] * drive[t].I[1] + y[2] * drive[t].I[2]
-                    + y[3] * drive[t].I[3] + y[4] * drive[t].I[4] + y[5] * drive[t].I[5]))
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
                     * table->flywheel[t].spin_inv;
             }
         }
@@ -1900,7 +1977,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     return SHAKER2_OK;
 }
 
-/* one-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
  * condition. */
 SHAKER2_CODE
 static void shaker2_orthogonalise(shaker2_inverse_work *restrict work)
@@ -1925,7 +2002,7 @@ static void shaker2_orthogonalise(shaker2_inverse_work *restrict work)
                 }
                 /* tangent of the smaller angle that makes the rows orthogonal */
                 const shaker2_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
-                /* of size 1, so that no square underflows */
+                /* scaled to size 1, so that no square underflows */
                 const shaker2_real unit = (size > 0.0) ? size : 1.0;
                 const shaker2_real d = (b - a) / unit;
                 const shaker2_real h = 2.0 * g / unit;
@@ -1961,7 +2038,7 @@ static void shaker2_orthogonalise(shaker2_inverse_work *restrict work)
     }
 }
 
-/* cholesky factor of the mass matrix, in place: K = G G^T. */
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
 SHAKER2_CODE
 static shaker2_status shaker2_factor(shaker2_inverse_work *restrict work)
 {
@@ -1984,7 +2061,7 @@ static shaker2_status shaker2_factor(shaker2_inverse_work *restrict work)
     return SHAKER2_OK;
 }
 
-/* what (12) asks of the flywheels at a state: I, b, and both scaled to W, r, (12). */
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
 SHAKER2_CODE
 static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_state *x,
                                      const shaker2_real sine[SHAKER2_N],
@@ -2015,10 +2092,10 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
         column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
             + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->I[i][s] = column[i];
+            work->I_[i][s] = column[i];
         }
     }
-    shaker2_real F[6];  /* wrench (7); then what K V* + I phi'' must equal */
+    shaker2_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_external(table, x, &sum, C, g, F);
     shaker2_momentum_screw(table, &sum, x->V, Z);
@@ -2035,7 +2112,7 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
     work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
-    /* b = F - K V*: what the flywheels must give */
+    /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
             - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
@@ -2047,7 +2124,7 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     for (int s = 0; s < SHAKER2_N; ++s) {
         work->scale[s] = 1.0 / shaker2_sqrt(table->flywheel[s].spin);
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * work->scale[s];
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
@@ -2067,7 +2144,7 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     return SHAKER2_OK;
 }
 
-/* solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
 SHAKER2_CODE
 static void shaker2_solve_gram(shaker2_real gram[restrict 6][6], shaker2_real z[restrict 6],
                                shaker2_real least)
@@ -2098,17 +2175,17 @@ static void shaker2_solve_gram(shaker2_real gram[restrict 6][6], shaker2_real z[
     }
 }
 
-/* shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others
- * do, (12). */
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
 SHAKER2_CODE
 static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inverse_options *options,
                              int rank, shaker2_real phi_ddot[restrict SHAKER2_N],
                              int limited[restrict SHAKER2_N])
 {
     shaker2_real share[SHAKER2_N];  /* 1/weight */
-    shaker2_real give[SHAKER2_N];  /* the share of flywheels that are free, 0 of those held */
-    shaker2_real step[SHAKER2_N];  /* what the free flywheels shall give more */
-    shaker2_real row[6];  /* factor of each row; 0: it does not count */
+    shaker2_real give[SHAKER2_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    shaker2_real step[SHAKER2_N];  /* increment of the free flywheels */
+    shaker2_real row[6];  /* factor of each row; 0: the row is left out */
     shaker2_real gram[6][6];
     shaker2_real z[6];
     /* until the end phi_ddot holds y = D phi'' */
@@ -2127,7 +2204,8 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
             most = (give[s] > most) ? give[s] : most;
         }
         const shaker2_real regular = 1.0e-12 * most;
-        const shaker2_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
+        /* lower bound that keeps the diagonal positive */
+        const shaker2_real least = (most > 0.0) ? regular : 1.0;
         for (int i = 0; i < 6; ++i) {
             row[i] = 0.0;
             if (i < rank) {
@@ -2176,7 +2254,7 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
                 }
             }
         } else {
-            /* as long a step as all limits allow; the flywheel that stops it is held */
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
             shaker2_real length = 1.0;
             int stopped = -1;
             for (int s = 0; s < SHAKER2_N; ++s) {
@@ -2200,7 +2278,7 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
                     limited[s] = 1;
                 }
             }
-            /* after a whole step: free the held flywheel that would lower the residual most */
+            /* after a full step, release the held flywheel that would lower the residual most */
             if (stopped < 0) {
                 shaker2_real left[6];
                 shaker2_real wanted = 0.0;
@@ -2213,7 +2291,7 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
                         }
                     }
                 }
-                shaker2_real best = 1.0e-18 * wanted;  /* a smaller gain is none */
+                shaker2_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
                 int freed = -1;
                 for (int s = 0; s < SHAKER2_N; ++s) {
                     if (limited[s] > 0) {
@@ -2236,10 +2314,13 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
             }
         }
     }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
-        if (limited[s] > 0) {
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= SHAKER2_LARGEST)) {
             phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
@@ -2266,7 +2347,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_RANGE; }
     }
     for (int s = 0; s < SHAKER2_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
@@ -2283,7 +2364,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         wanted += work.r[i] * work.r[i];
     }
     shaker2_orthogonalise(&work);
-    /* descending singular values, by exchanging neighbours */
+    /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
         for (int i = 0; i < 5; ++i) {
             if (work.sigma[i] < work.sigma[i + 1]) {
@@ -2340,7 +2421,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     for (int i = 0; i < 6; ++i) {
         out->residual[i] = work.b[i];
         for (int s = 0; s < SHAKER2_N; ++s) {
-            out->residual[i] -= work.I[i][s] * out->phi_ddot[s];
+            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
@@ -2354,7 +2435,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     if (left > 1.0e-18 * wanted) {
         flags = flags | SHAKER2_UNREACHABLE;
     }
-    /* out of reach: the demand's part in rows that do not count; without such rows the last of the others */
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     shaker2_real part[6];
     for (int i = 0; i < 6; ++i) {
         part[i] = (i < rank) ? 0.0 : work.r[i];
@@ -2374,7 +2455,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         square += part[i] * part[i];
     }
     const shaker2_real length = shaker2_sqrt(square);
-    shaker2_real u[6];  /* U part: of unit size in the norm of K^-1; as a wrench G u */
+    shaker2_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
         for (int i = 0; i < 6; ++i) {
@@ -2416,7 +2497,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
     if (status != SHAKER2_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->weight[s] >= 1.0e-6)) { return SHAKER2_RANGE; }
     }
     shaker2_inverse_work work;
     shaker2_real sine[SHAKER2_N];
@@ -2441,12 +2522,12 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
             z[i] += work.W[k][i] * work.r[k];
         }
     }
-    const shaker2_real lambda2 = options->damping * options->damping * trace;  /* damping, squared */
+    const shaker2_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
     for (int i = 0; i < 2; ++i) {
         gram[i][i] += lambda2;
     }
     for (int j = 0; j < 2; ++j) {
-        const shaker2_real least = 1.0e-13 * gram[j][j];  /* below it a pivot is rounding only */
+        const shaker2_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
         for (int k = 0; k < j; ++k) {
             gram[j][j] -= gram[j][k] * gram[j][k];
         }
@@ -2662,7 +2743,7 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
     return SHAKER2_OK;
 }
 
-/* rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
 SHAKER2_CODE
 static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const shaker2_real zero[3],
                                             shaker2_real R[restrict 9])
@@ -2698,7 +2779,7 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
     return SHAKER2_OK;
 }
 
-/* carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SHAKER2_CODE
 static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2_real J[6],
                           const shaker2_real O[3], const shaker2_real R[9], shaker2_real mu[restrict 3],
@@ -2741,7 +2822,7 @@ static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2
         + (Jr[5] - O[1] * b1[2]) * R[3];
 }
 
-/* are the second moments about the centre of mass positive semidefinite? Then a body can have this
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
  * inertia. */
 SHAKER2_CODE
 static shaker2_status shaker2_check_inertia(shaker2_real mass, const shaker2_real c[3],
@@ -2761,7 +2842,7 @@ static shaker2_status shaker2_check_inertia(shaker2_real mass, const shaker2_rea
     const shaker2_real P12 = -J[3] - b1 * c[1];
     const shaker2_real P13 = -J[4] - b1 * c[2];
     const shaker2_real P23 = -J[5] - b2 * c[2];
-    /* a point mass in its origin has none; nor has what is so small that its tolerance is no number */
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
@@ -2777,7 +2858,7 @@ static shaker2_status shaker2_check_inertia(shaker2_real mass, const shaker2_rea
     return SHAKER2_OK;
 }
 
-/* are the mass properties finite, and those of a body that can be? */
+/* Are the mass properties finite and physically possible? */
 SHAKER2_CODE
 static shaker2_status shaker2_check_body(const shaker2_body *body)
 {
@@ -2794,7 +2875,7 @@ static shaker2_status shaker2_check_body(const shaker2_body *body)
     return shaker2_check_inertia(body->mass, body->center_of_mass, body->inertia);
 }
 
-/* origin and axes (at phi = 0) of a flywheel in E1. */
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
 SHAKER2_CODE
 static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real O[restrict 3],
                                              shaker2_real R[restrict 9])
@@ -2807,13 +2888,14 @@ static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_
     return SHAKER2_OK;
 }
 
-/* are the parameters finite, in range, their axes directions, and the bodies such that can be? */
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
 SHAKER2_CODE
 static shaker2_status shaker2_check_parameters(const shaker2_parameters *parameters)
 {
     shaker2_status status;
     shaker2_real mass;
-    shaker2_real size;  /* moment of inertia that no product of the equations may overflow */
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    shaker2_real size;
     shaker2_real O[3];
     shaker2_real R[9];
     status = shaker2_check_body(&parameters->carrier);
@@ -2843,7 +2925,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
     if (parameters == NULL || table == NULL) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_status status = shaker2_check_parameters(parameters);
     if (status != SHAKER2_OK) { return status; }
-    /* all is good: from here on the table is written and nothing can fail */
+    /* all checks passed: from here on the table is written and nothing can fail */
     shaker2_real mass;
     shaker2_real first_moment[3];
     shaker2_real inertia[6];
@@ -2934,12 +3016,12 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
     return SHAKER2_OK;
 }
 
-/* L^T of a twist, to mounting axes at Os. */
+/* L^T V: a twist carried to Os, in mounting axes. */
 SHAKER2_CODE
 static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V[6],
                                 shaker2_real U[restrict 6])
 {
-    shaker2_real velocity[3];  /* of Os */
+    shaker2_real velocity[3];  /* velocity of Os */
     velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
     velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
     velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
@@ -2951,7 +3033,7 @@ static void shaker2_carry_twist(const shaker2_mount *mount, const shaker2_real V
     U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
 }
 
-/* wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SHAKER2_CODE
 static void shaker2_mount_wrench(const shaker2_mount *mount, shaker2_real s, shaker2_real c,
                                  shaker2_real phi_dot, shaker2_real phi_ddot, const shaker2_real V[6],
@@ -3025,7 +3107,7 @@ static void shaker2_mount_wrench(const shaker2_mount *mount, shaker2_real s, sha
     W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
 }
 
-/* Wrench of the mount on each flywheel: bearing loads, and what shakes the structure. */
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
 SHAKER2_CODE
 shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
@@ -3059,7 +3141,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
     return SHAKER2_OK;
 }
 
-/* Makes the second table that mounts needs. */
+/* Makes the second table, which the function mounts needs. */
 SHAKER2_CODE
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting)
 {
@@ -3086,6 +3168,168 @@ shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shak
     return SHAKER2_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+SHAKER2_CODE
+static void shaker2_advance_carried(const shaker2_state *x, const shaker2_state *rate, shaker2_real h,
+                                    shaker2_step_carry *restrict carry, shaker2_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const shaker2_real step = h * rate->position[i] + carry->rounding[i];
+        const shaker2_real sum = x->position[i] + step;
+        const shaker2_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const shaker2_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const shaker2_real sum = x->attitude[i] + step;
+        const shaker2_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const shaker2_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const shaker2_real sum = x->V[i] + step;
+        const shaker2_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        const shaker2_real start = shaker2_wrapped(x->phi[i]);
+        const shaker2_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const shaker2_real sum = start + step;
+        const shaker2_real sum_b = sum - start;
+        /* turns */
+        const shaker2_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+        const shaker2_real left = sum - k * 6.283185303211212;
+        const shaker2_real within = left + -(k * 3.968374318722146e-9);
+        const shaker2_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < SHAKER2_N; ++i) {
+        const shaker2_real step = h * rate->phi_dot[i] + carry->rounding[i + 15];
+        const shaker2_real sum = x->phi_dot[i] + step;
+        const shaker2_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 15] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+SHAKER2_CODE
+static shaker2_status shaker2_finish_carried(shaker2_state *restrict x, shaker2_step_carry *restrict carry)
+{
+    shaker2_status status;
+    const shaker2_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return SHAKER2_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const shaker2_real excess = (1.0 - square) / (shaker2_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const shaker2_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const shaker2_real sum = x->attitude[i] + step;
+        const shaker2_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = shaker2_check_state(x);
+    if (status != SHAKER2_OK) { return status; }
+    return SHAKER2_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+SHAKER2_CODE
+shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_state *x,
+                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                                    shaker2_real dt, int order, shaker2_step_carry *carry,
+                                    shaker2_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || carry == NULL
+        || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = shaker2_none_locked; }
+    shaker2_status status = shaker2_check_state(x);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_real given[1];
+    given[0] = dt;
+    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
+    status = shaker2_within(carry->rounding, 17, SHAKER2_MAX_ROUNDING);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_state y;  /* state of a stage; then the new state */
+    shaker2_state total;  /* sum of the rates at the stages */
+    status = shaker2_stages(table, x, tau, locked, dt, order, &y, &total);
+    if (status != SHAKER2_OK) { return status; }
+    const shaker2_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    shaker2_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        const shaker2_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    shaker2_step_carry kept;  /* the new carry */
+    kept = *carry;
+    shaker2_advance_carried(x, &total, over, &kept, &y);
+    status = shaker2_finish_carried(&y, &kept);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    *carry = kept;
+    *next = y;
+    const shaker2_real most = (order == 2) ? SHAKER2_MAX_TURN_2 : SHAKER2_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SHAKER2_COARSE; }
+    return SHAKER2_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+SHAKER2_CODE
+shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
+                                           const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
+                                           int order, shaker2_step_carry *carry, shaker2_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    shaker2_status status = shaker2_check_state(x);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_real given[1];
+    given[0] = dt;
+    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
+    if (status != SHAKER2_OK) { return status; }
+    if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
+    status = shaker2_within(carry->rounding, 17, SHAKER2_MAX_ROUNDING);
+    if (status != SHAKER2_OK) { return status; }
+    shaker2_state y;  /* state of a stage; then the new state */
+    shaker2_state total;  /* sum of the rates at the stages */
+    status = shaker2_stages_driven(table, x, phi_ddot, dt, order, &y, &total);
+    if (status != SHAKER2_OK) { return status; }
+    const shaker2_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    shaker2_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        const shaker2_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    shaker2_step_carry kept;  /* the new carry */
+    kept = *carry;
+    shaker2_advance_carried(x, &total, over, &kept, &y);
+    status = shaker2_finish_carried(&y, &kept);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    *carry = kept;
+    *next = y;
+    const shaker2_real most = (order == 2) ? SHAKER2_MAX_TURN_2 : SHAKER2_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return SHAKER2_COARSE; }
+    return SHAKER2_OK;
+}
+
 /* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
 SHAKER2_CODE
 shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
@@ -3104,7 +3348,7 @@ shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
     }
-    shaker2_real own_velocity[3];  /* in E1, from the momentum of the bodies without that of the fluid */
+    shaker2_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
     own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];

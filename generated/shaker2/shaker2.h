@@ -1,11 +1,16 @@
 /* shaker2.h: motion of the stand "shaker2": carrier, 0 instruments, 2 flywheels.
  * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead.
  *
- * C99, no libm, no allocation, no globals but const: any core may call any function at any time. Stack only.
- * Compile with -ffp-contract=off (no fused multiply-add) and without -ffast-math: then every processor gives
- * the same bits (32-bit x86 needs -msse2 -mfpmath=sse as well, gcc 12 for x86-64 with FMA and Cortex-M55
- * -fno-tree-vectorize). gcc may call memcpy, memmove and memset.
- * Inputs are checked. The table is trusted, but for its stream: what prepare made, or a copy of the default.
+ * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
+ * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
+ * Also needed: for 32-bit x86 -msse2 -mfpmath=sse; with gcc 12 for x86-64 with FMA
+ * and for a Cortex-M55 -fno-tree-vectorize. gcc may call memcpy, memmove and memset.
+ * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
+ * The source refuses what the compiler shows of them; clang does not show all.
+ * SHAKER2_SQRT, defined for the source, takes the square root of a processor in the place of its own:
+ * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
+ * not called.
+ * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
@@ -18,9 +23,14 @@
 extern "C" {
 #endif
 
-#define SHAKER2_STRUCTURE 0x94a85f4au  /* of the stand: names, counts, kinds of wrench */
-#define SHAKER2_PHYSICS   0x2591b2a4u  /* of the stand: structure and all numbers */
+#define SHAKER2_STRUCTURE 0x94a85f4au  /* hash of the stand's names, counts and kinds of wrench */
+#define SHAKER2_PHYSICS   0x2591b2a4u  /* hash of its structure and all numbers */
+#define SHAKER2_TABLE_HASH 0x787eab23u /* FNV-1a of all numbers of the default table but its stream */
 #define SHAKER2_LANES     1            /* flywheels side by side in the table; 1: one after the other */
+#define SHAKER2_REAL_BYTES 8           /* bytes of a shaker2_real */
+#define SHAKER2_VERSION_MAJOR 0        /* of the mahovik that wrote this */
+#define SHAKER2_VERSION_MINOR 1
+#define SHAKER2_VERSION_PATCH 0
 
 typedef double shaker2_real;
 
@@ -34,24 +44,30 @@ typedef double shaker2_real;
 #define SHAKER2_MAX_WRENCH       1.0e9     /* N, N m; each component of a run-time wrench */
 #define SHAKER2_MAX_STEP         10.0      /* s; a time step */
 #define SHAKER2_MAX_PARAMETER    1.0e15    /* SI; each mass, length and moment of inertia */
-#define SHAKER2_MAX_WEIGHT       1.0e6     /* the weight of a flywheel in inverse */
+#define SHAKER2_MAX_WEIGHT       1.0e6     /* the weight of a flywheel in inverse; at least its inverse */
+#define SHAKER2_MAX_ROUNDING     1.0       /* SI; each number of a carry */
+#define SHAKER2_MAX_TURN_4       1.0       /* rad; turn in a step of order 4; beyond: COARSE */
+#define SHAKER2_MAX_TURN_2       0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define SHAKER2_LARGEST          1.7976931348623157e308  /* largest finite number */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
-typedef enum shaker2_status {
-    SHAKER2_OK = 0,                       /* good */
-    SHAKER2_NEAR_SINGULAR = 1,            /* least singular value below `near` of the largest */
+typedef int shaker2_status;  /* not the enum, whose size compilers choose */
+
+enum {
+    SHAKER2_OK = 0,                       /* success */
+    SHAKER2_NEAR_SINGULAR = 1,            /* least singular value less than `near` times the largest */
     SHAKER2_DAMPED = 2,                   /* damping was applied */
-    SHAKER2_LIMITED = 4,                  /* a limit was reached; the mask says whose */
-    SHAKER2_UNREACHABLE = 8,              /* least squares: residual above 1e-9 of the demand */
+    SHAKER2_LIMITED = 4,                  /* a limit was reached; `limited` says by which flywheels */
+    SHAKER2_UNREACHABLE = 8,              /* wanted motion not reached: residual above 1e-9 of the demand */
     SHAKER2_RANK_DEFICIENT = 16,          /* fewer than min(6, N) singular values above 1e-9 of the largest */
+    SHAKER2_COARSE = 32,                  /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
     SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length */
     SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot failed */
     SHAKER2_SINGULAR_ATTITUDE = -4,       /* attitude angles within 1e-6 of their singularity */
     SHAKER2_BAD_ARGUMENT = -5             /* a null pointer, a count, an index, a step or an option */
-} shaker2_status;
+};
 
 /* ---- numbers of bodies ---- */
 
@@ -62,12 +78,17 @@ enum { SHAKER2_LEFT, SHAKER2_RIGHT, SHAKER2_N = 2 };
 
 /* State of the whole system. */
 typedef struct shaker2_state {
-    shaker2_real position[3];         /* m; of O1, in E0 */
+    shaker2_real position[3];         /* m; position of O1, in E0 */
     shaker2_real attitude[4];         /* unit quaternion, w first: x0 = C x1 */
     shaker2_real V[6];                /* m/s, rad/s; twist of the carrier relative to E0, in E1 */
     shaker2_real phi[SHAKER2_N];      /* rad; phases */
     shaker2_real phi_dot[SHAKER2_N];  /* rad/s; speeds relative to the mount */
 } shaker2_state;
+
+/* What rounding took from a state: kept from step to step, all zero at first. */
+typedef struct shaker2_step_carry {
+    shaker2_real rounding[17];  /* SI; of each number of the state, in its order */
+} shaker2_step_carry;
 
 /* Mass properties of one body, in its own frame. */
 typedef struct shaker2_body {
@@ -81,7 +102,8 @@ typedef struct shaker2_flywheel {
     shaker2_body body;
     shaker2_real position[3];  /* m; Os, in the frame of the mount */
     shaker2_real axis[3];      /* spin axis in the frame of the mount, any length */
-    shaker2_real zero[3];      /* its part across the axis is the second axis of Es at phi = 0 */
+    shaker2_real zero[3];      /* its component perpendicular to the axis is the second axis of Es at phi =
+                                * 0 */
 } shaker2_flywheel;
 
 /* Input of prepare: masses, inertias and mountings. */
@@ -90,7 +112,7 @@ typedef struct shaker2_parameters {
     shaker2_flywheel flywheel[SHAKER2_N];
 } shaker2_parameters;
 
-/* Table of one flywheel: harmonics of what it adds to (8), in E1 about O1. */
+/* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct shaker2_row {
     shaker2_real mu_c[3];   /* kg m; first moment about O1: cos phi */
     shaker2_real mu_s[3];   /* kg m; sin phi */
@@ -113,9 +135,9 @@ typedef struct shaker2_suspension {
     shaker2_real attitude[4];      /* quaternion of the equilibrium attitude */
 } shaker2_suspension;
 
-/* The stand as the equations need it. Made by prepare, but for the laws at the end. */
+/* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
 typedef struct shaker2_table {
-    shaker2_real mass;                /* kg; of all bodies */
+    shaker2_real mass;                /* kg; mass of all bodies */
     shaker2_real mass_inverse;        /* 1/kg */
     shaker2_real first_moment[3];     /* kg m; mu about O1, constant part */
     shaker2_real inertia[6];          /* kg m2; J about O1, 11 22 33 12 13 23, constant part */
@@ -126,20 +148,20 @@ typedef struct shaker2_table {
 
 /* The matrices of (8). */
 typedef struct shaker2_matrices_result {
-    shaker2_real K[6][6];          /* kg, kg m, kg m2; mass matrix (2) */
-    shaker2_real K_dot[6][6];      /* per s; its rate (6) */
-    shaker2_real M[6][6];          /* per s; velocity matrix (9) */
-    shaker2_real I[6][SHAKER2_N];  /* kg m, kg m2; flywheel coupling (9), a column a flywheel */
-    shaker2_real J[6][SHAKER2_N];  /* per s; its velocity part (9) */
-    shaker2_real F[6];             /* N, N m; total external wrench (7) */
+    shaker2_real K[6][6];           /* kg, kg m, kg m2; mass matrix (2) */
+    shaker2_real K_dot[6][6];       /* per s; its rate (6) */
+    shaker2_real M[6][6];           /* per s; velocity matrix (9) */
+    shaker2_real I_[6][SHAKER2_N];  /* kg m, kg m2; flywheel coupling (9), one column per flywheel */
+    shaker2_real J[6][SHAKER2_N];   /* per s; its velocity part (9) */
+    shaker2_real F[6];              /* N, N m; total external wrench (7) */
 } shaker2_matrices_result;
 
 /* Momentum, energy and mass centre. */
 typedef struct shaker2_momentum_result {
     shaker2_real Z[6];               /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
-    shaker2_real Z0[6];              /* kg m/s, kg m2/s; in E0 about its origin (1) */
-    shaker2_real energy;             /* J; kinetic */
-    shaker2_real center_of_mass[3];  /* m; of all bodies, in E1 */
+    shaker2_real Z0[6];              /* kg m/s, kg m2/s; momentum screw in E0 about its origin (1) */
+    shaker2_real energy;             /* J; kinetic energy */
+    shaker2_real center_of_mass[3];  /* m; mass centre of all bodies, in E1 */
 } shaker2_momentum_result;
 
 /* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
@@ -149,7 +171,7 @@ typedef struct shaker2_generalized_result {
     shaker2_real I0[6][6];   /* K A (11) */
     shaker2_real J0[6][6];   /* K D + M A (11) */
     shaker2_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
-    shaker2_real q_ddot[6];  /* m/s2, rad/s2; by (11) for the given phi_ddot */
+    shaker2_real q_ddot[6];  /* m/s2, rad/s2; solution of (11) for the given phi_ddot */
 } shaker2_generalized_result;
 
 /* One flywheel and its mounting; used by mounts only. */
@@ -158,40 +180,43 @@ typedef struct shaker2_mount {
     shaker2_real first_moment[3];  /* kg m; m rc, in Es */
     shaker2_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
     shaker2_real origin[3];        /* m; Os in E1 */
-    shaker2_real axes[9];          /* of Es in E1 at phi = 0, row by row */
+    shaker2_real axes[9];          /* axes of Es in E1 at phi = 0, row by row */
 } shaker2_mount;
 
-/* Second table that mounts needs. Made by prepare_mounts. */
+/* Second table, which the function mounts needs. Made by prepare_mounts. */
 typedef struct shaker2_mount_table {
     shaker2_mount flywheel[SHAKER2_N];
 } shaker2_mount_table;
 
-/* An encoder whose counter wraps. Kept by accumulate. */
+/* An encoder whose counter wraps. Updated by accumulate. */
 typedef struct shaker2_encoder {
     int counter;  /* last reading */
-    int place;    /* counts in the turn, 0 to |per_turn| - 1 */
+    int place;    /* counts within the turn, 0 to |per_turn| - 1 */
     int moved;    /* counts between the last two readings */
 } shaker2_encoder;
 
-/* How inverse chooses among flywheels, and near singularity. */
+/* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];  /* of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
-    shaker2_real limit[SHAKER2_N];   /* rad/s2; magnitude of each phi''; greater than 0, infinity for none */
-    shaker2_real near;               /* NEAR_SINGULAR below this part of the largest singular value, 0..1 */
-    shaker2_real damping;            /* part of the largest singular value that damps those near zero,
+    shaker2_real weight[SHAKER2_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                      * default */
+    shaker2_real limit[SHAKER2_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
+                                      * no limit */
+    shaker2_real near;               /* status NEAR_SINGULAR below this fraction of the largest singular
+                                      * value, 0..1 */
+    shaker2_real damping;            /* damping of small singular values, as a fraction of the largest,
                                       * 0..1; 0: none */
 } shaker2_inverse_options;
 
-/* Answer of inverse, and how good it is. */
+/* Result of inverse and its quality. */
 typedef struct shaker2_inverse_result {
     shaker2_real phi_ddot[SHAKER2_N];  /* rad/s2; flywheel accelerations */
     shaker2_real residual[6];          /* N, N m; F - K V* - M V - J phi' - I phi'' */
     shaker2_real sigma[2];             /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
-    int rank;                          /* of them that count */
-    shaker2_real damped_by;            /* largest lambda applied, in units of sigma; 0: none */
-    int limited[SHAKER2_N];            /* 1 where the limit of a flywheel was reached */
-    shaker2_real hardest[6];           /* wrench out of reach, or hardest to reach; of unit size in the
-                                        * norm of K^-1 */
+    int rank;                          /* number of singular values above the rank threshold */
+    shaker2_real damped_by;            /* largest damping lambda applied, in units of sigma; 0: none */
+    int limited[SHAKER2_N];            /* 1 if the flywheel reached its limit */
+    shaker2_real hardest[6];           /* the unreachable wrench, or the one hardest to reach; a unit
+                                        * vector in the norm of K^-1 */
 } shaker2_inverse_result;
 
 /* Derivatives of coupled. */
@@ -275,7 +300,7 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[2]       N m; drive torques, mount on flywheel
- *   locked[2]    not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[2]    not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
@@ -285,74 +310,80 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
 
-/* step: state a time step later, under drive torques and wrenches held constant.
+/* step: state after one time step; drive torques and wrenches are held constant.
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
- *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next       out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 6938 operations on reals, 34 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 6955 operations on reals, 34 of them divisions. */
 shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
 
-/* step_driven: state a time step later, under given flywheel accelerations and wrenches held constant.
+/* step_driven: state after one time step; given flywheel accelerations and wrenches are held constant.
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   dt           s; time step, greater than 0
  *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   next         out: state after the step; may be x itself
- * RANGE also where the new state would leave its ranges.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 5102 operations on reals, 30 of them divisions. */
+ * RANGE also if a stage of the step or the new state is out of range.
+ * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
+ * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
+ * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 5119 operations on reals, 30 of them divisions. */
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
 
-/* wrap: the equal angle in [-pi, pi] (pi as the nearest real).
+/* wrap: the angle wrapped to [-pi, pi] (pi rounded to the nearest real).
  *   phi      rad; any angle within MAX_PHASE
- *   wrapped  out: rad; the equal angle, in [-pi, pi]
- * Error below 5e-16 rad, modulo a turn.
+ *   wrapped  out: rad; the same angle in [-pi, pi]
+ * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 29 operations on reals, no division. */
 shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
 
-/* phase_of_counts: phase of an encoder's count.
- *   count     of the encoder, any; or `place` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- *   zero      count at phi = 0, at most a turn
- *   phi       out: rad; phase, in [-pi, pi] (pi as the nearest real)
- * Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.
- * RANGE where |zero| is more than a turn.
+/* phase_of_counts: phase for a count of an encoder.
+ *   count     any count of the encoder; or `place` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ *   zero      count at phi = 0, at most one turn in magnitude
+ *   phi       out: rad; phase, in [-pi, pi] (pi rounded to the nearest real)
+ * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
+ * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 20 operations on reals, 1 of them a division. */
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
- *   moved     counts in the time dt: `moved` of accumulate
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
+ *   moved     counts during dt: `moved` of accumulate
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
  *   dt        s; greater than 0
- *   phi_dot   out: rad/s; mean speed in this time
- * RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).
+ *   phi_dot   out: rad/s; mean speed during dt
+ * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
  * At most 10 operations on reals, 2 of them divisions. */
 shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot);
 
-/* accumulate: one reading of an encoder's counter, which may wrap: its place in the turn and the counts
- * moved, exactly.
- *   encoder   in and out: begin with the first reading, place: counts within the turn
- *   counter   as it is read; of 32 bits: as signed
- *   bits      of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
- *   per_turn  counts a turn, negative where phi falls as they rise; to 1073741824
- * Read it before the counter has moved by half its range (where bits is 0: half a turn).
- * The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.
+/* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
+ * moved, both exact.
+ *   encoder   in and out: start with counter = first reading, place = its counts within the turn
+ *   counter   counter as read; a 32-bit counter as a signed number
+ *   bits      width of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
+ *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
+ * Call it before the counter has moved by half its range (by half a turn if bits is 0).
+ * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
  * No operation on reals. */
 shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn);
@@ -362,7 +393,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   out          out: derivatives of V*
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 3731 operations on reals, 42 of them divisions. */
@@ -374,9 +405,9 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[2]     N m; drive torques, mount on flywheel
- *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau
+ *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
  *   out        out: derivatives of V* and phi''
- * Where a damping law with magnitudes has a kink, the slope of one of its sides is given.
+ * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 7389 operations on reals, 56 of them divisions. */
@@ -385,17 +416,17 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                                         shaker2_coupled_jacobian_result *out);
 
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give
- * is shared among the others, (12).
+ * Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit
+ * cannot give is shared among the others, (12).
  *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
- *   options   weights, limits, damping; default_options has those of the stand
- *   out       out: phi_ddot and how good it is
- * Positive statuses are bits that may come together.
+ *   options   weights, limits, damping; default_options holds those of the stand file
+ *   out       out: phi_ddot and its quality
+ * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26446 operations on reals, 850 of them divisions. */
+ * At most 26458 operations on reals, 850 of them divisions. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -405,11 +436,11 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; near and limits are not read
+ *   options      weights and damping; `near` and limits are ignored
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
- * Squares the condition: as good as inverse where singular values are within some thousands of one
- * another;
- * NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.
+ * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
+ * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
+ * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 1826 operations on reals, 31 of them divisions. */
@@ -426,11 +457,11 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
  * + D q', (10).
- *   position[3]  m; of O1, in E0
+ *   position[3]  m; position of O1, in E0
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   q_dot[6]     m/s, rad/s; rates of position and of the angles
- *   q_ddot[6]    m/s2, rad/s2; their rates
- *   x            in and out: its position, attitude and V are written; phases stay
+ *   q_ddot[6]    m/s2, rad/s2; rates of q_dot
+ *   x            in and out: its position, attitude and V are written; phases and speeds are kept
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
@@ -442,7 +473,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
 /* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
  * (11).
  *   table        the prepared table
- *   x            state; its attitude is not read, the angles take its place
+ *   x            state; its attitude is ignored, `angles` replaces it
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   out          out: A, D, I0, J0, q_dot, q_ddot
@@ -455,18 +486,18 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
 
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
- *   table       in and out: begin with a copy of the default: its laws (gravity, damping, ...) stay
- * The same operations made the table of the generator: for the parameters of the stand file, equal bits.
- * RANGE also where a mass is negative or axes have no direction.
- * NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are
- * negative or break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin
- * inertia; no mass at all.
+ *   table       in and out: start with a copy of the default; its laws (gravity, damping, ...) are kept
+ * The generator makes the default table by the same operations: the default parameters give its bits.
+ * Also returns RANGE if a mass is negative or an axis has no direction.
+ * NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are negative or
+ * break the triangle inequality (to 1e-09 of the largest element); a flywheel without spin inertia; no
+ * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 2915 operations on reals, 20 of them divisions. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table);
 
-/* mounts: wrench of the mount on each flywheel: bearing loads, and what shakes the structure.
+/* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
  *   table             the prepared table
  *   mounting          made once by prepare_mounts
  *   x                 state; its attitude within 1e-3 of unit length
@@ -480,13 +511,50 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
                               const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12]);
 
-/* prepare_mounts: makes the second table that mounts needs.
+/* prepare_mounts: makes the second table, which the function mounts needs.
  *   parameters  masses, inertias, mountings
- *   mounting    out: what mounts needs
+ *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
  * At most 978 operations on reals, 17 of them divisions. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
+
+/* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
+ * compensated by a carry.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   tau[2]     N m; drive torques, mount on flywheel
+ *   locked[2]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   dt         s; time step, greater than 0
+ *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry      in and out: of the step before; at first all zero
+ *   next       out: state after the step; may be x itself
+ * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 7169 operations on reals, 34 of them divisions. */
+shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_state *x,
+                                    const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
+                                    shaker2_real dt, int order, shaker2_step_carry *carry,
+                                    shaker2_state *next);
+
+/* step_driven_carried: state after one time step under given flywheel accelerations and wrenches, held
+ * constant; sums are compensated by a carry.
+ *   table        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   phi_ddot[2]  rad/s2; flywheel accelerations
+ *   dt           s; time step, greater than 0
+ *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
+ *   carry        in and out: of the step before; at first all zero
+ *   next         out: state after the step; may be x itself
+ * Statuses as of step_driven. A carry belongs to its state: where another state is set, set the carry to
+ * zero.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
+ * status is negative.
+ * At most 5333 operations on reals, 30 of them divisions. */
+shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
+                                           const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
+                                           int order, shaker2_step_carry *carry, shaker2_state *next);
 
 /* center_of_mass_velocity: velocity of the mass centre of all bodies, rotation of the flywheels included.
  *   table                       the prepared table
@@ -501,4 +569,22 @@ shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const
 }
 #endif
 
+#endif
+
+/* A caller that was compiled with the header of another element type, number of lanes, version or stand does
+ * not link: the symbol is in the source of this header alone. It takes no memory. gcc and clang, ELF files.
+ * Define SHAKER2_NO_LINK_CHECK where only types are used, and the source is not linked. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+#if !defined SHAKER2_NO_LINK_CHECK && !defined SHAKER2_LINK_CHECKED
+#define SHAKER2_LINK_CHECKED
+#if __SIZEOF_POINTER__ == 8
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".quad shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
+        ".popsection\n");
+#elif __SIZEOF_POINTER__ == 4
+__asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
+        ".long shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
+        ".popsection\n");
+#endif
+#endif
 #endif

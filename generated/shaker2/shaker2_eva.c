@@ -275,12 +275,27 @@ static void bits_parameters(shaker2_parameters *x)
     }
 }
 
+static void normal_step_carry(shaker2_step_carry *x)
+{
+    reals(&x->rounding[0], 17, 1.0e-6);
+}
+
+static void any_step_carry(shaker2_step_carry *x)
+{
+    reals(&x->rounding[0], 17, SHAKER2_LARGEST);
+}
+
+static void bits_step_carry(shaker2_step_carry *x)
+{
+    all_bits(&x->rounding[0], 17);
+}
+
 static void untouched_matrices_result(const shaker2_matrices_result *x)
 {
     untouched(&x->K[0][0], 36);
     untouched(&x->K_dot[0][0], 36);
     untouched(&x->M[0][0], 36);
-    untouched(&x->I[0][0], 12);
+    untouched(&x->I_[0][0], 12);
     untouched(&x->J[0][0], 12);
     untouched(&x->F[0], 6);
 }
@@ -290,7 +305,7 @@ static void written_matrices_result(const shaker2_matrices_result *x)
     written(&x->K[0][0], 36);
     written(&x->K_dot[0][0], 36);
     written(&x->M[0][0], 36);
-    written(&x->I[0][0], 12);
+    written(&x->I_[0][0], 12);
     written(&x->J[0][0], 12);
     written(&x->F[0], 6);
 }
@@ -300,7 +315,7 @@ static void initialised_matrices_result(const shaker2_matrices_result *x)
     initialised(&x->K[0][0], 36);
     initialised(&x->K_dot[0][0], 36);
     initialised(&x->M[0][0], 36);
-    initialised(&x->I[0][0], 12);
+    initialised(&x->I_[0][0], 12);
     initialised(&x->J[0][0], 12);
     initialised(&x->F[0], 6);
 }
@@ -601,6 +616,16 @@ static void initialised_mount_table(const shaker2_mount_table *x)
     initialised(&x->flywheel[1].inertia[0], 6);
     initialised(&x->flywheel[1].origin[0], 3);
     initialised(&x->flywheel[1].axes[0], 9);
+}
+
+static void written_step_carry(const shaker2_step_carry *x)
+{
+    written(&x->rounding[0], 17);
+}
+
+static void initialised_step_carry(const shaker2_step_carry *x)
+{
+    initialised(&x->rounding[0], 17);
 }
 
 /* ---- drivers: a function and a set each ---- */
@@ -1805,6 +1830,156 @@ void shaker2_eva_bits_prepare_mounts(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised_mount_table(&mounting);
+    }
+}
+
+void shaker2_eva_normal_step_carried(void);
+void shaker2_eva_normal_step_carried(void)
+{
+    shaker2_state x;
+    normal_state(&x);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, 100.0);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, 0, 1);
+    shaker2_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    shaker2_step_carry carry;
+    normal_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_carried(&shaker2_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void shaker2_eva_any_step_carried(void);
+void shaker2_eva_any_step_carried(void)
+{
+    shaker2_state x;
+    any_state(&x);
+    shaker2_real tau[SHAKER2_N];
+    reals(&tau[0], 2, SHAKER2_LARGEST);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    reals(&dt, 1, SHAKER2_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_step_carry carry;
+    any_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_carried(&shaker2_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void shaker2_eva_bits_step_carried(void);
+void shaker2_eva_bits_step_carried(void)
+{
+    shaker2_state x;
+    bits_state(&x);
+    shaker2_real tau[SHAKER2_N];
+    all_bits(&tau[0], 2);
+    int locked[SHAKER2_N];
+    integers(&locked[0], 2, INT_MIN, INT_MAX);
+    shaker2_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_step_carry carry;
+    bits_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_carried(&shaker2_default, &x, tau, locked, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
+    }
+}
+
+void shaker2_eva_normal_step_driven_carried(void);
+void shaker2_eva_normal_step_driven_carried(void)
+{
+    shaker2_state x;
+    normal_state(&x);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, 1.0e4);
+    shaker2_real dt;
+    dt = real_in(1.0e-6, 0.001);
+    int order;
+    integers(&order, 1, 2, 4);
+    shaker2_step_carry carry;
+    normal_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven_carried(&shaker2_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void shaker2_eva_any_step_driven_carried(void);
+void shaker2_eva_any_step_driven_carried(void)
+{
+    shaker2_state x;
+    any_state(&x);
+    shaker2_real phi_ddot[SHAKER2_N];
+    reals(&phi_ddot[0], 2, SHAKER2_LARGEST);
+    shaker2_real dt;
+    reals(&dt, 1, SHAKER2_LARGEST);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_step_carry carry;
+    any_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven_carried(&shaker2_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_step_carry(&carry);
+        written_state(&next);
+    }
+}
+
+void shaker2_eva_bits_step_driven_carried(void);
+void shaker2_eva_bits_step_driven_carried(void)
+{
+    shaker2_state x;
+    bits_state(&x);
+    shaker2_real phi_ddot[SHAKER2_N];
+    all_bits(&phi_ddot[0], 2);
+    shaker2_real dt;
+    one_of_all(&dt);
+    int order;
+    integers(&order, 1, INT_MIN, INT_MAX);
+    shaker2_step_carry carry;
+    bits_step_carry(&carry);
+    shaker2_state next;
+    const shaker2_status status = shaker2_step_driven_carried(&shaker2_default, &x, phi_ddot, dt, order, &carry, &next);
+    if (status < 0) {
+        untouched_state(&next);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_step_carry(&carry);
+        initialised_state(&next);
     }
 }
 

@@ -13,12 +13,12 @@
 #define SHAKER2_CODE
 #endif
 
-/* Header and recorder have the same real: else this array has no size. */
+/* Header and recorder use the same real type: otherwise this array has a negative size. */
 typedef char shaker2_recorder_real[(sizeof(shaker2_real) == 8) ? 1 : -1];
 
 typedef uint64_t shaker2_record_word;  /* the bits of a real */
 
-/* Counts of bytes, and the first byte of a step's record. */
+/* Sizes in bytes, and the first byte of a step's record. */
 enum {
     SHAKER2_RECORD_STEP = 0x53,
     SHAKER2_RECORD_REAL_BYTES = 8,
@@ -30,7 +30,7 @@ enum {
 #define SHAKER2_RECORD_BASIS 2166136261u
 #define SHAKER2_RECORD_PRIME 16777619u
 
-/* A record on its way: the bytes that wait for write, and the check of all so far. Without a log nothing is written. */
+/* A record being written: the bytes that wait for write, and their hash so far. Without a log nothing is written. */
 typedef struct shaker2_page {
     shaker2_recorder *log;
     uint32_t check;
@@ -99,7 +99,7 @@ static void shaker2_record_put_bytes(shaker2_page *page, const unsigned char *by
     }
 }
 
-/* The check, and out with what waits. */
+/* Appends the check and writes the waiting bytes. */
 SHAKER2_CODE
 static void shaker2_record_end(shaker2_page *page)
 {
@@ -205,7 +205,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
     shaker2_record_put_reals(&page, x->V, 6);
     shaker2_record_put_reals(&page, x->phi, SHAKER2_N);
     shaker2_record_put_reals(&page, x->phi_dot, SHAKER2_N);
-    if (check == SHAKER2_RECORDER_TABLE) {
+    if (check == SHAKER2_TABLE_HASH) {
         shaker2_record_put(&page, 0, 4);
     } else {
         shaker2_record_put(&page, SHAKER2_RECORD_TABLE_BYTES, 4);
@@ -217,7 +217,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
     return SHAKER2_OK;
 }
 
-/* Flags of what changed since the last step: members of the state, dt and order. The log takes them as its last. */
+/* Flags of what changed since the last step: members of the state, dt and order. The log remembers the new values. */
 SHAKER2_CODE
 static unsigned shaker2_notice_changes(shaker2_recorder *log, const shaker2_state *x,
                                   shaker2_real dt, int order)
@@ -291,15 +291,15 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
     shaker2_page page;
     shaker2_status status;
     unsigned flags = 0;
-    if (log == NULL || table == NULL || x == NULL || tau == NULL || locked == NULL
+    if (log == NULL || table == NULL || x == NULL || tau == NULL
         || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        flags |= (locked[s] != 0) ? SHAKER2_RECORD_LOCKS : 0u;
+        flags |= (locked != NULL && locked[s] != 0) ? SHAKER2_RECORD_LOCKS : 0u;
     }
     flags |= shaker2_notice_changes(log, x, dt, order);
     shaker2_record_head(&page, log, x, flags);
     shaker2_record_put_reals(&page, tau, SHAKER2_N);
-    if (flags & SHAKER2_RECORD_LOCKS) {
+    if ((flags & SHAKER2_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
         for (int first = 0; first < SHAKER2_N; first += SHAKER2_RECORD_LOCKS_A_BYTE) {
             unsigned mask = 0;
             for (int s = first; s < SHAKER2_N && s < first + SHAKER2_RECORD_LOCKS_A_BYTE; ++s) {

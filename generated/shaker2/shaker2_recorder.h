@@ -8,20 +8,20 @@
  *     shaker2_recorder_start(&log, &shaker2_default, &x);
  *     for (;;) { shaker2_recorder_step(&log, &shaker2_default, &x, ...); }
  *
- * What else writes the state between two steps (measured phases, an observer's correction) is noticed and logged by
- * itself. Another table needs a new start. start may be called again at any time: a log can be replayed from each
- * start on, so a ring buffer wants one every now and then.
+ * If other code writes the state between two steps (measured phases, an observer's correction), this is noticed and
+ * logged. A changed table needs a new start. start may be called again at any time: a log can be replayed from each
+ * start, so call it now and then if the log is a ring buffer.
  *
- * A write that fails (storage full, a link down) is counted in `lost`, and the steps go on: the log has a gap there, which
- * replay names. Where `lost` has grown, call start again, and the log can be replayed from there.
+ * A write that fails (storage full, a link down) is counted in `lost`, and the steps continue: the log then has a gap, which
+ * replay reports. If `lost` has grown, call start again: the log can be replayed from there.
  *
  * A log is a sequence of records, little-endian; a real is its bits, 8 bytes; every record ends in
  * u32 check, the FNV-1a hash of its bytes before.
  *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
- *   step   53, u16 flags, u32 count; where flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
- *          where flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
- * The table is there where it is not the default, member by member, a real or an i32 each, without the stream. */
+ *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
+ *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef SHAKER2_RECORDER_H
 #define SHAKER2_RECORDER_H
 
@@ -34,13 +34,12 @@
 extern "C" {
 #endif
 
-#define SHAKER2_RECORDER_FORMAT 1u           /* of the log */
-#define SHAKER2_RECORDER_SOURCE 0xabb92baau  /* of the texts of shaker2.h and shaker2.c: FNV-1a */
-#define SHAKER2_RECORDER_TABLE  0x787eab23u  /* hash of the default table */
+#define SHAKER2_RECORDER_FORMAT 1u           /* version of the log format */
+#define SHAKER2_RECORDER_SOURCE 0x366b5320u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
-#define SHAKER2_RECORD_MEMBERS  5  /* of a state */
+#define SHAKER2_RECORD_MEMBERS  5  /* members of a state */
 
-/* Bits of the flags of a step: members of the state that were written since the last step, and what else is there. */
+/* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
     SHAKER2_RECORD_POSITION = 1,              /* position was written */
     SHAKER2_RECORD_ATTITUDE = 2,              /* attitude was written */
@@ -54,11 +53,11 @@ enum {
     SHAKER2_RECORD_WRENCH = 512               /* any run-time wrench is not zero */
 };
 
-/* A log in progress. The first two members are the caller's; the rest begins as zero. */
+/* A log in progress. The caller sets the first two members; the others begin as zero. */
 typedef struct shaker2_recorder {
-    int (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends, one call a step; 0: good */
+    int (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends; one call per step; 0: success */
     void *context;          /* passed to write */
-    uint32_t lost;          /* writes that were not good; the caller may set it to 0 */
+    uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
     uint32_t seen[SHAKER2_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
     uint64_t dt;            /* bits of the last time step */
@@ -66,29 +65,29 @@ typedef struct shaker2_recorder {
     int fresh;              /* not 0: no step since the last start */
 } shaker2_recorder;
 
-/* recorder_start: writes a start record: identities, the state, and the table where it is not the default.
- *   log    its write and context are set; in and out
+/* recorder_start: writes a start record: identities, the state, and the table if it is not the default.
+ *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, also where a write was lost; BAD_ARGUMENT. Calls write several times; hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
 shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x);
 
-/* recorder_step: step, and a record of it.
+/* recorder_step: calls step and writes a record of it.
  *   log  a log that was started
  *   x    in and out: state, the step after it
- *   The others are those of step; also a step that is refused is logged.
- * Returns what step returns; BAD_ARGUMENT without a record where a pointer is null.
+ *   The other arguments are those of step. A refused step is logged too.
+ * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
  * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step. */
 shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order);
 
-/* recorder_step_driven: step_driven, and a record of it.
+/* recorder_step_driven: calls step_driven and writes a record of it.
  *   log  a log that was started
  *   x    in and out: state, the step after it
- *   The others are those of step_driven; also a step that is refused is logged.
- * Returns what step_driven returns; BAD_ARGUMENT without a record where a pointer is null.
+ *   The other arguments are those of step_driven. A refused step is logged too.
+ * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
  * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step_driven. */
 shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],

@@ -1,19 +1,20 @@
 /* shaker2_selftest.c: does shaker2.c give the right bits on this machine?
+ * With -ffast-math or its parts it gives wrong results with status OK: this test fails.
  * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead.
  *
  * Compile it with shaker2.c as firmware is compiled (-std=c99 -ffp-contract=off; -fno-tree-vectorize as well by gcc
  * for x86-64 with FMA and for a Cortex-M55, or bits differ) and run it; on a board, define
- * SHAKER2_SELFTEST_NO_MAIN and call shaker2_selftest with what prints a text, such as to a serial port.
+ * SHAKER2_SELFTEST_NO_MAIN and call shaker2_selftest with a function that prints a text, such as to a serial port.
  * Golden vectors: inputs and answers of the generator's interpreter as hexadecimal constants; each bit must agree.
- * Sweep: states that an integer generator makes here; a hash of all answers a function is printed, to be
- * compared between machines. The log of a board is judged by `mahovik judge-log LOG STAND.toml`. It reads:
+ * Sweep: states drawn by an integer generator; one hash per function of all its answers is printed, to be
+ * compared between machines. The log of a board is judged by `mahovik judge-log STAND.toml --log LOG`. It reads:
  *
  *     mahovik selftest shaker2 structure 94a85f4a physics 2591b2a4 real double
  *     generator mahovik 0.1.0
- *     forward PASS cases 4 worst 0 ulp      a line a function; or FAIL, and how many cases are wrong
+ *     forward PASS cases 4 worst 0 ulp      one line per function; FAIL gives the number of wrong cases
  *                                        (a distance above 1000000 ulp: worst more than 1000000 ulp)
  *     sweep 100                          states
- *     forward 0123abcd                   a line a function: FNV-1a of its statuses and outputs
+ *     forward 0123abcd                   one line per function: FNV-1a hash of its statuses and outputs
  *     failures 0                         functions that failed; the last line
  *
  * No allocation. It keeps inputs and results in static memory: one caller at a time. */
@@ -40,13 +41,13 @@ int shaker2_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 23, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 25, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
 /* ---- inputs and results ---- */
 
-/* What the functions take beside the stand's own constants. */
+/* Arguments of the functions, apart from the constants of the stand. */
 typedef struct inputs {
     shaker2_state x;
     shaker2_real phi_ddot[SHAKER2_N];
@@ -67,7 +68,8 @@ typedef struct inputs {
     shaker2_real position[3];
     shaker2_real q_dot[6];
     shaker2_real q_ddot[6];
-    shaker2_real mass_factor;  /* of all masses and inertias of the parameters */
+    shaker2_step_carry carry;
+    shaker2_real mass_factor;  /* multiplies all masses and inertias of the parameters */
 } inputs;
 
 static inputs in;
@@ -97,19 +99,21 @@ static union {
     struct { shaker2_table table; } prepare;
     struct { shaker2_real mount_wrench[12]; } mounts;
     struct { shaker2_mount_table mounting; } prepare_mounts;
+    struct { shaker2_step_carry carry; shaker2_state next; } step_carried;
+    struct { shaker2_step_carry carry; shaker2_state next; } step_driven_carried;
     struct { shaker2_real center_of_mass_velocity[3]; } center_of_mass_velocity;
     unsigned char bytes[1];
 } results;
 
-enum { UNTOUCHED = 0x5a };  /* what every byte of the results holds before a call */
+enum { UNTOUCHED = 0x5a };  /* value of every byte of the results before a call */
 
-/* ---- taking results: their hash, and how far they are from what is expected ---- */
+/* ---- results: their hash, and their distance from the expected numbers ---- */
 
 typedef struct tally {
-    uint32_t hash;                /* FNV-1a of all bits taken so far, the lowest byte of a number first */
-    const shaker2_real *expected;  /* next numbers that are expected, `left` of them */
+    uint32_t hash;                /* FNV-1a of all bits so far, the lowest byte of a number first */
+    const shaker2_real *expected;  /* next expected numbers, `left` of them */
     int left;
-    int touched;                  /* results that were written in spite of a refusal */
+    int touched;                  /* results that were written although the call was refused */
     real_bits worst;              /* ulp */
 } tally;
 
@@ -137,7 +141,7 @@ static real_bits bits_of(shaker2_real value)
     return both.word;
 }
 
-/* Numbers between two reals, by their bits: signed magnitudes laid on one line. */
+/* Count of representable numbers between two reals, from their bits. */
 static real_bits ulp_between(real_bits a, real_bits b)
 {
     const real_bits sign = (real_bits)1u << 63;
@@ -187,7 +191,7 @@ static void take_matrices_result(tally *sum, const shaker2_matrices_result *valu
         take_reals(sum, value->M[i], 6);
     }
     for (int i = 0; i < 6; ++i) {
-        take_reals(sum, value->I[i], SHAKER2_N);
+        take_reals(sum, value->I_[i], SHAKER2_N);
     }
     for (int i = 0; i < 6; ++i) {
         take_reals(sum, value->J[i], SHAKER2_N);
@@ -348,7 +352,12 @@ static void take_mount_table(tally *sum, const shaker2_mount_table *value)
     }
 }
 
-/* ---- every function: called with the inputs; its results taken ---- */
+static void take_step_carry(tally *sum, const shaker2_step_carry *value)
+{
+    take_reals(sum, value->rounding, 17);
+}
+
+/* ---- every function is called with the inputs, and its results are hashed and compared ---- */
 
 static shaker2_status call_forward(void)
 {
@@ -664,6 +673,40 @@ static void take_prepare_mounts_results(tally *sum, shaker2_status status)
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
+static shaker2_status call_step_carried(void)
+{
+    results.step_carried.carry = in.carry;
+    return shaker2_step_carried(&shaker2_default, &in.x, in.tau, in.locked, in.dt, in.order,
+        &results.step_carried.carry, &results.step_carried.next);
+}
+
+static void take_step_carried_results(tally *sum, shaker2_status status)
+{
+    take_step_carry(sum, &results.step_carried.carry);
+    if (status < 0) {
+        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
+        return;
+    }
+    take_state(sum, &results.step_carried.next);
+}
+
+static shaker2_status call_step_driven_carried(void)
+{
+    results.step_driven_carried.carry = in.carry;
+    return shaker2_step_driven_carried(&shaker2_default, &in.x, in.phi_ddot, in.dt, in.order,
+        &results.step_driven_carried.carry, &results.step_driven_carried.next);
+}
+
+static void take_step_driven_carried_results(tally *sum, shaker2_status status)
+{
+    take_step_carry(sum, &results.step_driven_carried.carry);
+    if (status < 0) {
+        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
+        return;
+    }
+    take_state(sum, &results.step_driven_carried.next);
+}
+
 static shaker2_status call_center_of_mass_velocity(void)
 {
     return shaker2_center_of_mass_velocity(&shaker2_default, &in.x,
@@ -716,80 +759,97 @@ static const inputs golden[CASES] =
         .q_dot = { -0x1.23054p-4, 0x1.1aa1f8p+0, 0x1.96f608p+0, 0x1.af406cp+0, 0x1.f9388cp+0, -0x1.4d6b8p-5 },
         .q_ddot = { 0x1.4e6a6cp+3, 0x1.e7f3ap+1, -0x1.100f98p+2, -0x1.ae09ap+3, -0x1.b60768p+2,
             0x1.06bc6cp+3 },
-        .mass_factor = 0x1.fd89d38p-1,
+        .carry = {
+            .rounding = { -0x1.3b164p-29, 0x1.c0aac8p-25, -0x1.51bd7p-27, -0x1.ace304p-25, 0x1.76eb1p-27,
+                -0x1.5944dp-27, 0x1.f3e8ep-27, 0x1.35894p-27, 0x1.d3fc6p-26, -0x1.23b5c4p-25, 0x1.cf1ac8p-26,
+                0x1.30188p-28, 0x1.942a08p-26, -0x1.92f53p-26, 0x1.c0d28p-26, 0x1.9f33ep-26, 0x1.c06e04p-25 },
+        },
+        .mass_factor = 0x1.016815p+0,
     },
     {   /* fast flywheels, large phases */
         .x = {
-            .position = { 0x1.c0aac8p+0, -0x1.51bd7p-2, -0x1.ace304p+0 },
-            .attitude = { -0x1.ab3a4042aa069p-1, -0x1.095fe8ec87926p-3, 0x1.6934525e6331fp-2,
-                0x1.9cce14fe28391p-2 },
-            .V = { -0x1.5944dp+0, 0x1.f3e8ep+0, 0x1.35894p+0, 0x1.d3fc6p+1, -0x1.23b5c4p+2, 0x1.cf1ac8p+1 },
-            .phi = { 0x1.30188p+19, 0x1.942a08p+21 },
-            .phi_dot = { -0x1.92f53p+12, 0x1.c0d28p+12 },
+            .position = { -0x1.7e8e7p-2, 0x1.bc58ep+0, -0x1.58a2bp+0 },
+            .attitude = { -0x1.ed003e5b1916ap-4, 0x1.ad6d5dc700bb1p-1, 0x1.05d88a5a1faa4p-1,
+                0x1.254471fe89dd7p-3 },
+            .V = { 0x1.55fcep+1, -0x1.9f3ap-4, 0x1.9b4488p+1, 0x1.0a9aap-1, -0x1.9c2068p+1, -0x1.9ed4ep-1 },
+            .phi = { -0x1.085ab8p+21, 0x1.968a6p+21 },
+            .phi_dot = { 0x1.cdc694p+13, -0x1.0249c8p+13 },
         },
-        .phi_ddot = { 0x1.9f33ep+7, 0x1.c06e04p+8 },
-        .V_dot = { 0x1.6815p+1, -0x1.7e8e7p+3, 0x1.bc58ep+5, -0x1.58a2bp+5, 0x1.554cc8p+4, 0x1.55fcep+4 },
-        .tau = { -0x1.9f3ap-6, 0x1.9b4488p-1 },
+        .phi_ddot = { -0x1.371e7p+7, -0x1.214c38p+8 },
+        .V_dot = { 0x1.4171bp+3, 0x1.82ebap+3, 0x1.0b38ap+4, -0x1.055d68p+5, -0x1.8f2aap+3, -0x1.763e6p+2 },
+        .tau = { -0x1.df9aep+0, -0x1.f8caa4p+0 },
         .locked = { 0, 0 },
         .dt = 0x1p-14,
         .order = 2,
-        .phi = -0x1.085ab8p+21,
-        .count = 85124,
-        .per_turn = 4069,
-        .zero = -0x1.0249c8p-1,
-        .moved = 216,
+        .phi = -0x1.b2c408p+22,
+        .count = -210783,
+        .per_turn = 4083,
+        .zero = 0x1.d5b01p-2,
+        .moved = -355,
         .encoder = {
-            .counter = 29211,
-            .place = 2316,
-            .moved = 241,
+            .counter = -15860,
+            .place = 1246,
+            .moved = -321,
         },
-        .counter = -27543,
+        .counter = 15529,
         .bits = 16,
-        .angles = { -0x1.8f2aap-3, -0x1.763e6p-4, -0x1.df9aep-1 },
-        .position = { -0x1.f8caa4p+0, 0x1.3b88ccp+0, 0x1.8fd1ep-2 },
-        .q_dot = { -0x1.0659ap-1, -0x1.b2c408p+0, -0x1.0c99cp-1, -0x1.5e586p+0, 0x1.d5b01p-1, -0x1.6b39ap+0 },
-        .q_ddot = { 0x1.499108p+3, -0x1.859fdp+3, 0x1.fdeeap+3, 0x1.1fb6fp+3, -0x1.2794p-4, 0x1.33ded8p+3 },
-        .mass_factor = 0x1.ffaf6a8p-1,
+        .angles = { 0x1.33ded8p-1, -0x1.4256p-8, -0x1.923cb8p-1 },
+        .position = { -0x1.67826p+0, 0x1.512658p-1, -0x1.3b3c18p-1 },
+        .q_dot = { 0x1.8eec5p-1, -0x1.bb3d38p+0, 0x1.a3f8a8p+0, 0x1.882d1p-2, 0x1.4d94ap-2, -0x1.c47ac4p+0 },
+        .q_ddot = { 0x1.1746e8p+3, 0x1.037d6p+2, 0x1.a1c0ecp+3, -0x1.cf6e3p+3, 0x1.56ea88p+3, 0x1.f688fp+2 },
+        .carry = {
+            .rounding = { -0x1.0f622p-25, 0x1.a26cfp-26, 0x1.df44a8p-25, 0x1.670cp-30, -0x1.23708p-29,
+                0x1.598328p-26, -0x1.466428p-26, -0x1.3db6a8p-25, -0x1.3d4554p-25, -0x1.07562p-26,
+                0x1.a063e4p-25, -0x1.bdbb3p-25, 0x1.d98bf4p-25, 0x1.3c586p-27, -0x1.ed3ccp-26, 0x1.297088p-26,
+                0x1.c53fp-29 },
+        },
+        .mass_factor = 0x1.c5ea3b8p-1,
     },
     {   /* out of range */
         .x = {
-            .position = { -0x1.923cb8p+40, -0x1.67826p+40, 0x1.512658p+39 },
-            .attitude = { 0x1.9b7cd0933ac01p-1, -0x1.b9b0402d4d276p+0, 0x1.b9b0402d4d276p-3,
-                0x1.2675801e336fap-1 },
-            .V = { 0x1.8eec5p-1, -0x1.bb3d38p+0, 0x1.a3f8a8p+0, 0x1.882d1p-2, 0x1.4d94ap-2, -0x1.c47ac4p+0 },
-            .phi = { 0x1.1746e8p+43, 0x1.037d6p+42 },
-            .phi_dot = { 0x1.a1c0ecp+7, -0x1.cf6e3p+7 },
+            .position = { -0x1.70a96cp+40, -0x1.49e8p+36, 0x1.70ed48p+39 },
+            .attitude = { -0x1.ff6cc1732dadap+0, 0x1.c600dcddd33b8p-6, -0x1.1103fa70a3596p-4,
+                0x1.f715b6794403ap-5 },
+            .V = { 0x1.26f56p+0, -0x1.28b67p+0, -0x1.7a5978p-1, 0x1.8ab58p-2, 0x1.b0decp-4, 0x1.7660dcp+0 },
+            .phi = { 0x1.a35e68p+42, -0x1.16ceep+40 },
+            .phi_dot = { 0x1.63ddcp+4, 0x1.e05b2p+4 },
         },
-        .phi_ddot = { 0x1.56ea88p+8, 0x1.f688fp+7 },
-        .V_dot = { -0x1.0f622p+3, 0x1.a26cfp+2, 0x1.df44a8p+3, 0x1.670cp-2, -0x1.23708p-1, 0x1.598328p+2 },
-        .tau = { -0x1.466428p-1, -0x1.3db6a8p+0 },
-        .locked = { 1, 0 },
+        .phi_ddot = { -0x1.68bbep+7, -0x1.cbd33cp+8 },
+        .V_dot = { -0x1.c483b8p+3, -0x1.ed35p-2, -0x1.bdd86p+3, 0x1.f8f3ep+1, -0x1.ca174p+0, 0x1.bc5528p+2 },
+        .tau = { 0x1.67f6p-4, 0x1.7f7ed8p-1 },
+        .locked = { 0, 1 },
         .dt = 0x0p+0,
-        .order = 4,
-        .phi = -0x1.bdbb3p+43,
-        .count = -852592,
+        .order = 2,
+        .phi = -0x1.8e30bp+43,
+        .count = -128687,
         .per_turn = 0,
-        .zero = -0x1.ed3ccp+38,
-        .moved = -140,
+        .zero = -0x1.74596p+39,
+        .moved = -75,
         .encoder = {
-            .counter = 31860,
-            .place = 1497,
-            .moved = -62,
+            .counter = -10992,
+            .place = 1359,
+            .moved = -243,
         },
-        .counter = -7948,
+        .counter = -18810,
         .bits = 16,
-        .angles = { -0x1.52138p+34, 0x1.26f56p+39, -0x1.28b67p+39 },
-        .position = { -0x1.7a5978p+39, 0x1.8ab58p+38, 0x1.b0decp+36 },
-        .q_dot = { 0x1.7660dcp+0, 0x1.a35e68p-1, -0x1.16ceep-3, 0x1.63ddcp-3, 0x1.e05b2p-3, -0x1.68bbep-1 },
-        .q_ddot = { -0x1.cbd33cp+3, -0x1.c483b8p+3, -0x1.ed35p-2, -0x1.bdd86p+3, 0x1.f8f3ep+1,
-            -0x1.ca174p+0 },
-        .mass_factor = -0x1.0de2a94p+0,
+        .angles = { 0x1.caa508p+39, 0x1.64ac8p+35, 0x1.49a318p+38 },
+        .position = { 0x1.c85dp+37, 0x1.c55c48p+39, 0x1.ebfa1p+40 },
+        .q_dot = { -0x1.afa2dp-2, -0x1.3dbc3cp+0, 0x1.e6041p+0, 0x1.efbb3cp+0, -0x1.fcd4p-2, -0x1.05219cp+0 },
+        .q_ddot = { -0x1.1937p-2, -0x1.0b842cp+3, 0x1.7eee2p+1, -0x1.093c78p+3, -0x1.8ed23cp+3,
+            -0x1.027accp+3 },
+        .carry = {
+            .rounding = { 0x1.313078p-25, 0x1.f09e08p-26, -0x1.f2802p-25, -0x1.31426p-28, 0x1.947958p-26,
+                0x1.5360e8p-26, -0x1.bc3c4p-25, 0x1.4b5d2p-25, -0x1.e1ea1p-26, 0x1.43f77p-27, -0x1.7eaadp-25,
+                0x1.9d9098p-26, 0x1.2190ap-25, 0x1.881898p-25, 0x1.f82364p-25, -0x1.f67078p-26,
+                0x1.ef22p-27 },
+        },
+        .mass_factor = -0x1.019d4d4p+0,
     },
 };
 
 typedef struct answer {
     int status;
-    uint32_t hash;  /* of the status and all outputs */
+    uint32_t hash;  /* hash of the status and all outputs */
     int listed;     /* outputs whose numbers are given, at most 32 */
 } answer;
 
@@ -797,16 +857,16 @@ static const shaker2_real numbers_forward[] =
 {
     0x1.0ad6f58bae60bp+7, 0x1.da53041ea1a8p+5, -0x1.b8481994d58b3p+7, 0x1.e4a7e97718fa7p+4,
         0x1.1a993b3ee231ep+9, 0x1.24a090ff83ea8p+9,
-    -0x1.204d7e795906p+5, 0x1.379c1304d0c35p+13, 0x1.cd7948314530dp+10, -0x1.cc5113f72abe1p+17,
-        0x1.659b62ad786cdp+8, 0x1.73e3532421ecbp+8,
+    -0x1.0475ff80ff3cbp+7, -0x1.391b6c7fb3ee3p+16, 0x1.70516aab6a6a5p+13, -0x1.5e2ce9e94b12p+14,
+        0x1.9e58108de1af4p+9, 0x1.9c41b479ab45ap+7,
 };
 
 static const shaker2_real numbers_wrench[] =
 {
     0x1.cf96196d2e0fep+9, 0x1.aeae97dda4c69p+8, -0x1.7ff6cf6dd194cp+10, 0x1.03bb3750e41fcp+1,
         0x1.14fd46ed4e7e1p+5, 0x1.6f1ac98fdb649p+5,
-    -0x1.83f0e02a94eafp+7, 0x1.e65dcf767cd5p+3, 0x1.4f8f6fe668b7ep+11, -0x1.2af3c71de4cc7p+3,
-        0x1.7c8b151034c51p+4, 0x1.88a1409a22384p+4,
+    -0x1.baf31e25d39c7p+9, 0x1.1e9d9fd68eb05p+10, -0x1.fd09de98ab2cbp+10, 0x1.254677a977522p+6,
+        0x1.6e4a4f97d395p+5, 0x1.98f5446cf5e7bp+3,
 };
 
 static const shaker2_real numbers_matrices[] =
@@ -816,11 +876,11 @@ static const shaker2_real numbers_matrices[] =
         0x0p+0, 0x0p+0, -0x1.bc5c42309d4f5p-11, 0x1.3e4a78923e378p-12, 0x1.e1b6f6e9a0eedp-5, 0x0p+0, 0x0p+0,
         0x1.bc5c42309d4f5p-11, 0x0p+0, -0x0p+0, 0x0p+0, 0x1.f55ed48e4602dp-5, 0x1.cc144ba6005aep-14,
         -0x1.3e4a78923e378p-12, 0x0p+0,
-    0x1.cp+2, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.8a32786d31d78p-13, -0x1.7a8645caa4bc6p-10, 0x0p+0, 0x1.cp+2,
-        0x0p+0, 0x1.8a32786d31d78p-13, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.cp+2, 0x1.7a8645caa4bc6p-10,
-        -0x0p+0, 0x0p+0, 0x0p+0, 0x1.8a32786d31d78p-13, 0x1.7a8645caa4bc6p-10, 0x1.dc466e91c5661p-5, 0x0p+0,
-        0x0p+0, -0x1.8a32786d31d78p-13, 0x0p+0, -0x0p+0, 0x0p+0, 0x1.f57666331f40ap-5, 0x1.3453f216cc713p-12,
-        -0x1.7a8645caa4bc6p-10, 0x0p+0,
+    0x1.cp+2, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.d738bcf6803a5p-11, 0x1.f8b512f49ca72p-9, 0x0p+0, 0x1.cp+2, 0x0p+0,
+        -0x1.d738bcf6803a5p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.cp+2, -0x1.f8b512f49ca72p-9, -0x0p+0,
+        0x0p+0, 0x0p+0, -0x1.d738bcf6803a5p-11, -0x1.f8b512f49ca72p-9, 0x1.dcb9b92001bebp-5, 0x0p+0, 0x0p+0,
+        0x1.d738bcf6803a5p-11, 0x0p+0, -0x0p+0, 0x0p+0, 0x1.f55c1f542ad2fp-5, 0x1.a72ba0b9354e2p-15,
+        0x1.f8b512f49ca72p-9, 0x0p+0,
 };
 
 static const shaker2_real numbers_momentum[] =
@@ -829,24 +889,24 @@ static const shaker2_real numbers_momentum[] =
         0x1.4b3ffaa702a1p-5, 0x1.0952b9675ec4p-4, 0x1.a41451943e6dep+1, -0x1.9b694bd8d2d64p+0,
         0x1.241adc1b6b4a7p+4, 0x1.b57b9a5b2bc28p+4, 0x1.a82ef070e8493p+3, -0x1.dc7c340e985f7p+1,
         0x1.f11aae6f469b2p+4, 0x0p+0, 0x1.6bc2d2f0471adp-15, 0x1.fbd72712fcecep-14,
-    -0x1.2e3ffd4a0fd03p+3, -0x1.6dedbd106fcb5p+3, 0x1.88d56a4dcbaf2p+3, 0x1.468bd72e64335p-4,
-        -0x1.1c5b7a5f233cep-2, 0x1.1fd734faf5beep-2, -0x1.32e8e4a780276p+4, 0x1.70adce972d9a2p-1,
-        -0x1.7d4ea6e13f73p+0, 0x1.6015e866394e4p+0, 0x1.1436b5ddc5c0bp+5, -0x1.3da789825b3b8p+2,
-        0x1.4a334d399df3cp+15, 0x0p+0, 0x1.b09974554e8e2p-13, -0x1.c282d2c5efd1bp-16,
+    0x1.2b24a232148bap+4, 0x1.922422995bf97p+1, 0x1.0bd96138e459ap+3, 0x1.2c4177902d1p+1,
+        -0x1.8eba4a7a28aa4p-3, -0x1.b00f16e77e7f8p-5, 0x1.7ddd86b271fa1p+3, 0x1.0e747d4fefd6bp+4,
+        -0x1.2a7af61d75ad8p+0, 0x1.59325693d02bfp+4, -0x1.d001de48dcab7p+3, -0x1.a1da8b8b712d3p+4,
+        0x1.fc74623157991p+16, 0x0p+0, -0x1.2067788bc73afp-11, 0x1.0d44fe43b6fccp-13,
 };
 
 static const shaker2_real numbers_torque[] =
 {
     -0x1.ab1ce3fd926p-2, -0x1.937f86752456bp-3,
-    0x1.22d0c9c5154cbp-3, 0x1.d5d4dfe8e4477p-2,
+    -0x1.9870c806c4704p-3, -0x1.547b3783815eep-2,
 };
 
 static const shaker2_real numbers_coupled[] =
 {
     0x1.0ad6f58bae60cp+7, 0x1.da648d8fed408p+5, -0x1.b89cd2fc1d186p+7, 0x1.7662cf6f7928cp+3,
         0x1.1a993b3ee231ep+9, 0x1.24a090ff83ea8p+9, 0x1.461a7b0ad15b1p+8, 0x0p+0,
-    -0x1.204d7e795906p+5, 0x1.377ecd79b5d34p+13, 0x1.c1a066c953e58p+10, -0x1.da59bb2b17d91p+17,
-        0x1.659b62ad786cdp+8, 0x1.73e3532421ecbp+8, 0x1.c2f4e2ec9d004p+17, 0x1.d5b1c0d03057bp+17,
+    -0x1.0475ff80ff3cbp+7, -0x1.391ca0abfe139p+16, 0x1.706e226e3bed4p+13, -0x1.5f0ef74840df9p+14,
+        0x1.9e58108de1af4p+9, 0x1.9c41b479ab45ap+7, 0x1.bf8a2a0874c12p+14, -0x1.12782169f659ep+14,
 };
 
 static const shaker2_real numbers_step[] =
@@ -856,11 +916,11 @@ static const shaker2_real numbers_step[] =
         0x1.e7143601a75c8p+0, 0x1.ca4726fa185f4p-1, 0x1.f41e0c0963f9ep+0, 0x1.57d8b8dac31aep-1,
         0x1.bd1bade88ccc7p-1, -0x1.e7eff6dafdec6p-4, 0x1.48286832f4b9fp+1, -0x1.237ec04f2f134p+5,
         -0x1.c68578p+6,
-    0x1.c0aa3905b34c6p+0, -0x1.5194642f83ccp-2, -0x1.acdd7bba15bb3p+0, -0x1.ab3ba164851cep-1,
-        -0x1.08fbf4bb4e586p-3, 0x1.694a536683f6cp-2, 0x1.9cc52ae18f78p-2, -0x1.59d867d7a4a37p+0,
-        0x1.1e715513ec289p+1, 0x1.5fde2815bd0bdp+0, -0x1.83c1aa4e3d127p+3, -0x1.225c8f205c10ap+2,
-        0x1.d18a79b47d80ep+1, -0x1.b881d3eedb07bp+0, 0x1.81ebbbd25bc27p+0, -0x1.9201161b24bf1p+12,
-        0x1.c1cb5d73c425ap+12,
+    -0x1.7e9983cdb623p-2, 0x1.bc6b343d233a3p+0, -0x1.58ab89c24225fp+0, -0x1.ecc3da86e2679p-4,
+        0x1.ad6da159972bbp-1, 0x1.05dcae475e682p-1, 0x1.251c798b16b88p-3, 0x1.54f6f400f8684p+1,
+        -0x1.26481ca157377p+2, 0x1.413da5a5478d1p+1, -0x1.42d6a2cbb888ap+4, -0x1.959e8bdd1cfc3p+1,
+        -0x1.98d08bd75fbcp-1, -0x1.289e2de4b186cp+1, 0x1.20ca23c1cefdp+1, 0x1.ce6157811b652p+13,
+        -0x1.01c69cb65023dp+13,
 };
 
 static const shaker2_real numbers_step_driven[] =
@@ -869,29 +929,29 @@ static const shaker2_real numbers_step_driven[] =
         -0x1.2f869a30f7d5dp-5, -0x1.fa5ef10b80544p-2, -0x1.4f6e264e292cfp-1, 0x1.9ae373372c0b9p+0,
         0x1.e7142dec9dc11p+0, 0x1.ca487823ee7afp-1, 0x1.f468606a4bde3p+0, 0x1.57d8b9fe48fb9p-1,
         0x1.bd1bad43980bp-1, -0x1.e7f181adb73ddp-4, 0x1.482864710919fp+1, -0x1.23e173c8p+5, -0x1.c6947fae8p+6,
-    0x1.c0aa380fe39b5p+0, -0x1.5194637d00e9fp-2, -0x1.acdd7a9b70215p+0, -0x1.ab3b8454286aep-1,
-        -0x1.08fee23222662p-3, 0x1.694b08708e737p-2, 0x1.9cc48c76a8914p-2, -0x1.59d866ca834e1p+0,
-        0x1.1e66bb3a743d9p+1, 0x1.5f6345ae6527dp+0, -0x1.74a543b58b99fp+3, -0x1.225b8a193f352p+2,
-        0x1.d18c6975afe9p+1, -0x1.b89dfcc03a518p+0, 0x1.81ce6eb9bedf7p+0, -0x1.92f4fc1984p+12,
-        0x1.c0d2f01b81p+12,
+    -0x1.7e9983b8c7d8cp-2, 0x1.bc6b342ed2666p+0, -0x1.58ab89a81552p+0, -0x1.ecc3e6606b743p-4,
+        0x1.ad6da12330462p-1, 0x1.05dcae88178abp-1, 0x1.251c75ee34269p-3, 0x1.54f6f4534a343p+1,
+        -0x1.264b09afbfa63p+2, 0x1.402462bb3f9ep+1, -0x1.3a15f7419d9p+4, -0x1.959e8e73b4175p+1,
+        -0x1.98d091a3fa95dp-1, -0x1.289fefdd186f3p+1, 0x1.20cb31b4bf86fp+1, 0x1.cdc6808e19p+13,
+        -0x1.0249ec2987p+13,
 };
 
 static const shaker2_real numbers_wrap[] =
 {
     0x1.49e654442d184p-2,
-    0x1.882dd819aa13ep+1,
+    0x1.3350d8527a7c8p+0,
 };
 
 static const shaker2_real numbers_phase_of_counts[] =
 {
     0x1.58eb54a73bc22p+1,
-    -0x1.008c9fe731fep-1,
+    0x1.2ddf332395482p+1,
 };
 
 static const shaker2_real numbers_speed_of_counts[] =
 {
     0x1.443acb0afcbc1p+13,
-    0x1.558b1bb051ebp+12,
+    -0x1.17b43ea1b7b99p+13,
 };
 
 static const shaker2_real numbers_accumulate[] =
@@ -909,14 +969,14 @@ static const shaker2_real numbers_forward_jacobian[] =
         -0x1.2f9ab185c2b46p+2, -0x1.f2660bd1c3e7cp-3, -0x1.72cabc6da5b1ap-3, 0x1.444b32228f59p-6,
         0x1.0763c74a3dc3cp-56, -0x1.efbb3b69e6217p-47, 0x1.0fc3e91c34167p-2, -0x1.3a2022662bfa3p+2,
         0x1.6b9e5b91398b5p+1, -0x1.6d3abf9969d1ep-8, -0x1.f6aa3c85888bfp-48,
-    -0x1.6db739606763ep+0, 0x1.cf1ac8p+1, 0x1.23b5c4p+2, 0x1.20a64d561ab1bp-10, -0x1.266d29a08a7e2p+1,
-        -0x1.4e24f3bb06538p+2, -0x1.cf1ac8p+1, -0x1.6db6dd8264929p+0, 0x1.d3fc5801ffde2p+1,
-        0x1.263428bf0b92ep+1, 0x1.024f69704bb4dp-13, 0x1.599c4c57c53a5p+0, -0x1.23b5c4p+2,
-        -0x1.d3fc67fe0021ep+1, -0x1.6db7563830f6cp+0, 0x1.4e271a578d8a6p+2, -0x1.595894f20900bp+0,
-        0x1.5eafa44d66ab6p-11, 0x0p+0, 0x1.2eb0f1479a6b3p-8, 0x1.22a81b2f92eadp-5, -0x1.6305a5c1c6a3dp+2,
-        -0x1.f01c82ff562adp-1, 0x1.50bc68daa8444p+0, -0x1.171daf81e5c55p-8, -0x1.74b7e3d37d04fp-58,
-        0x1.15772b7352ff1p-47, 0x1.1f86771640116p+0, -0x1.80ecd87c743e1p+2, -0x1.2fc5469e90a23p+3,
-        -0x1.b3aeb6b4fd7f2p-6, 0x1.2f221d9a28576p-50,
+    -0x1.6db996aadfe9bp+0, -0x1.9ed4ep-1, 0x1.9c2068p+1, -0x1.be6479974d231p-10, 0x1.a9330f6d5a276p-1,
+        0x1.00f0dd95a00f2p+0, 0x1.9ed4ep-1, -0x1.6db70af587c0cp+0, 0x1.0a9908bc2c037p-1,
+        -0x1.a3709f3c4c706p-1, 0x1.191a22fbab5acp-13, -0x1.55ce4f6780c83p+1, -0x1.9c2068p+1,
+        -0x1.0a9c3743d3fc9p-1, -0x1.6dba43d713c0fp+0, -0x1.fa72a468963b3p-1, 0x1.55d763f986936p+1,
+        -0x1.4db9bc9121462p-10, -0x1.12f3ee26738d9p-55, -0x1.698185e886c64p-6, -0x1.8331f0eaae6f3p-4,
+        0x1.1e9fd09cc6e7p+4, 0x1.deab725621d83p-3, 0x1.cf96f019fcdf2p-1, 0x1.56c86c2a839b8p-6,
+        -0x1.534e03eaa21b4p-58, -0x1.fc91da75fb07cp-46, -0x1.09c6704bff3aep-2, -0x1.59450a0e61f9ep+2,
+        -0x1.7d6084b2609fap+6, 0x1.2255b4ff11395p-4, 0x1.95f9f5dfbded5p-48,
 };
 
 static const shaker2_real numbers_coupled_jacobian[] =
@@ -929,14 +989,14 @@ static const shaker2_real numbers_coupled_jacobian[] =
         -0x1.9d2c644b67c0ap-5, -0x1.3663cd110223p+2, -0x1.f7639930523bep-3, -0x1.77cc8cbf63139p-3,
         0x1.444b32228f592p-6, 0x1.8bf939734fa0bp-57, -0x1.efaae027a083cp-47, 0x1.0fc3e91c34167p-2,
         -0x1.3a2022662bfa3p+2, 0x1.6b9e5b91398b5p+1, -0x1.6d3abf9969d2p-8, -0x1.f69091c3afe64p-48,
-    -0x1.6db739606763ep+0, 0x1.cf1ac8p+1, 0x1.23b5c4p+2, 0x1.20a64d561ab1bp-10, -0x1.266d29a08a7e2p+1,
-        -0x1.4e24f3bb06538p+2, -0x1.cf1ac7fffffffp+1, -0x1.6e1bc2584c237p+0, 0x1.d401ed3fa1fb6p+1,
-        0x1.2631be5a23e7bp+1, 0x1.5d3b9cb532d3ep-13, 0x1.599320bcd7d74p+0, -0x1.23b5c3fffffffp+2,
-        -0x1.d3f6d2c05e049p+1, -0x1.6dc7ebf7fcdbcp+0, 0x1.4e248097259ebp+2, -0x1.59673f78db533p+0,
-        0x1.82cc8610d47f5p-11, -0x1.f964726abf028p-55, -0x1.7ff76be7ae98p-8, 0x1.969005b014656p-10,
-        -0x1.64a782f5d9e27p+2, -0x1.00611246c25f9p+0, 0x1.528a3f97d0f87p+0, -0x1.171daf81e5c55p-8,
-        -0x1.74b7e3d37d04fp-58, 0x1.15772b7352ff1p-47, 0x1.1f86771640116p+0, -0x1.80ecd87c743e1p+2,
-        -0x1.2fc5469e90a23p+3, -0x1.b3aeb6b4fd7f2p-6, 0x1.2f221d9a28576p-50,
+    -0x1.6db996aadfe9bp+0, -0x1.9ed4ep-1, 0x1.9c2068p+1, -0x1.be6479974d231p-10, 0x1.a9330f6d5a276p-1,
+        0x1.00f0dd95a00f2p+0, 0x1.9ed4ep-1, -0x1.6dbf5d842435bp+0, 0x1.0a68c6be58f1dp-1,
+        -0x1.a514942c46326p-1, 0x1.df474a0535ef5p-14, -0x1.55d166b895a1bp+1, -0x1.9c2067fffffffp+1,
+        -0x1.0acc7941a70e3p-1, -0x1.6e24550bb6dd4p+0, -0x1.0050ca76afe2p+0, 0x1.55d353deb22cdp+1,
+        -0x1.d75edd9f4305bp-10, -0x1.3f71fe525abf8p-55, 0x1.398cdba88fab2p-9, -0x1.35d2c1037fb08p-10,
+        0x1.2a504c21eb60cp+4, 0x1.ec0759c848ab8p-3, 0x1.de232ace0afd3p-1, 0x1.56c86c2a839b8p-6,
+        -0x1.534e03eaa21b4p-58, -0x1.fc91da75fb07cp-46, -0x1.09c6704bff3aep-2, -0x1.59450a0e61f9ep+2,
+        -0x1.7d6084b2609fap+6, 0x1.2255b4ff11395p-4, 0x1.95f9f5dfbded5p-48,
 };
 
 static const shaker2_real numbers_inverse[] =
@@ -945,22 +1005,22 @@ static const shaker2_real numbers_inverse[] =
         -0x1.2d649665c6f8p+8, 0x1.88931870ef1p+1, 0x1.15f244a34b6cfp+5, 0x1.6b5d67f38219fp+5,
         0x1.a2678dcf66d6fp-3, 0x1.1b28248143a7p-5, 0x0p+0, 0x1.da502c8604e1p+0, 0x1.7ef96b4fc6353p+0,
         -0x1.149ef49714c8cp-1, 0x1.684ee717cad96p-8, 0x1.fe33f434c4a9ep-5, 0x1.4d7fd14096556p-4,
-    0x1.1881c42bef94bp+23, -0x1.971cd7a203f4p+24, -0x1.1086b4a46640cp+8, 0x1.464aa98326ff8p+12,
-        0x1.054a352b74f6dp+15, -0x1.be7931b9ca2p+7, 0x1.4b1ee7fd0f833p+4, 0x1.b5424d77d07f7p+4,
-        0x1.63fb5d3b05b37p-3, 0x1.0e31258a3a705p-5, 0x0p+0, -0x1.5bff10df122fp-6, 0x1.a0a6a6086f081p-2,
-        0x1.4da5fc221aef6p+1, -0x1.1d0ea6146c3a9p-6, 0x1.a6d13e49b2937p-10, 0x1.172c94cd80fb5p-9,
+    -0x1.aae3ff130f709p+28, 0x1.320587b2d33dfp+28, -0x1.ea2dae944e4fcp+9, -0x1.7eda5aa6e56f2p+18,
+        -0x1.a291c9d806748p+17, -0x1.48de5d6ed7dcp+12, 0x1.9aeae6f8c9dacp+5, 0x1.fe6742165e3fcp+3,
+        0x1.73303bb942eabp-3, 0x1.01223009e481dp-7, 0x0p+0, -0x1.791efb6b31012p-8, -0x1.268cb696aff93p+1,
+        -0x1.42074194e1de4p+0, -0x1.fa087ba8d562p-6, 0x1.3c242d99a287ep-12, 0x1.88ae5fbd8be2fp-14,
 };
 
 static const shaker2_real numbers_inverse_fast[] =
 {
     -0x1.2dc3e63ad5869p+18, 0x1.31f90add19179p+18,
-    0x1.1881c42bef947p+23, -0x1.971cd7a203f3fp+24,
+    -0x1.aae3ff130f672p+28, 0x1.320587b2d3375p+28,
 };
 
 static const shaker2_real numbers_quaternion[] =
 {
     0x1.ebce0603140ccp-1, 0x1.b39c8ecb8202p-4, 0x1.7eeb8d7f5a874p-3, -0x1.68f38183b953ep-3,
-    0x1.c53149e93a79p-1, -0x1.cfa5f6b99ebbap-2, 0x1.b3406065d93ep-9, -0x1.b74968b2934c2p-4,
+    0x1.c3eda73da001fp-1, -0x1.75b31b2fa7e32p-2, -0x1.d935f8f64c7fdp-4, 0x1.173c285aff6d9p-2,
 };
 
 static const shaker2_real numbers_state_from_coordinates[] =
@@ -971,15 +1031,15 @@ static const shaker2_real numbers_state_from_coordinates[] =
         -0x1.95dd5cp+3, 0x1.e462ap+3, -0x1.23a78p+5, -0x1.c68578p+6, 0x1.14cf0a04d8d89p+3,
         0x1.d45c9a1ac3fcbp+2, -0x1.73d4bddfc12e4p+1, 0x1.4faaeaac072a2p+3, -0x1.1bff1434ec54ep+3,
         -0x1.8c18497de742fp+3,
-    -0x1.f8caa4p+0, 0x1.3b88ccp+0, 0x1.8fd1ep-2, 0x1.c53149e93a79p-1, -0x1.cfa5f6b99ebbap-2,
-        0x1.b3406065d93ep-9, -0x1.b74968b2934c2p-4, -0x1.c4743852112a8p-3, -0x1.46888f1c0980cp-1,
-        -0x1.b8eb6633bdca3p+0, -0x1.8b30e1f4a4f82p+0, 0x1.a432767c9afa5p+0, -0x1.17e02ef7437ap-4,
-        0x1.30188p+19, 0x1.942a08p+21, -0x1.92f53p+12, 0x1.c0d28p+12, 0x1.0bc13eafa0567p+4,
-        -0x1.e3d3f9c76a1bbp+3, -0x1.45a5c0d86fce1p-1, 0x1.7620d967fd4cdp+3, -0x1.c44578687050ap+2,
-        0x1.e076805b4f0e3p+2,
-    -0x1.923cb8p+40, -0x1.67826p+40, 0x1.512658p+39, 0x1.9b7cd0933ac01p-1, -0x1.b9b0402d4d276p+0,
-        0x1.b9b0402d4d276p-3, 0x1.2675801e336fap-1, 0x1.8eec5p-1, -0x1.bb3d38p+0, 0x1.a3f8a8p+0, 0x1.882d1p-2,
-        0x1.4d94ap-2, -0x1.c47ac4p+0, 0x1.1746e8p+43, 0x1.037d6p+42, 0x1.a1c0ecp+7, -0x1.cf6e3p+7,
+    -0x1.67826p+0, 0x1.512658p-1, -0x1.3b3c18p-1, 0x1.c3eda73da001fp-1, -0x1.75b31b2fa7e32p-2,
+        -0x1.d935f8f64c7fdp-4, 0x1.173c285aff6d9p-2, -0x1.50d5c17afae4fp-2, -0x1.3dbe00f2c3e3ep+1,
+        -0x1.48e590a77945p-3, -0x1.c3ff51054db7p+0, -0x1.4c590a09de3p-5, 0x1.0096622b866bbp-1,
+        -0x1.085ab8p+21, 0x1.968a6p+21, 0x1.cdc694p+13, -0x1.0249c8p+13, 0x1.09b94a06447dep+3,
+        -0x1.3c1cb09ec173ep+3, 0x1.d97bf92a707f8p+1, 0x1.e9fdd5c609804p+2, 0x1.0eea24cfa573ep+4,
+        -0x1.5d77db0970c86p+1,
+    -0x1.70a96cp+40, -0x1.49e8p+36, 0x1.70ed48p+39, -0x1.ff6cc1732dadap+0, 0x1.c600dcddd33b8p-6,
+        -0x1.1103fa70a3596p-4, 0x1.f715b6794403ap-5, 0x1.26f56p+0, -0x1.28b67p+0, -0x1.7a5978p-1,
+        0x1.8ab58p-2, 0x1.b0decp-4, 0x1.7660dcp+0, 0x1.a35e68p+42, -0x1.16ceep+40, 0x1.63ddcp+4, 0x1.e05b2p+4,
 };
 
 static const shaker2_real numbers_generalized[] =
@@ -989,25 +1049,25 @@ static const shaker2_real numbers_generalized[] =
         0x1.496dd149e37p-2, -0x1.14b3e54f0cc1fp-2, 0x1.d09ecd1b95aefp-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
         0x0p+0, 0x0p+0, -0x1.963421a35bbd8p-2, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.1b740d7808e53p-3,
         0x1.fa25982d2662p-1, 0x0p+0, 0x0p+0, 0x0p+0,
-    0x1.f435e893a2de2p-1, -0x1.8afd54473a7dep-3, 0x1.75b92148bcb95p-4, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.7eac25ddf3578p-3, 0x1.224a5d14a15ap-1, -0x1.9ac255224ad97p-1, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.a5e16cc1c5cfdp-4, 0x1.9a079d151fdf3p-1, 0x1.2e0eac794ee6ep-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x1.75b92148bcb96p-4, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.9ac255224ad98p-1,
-        0x1.2f529110a360bp-1, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.a630128430d39p-1, 0x1.21a585865cd99p-1, 0x1.4255aad4163c1p-8, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.96995d5d8b278p-2, 0x1.2b7a19d7b3ddcp-1, -0x1.6a1d4a44aca21p-1, 0x0p+0, 0x0p+0, 0x0p+0,
+        -0x1.9ca75a2f71915p-2, 0x1.299829923f3dfp-1, 0x1.69f443688993ep-1, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1.4255aad4163cbp-8, 0x0p+0, 0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.6a1d4a44aca2p-1,
+        0x1.69f56254d806dp-1, 0x0p+0, 0x0p+0, 0x0p+0,
 };
 
 static const shaker2_real numbers_prepare[] =
 {
-    0x1.bdd8991p+2, 0x1.25fc1fed04b45p-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.da9cd256eac86p-5, 0x1.f301552e87d2dp-5,
-        0x1.3c5aa24b7d418p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.04e2370a3d70ap-9, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.04e2370a3d70ap-9, 0x1.4dee5aee631f8p-12, 0x0p+0, 0x1.4dee5aee631f8p-12, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.4dee5aee631f8p-13, 0x0p+0, -0x1.0b25158b827cp-18,
-        0x1.0b25158b827cp-18,
-    0x1.bfb97d3p+2, 0x1.24c05cae3891ep-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.dc9cbd8a9bcfep-5, 0x1.f51b8fbc169c2p-5,
-        0x1.3dafdac15f45fp-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.05fb9ae147ae1p-9, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x1.05fb9ae147ae1p-9, 0x1.4f5688ce703afp-12, 0x0p+0, 0x1.4f5688ce703afp-12, 0x0p+0, 0x0p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.4f5688ce703afp-13, 0x0p+0, -0x1.0c453a3ec03p-18,
-        0x1.0c453a3ec03p-18,
+    0x1.c27624cp+2, 0x1.22f90319c8c5bp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.df869a1aa3f04p-5, 0x1.f82bc1a682b63p-5,
+        0x1.3fa102991793ap-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.079596872b021p-9, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.079596872b021p-9, 0x1.516350092ccf7p-12, 0x0p+0, 0x1.516350092ccf7p-12, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.516350092ccf7p-13, 0x0p+0, -0x1.0de90cd423d8p-18,
+        0x1.0de90cd423d8p-18,
+    0x1.8d2cf41p+2, 0x1.4a029ca657a8bp-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.a6cd444013ec6p-5, 0x1.bc8819914b168p-5,
+        0x1.19d1c867924afp-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.d0cf160418937p-10, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x1.d0cf160418937p-10, 0x1.297a4b87bdcfp-12, 0x0p+0, 0x1.297a4b87bdcfp-12, 0x0p+0, 0x0p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, -0x1.297a4b87bdcfp-13, 0x0p+0, -0x1.dbf6df3f9618p-19,
+        0x1.dbf6df3f9618p-19,
     0x1.cp+2, 0x1.2492492492492p-3, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.dce7cd035371ap-5, 0x1.f56a7ac81d3aap-5,
         0x1.3de1e2de87098p-4, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.0624dd2f1a9fcp-9, 0x0p+0, 0x0p+0, 0x0p+0,
         0x1.0624dd2f1a9fcp-9, 0x1.4f8b588e368f1p-12, 0x0p+0, 0x1.4f8b588e368f1p-12, 0x0p+0, 0x0p+0, 0x0p+0,
@@ -1020,34 +1080,71 @@ static const shaker2_real numbers_mounts[] =
     -0x1.343c5e69e8fe2p+2, -0x1.0a2157b80258cp-1, -0x1.9e987d72b6d93p+1, -0x1.ab1ce3fd92602p-2,
         -0x1.8d6511e8b848dp-6, 0x1.5bc96065e4b42p-5, -0x1.1a508f4d848dcp+2, 0x1.78b9abc40e81p+4,
         -0x1.0f2f57c208a52p+4, -0x1.937f867524569p-3, -0x1.80c5d48fac76bp-4, 0x1.afea799f89921p-5,
-    0x1.cafe279c365eep+6, -0x1.3887ff02d005bp+14, 0x1.3af489699b851p+16, 0x1.22d0c9c5154e3p-3,
-        -0x1.56c2ae01a8619p+4, -0x1.a8a6c71659ea6p+4, 0x1.b22edddd2e7abp+4, -0x1.8434a1b8ecbd4p+15,
-        -0x1.6164700fe03bp+16, 0x1.d5d4dfe8e4493p-2, 0x1.77ec76bdea887p+4, 0x1.d6c869e691cp+4,
+    0x1.77887092e1211p+7, 0x1.a938863bee4bp+18, -0x1.08c50d4732fc7p+15, -0x1.9870c806c47p-3,
+        -0x1.572f3f061a9c5p+3, 0x1.5c86412d14af2p+5, -0x1.5dcef22a1c427p+6, 0x1.ef66cafbe80c6p+16,
+        -0x1.8cb5849c38f56p+15, -0x1.547b3783815bfp-2, 0x1.78ea65738ea39p+2, -0x1.8474622ce9e33p+4,
 };
 
 static const shaker2_real numbers_prepare_mounts[] =
 {
-    0x1.fd89d38p-2, 0x0p+0, 0x1.04e2370a3d70ap-9, 0x0p+0, 0x1.d9c3c435696e5p-11, 0x1.390f753f7ced9p-11,
-        0x1.3d3c0995aaf78p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.fd89d38p-2, 0x0p+0,
-        0x1.04e2370a3d70ap-9, 0x0p+0, 0x1.d9c3c435696e5p-11, 0x1.390f753f7ced9p-11, 0x1.3d3c0995aaf78p-11,
+    0x1.016815p-1, 0x0p+0, 0x1.079596872b021p-9, 0x0p+0, 0x1.deab4cc037931p-11, 0x1.3c4d1b089a027p-11,
+        0x1.4084bf3bea91dp-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.016815p-1, 0x0p+0, 0x1.079596872b021p-9,
+        0x0p+0, 0x1.deab4cc037931p-11, 0x1.3c4d1b089a027p-11, 0x1.4084bf3bea91dp-11, 0x0p+0, 0x0p+0, 0x0p+0,
+    0x1.c5ea3b8p-2, 0x0p+0, 0x1.d0cf160418937p-10, 0x0p+0, 0x1.a60be7f562174p-11, 0x1.16e2a6cf41f21p-11,
+        0x1.1a9a948dc11e4p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
+        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.c5ea3b8p-2, 0x0p+0,
+        0x1.d0cf160418937p-10, 0x0p+0, 0x1.a60be7f562174p-11, 0x1.16e2a6cf41f21p-11, 0x1.1a9a948dc11e4p-11,
         0x0p+0, 0x0p+0, 0x0p+0,
-    0x1.ffaf6a8p-2, 0x0p+0, 0x1.05fb9ae147ae1p-9, 0x0p+0, 0x1.dbc2c54b48d3ap-11, 0x1.3a61204189374p-11,
-        0x1.3e92352a8438p-11, 0x0p+0, 0x0p+0, 0x0p+0, 0x0p+0, 0x1.47ae147ae147bp-4, 0x0p+0, 0x1p+0, 0x0p+0,
-        0x0p+0, 0x0p+0, 0x1p+0, -0x0p+0, -0x0p+0, 0x0p+0, 0x1p+0, 0x1.ffaf6a8p-2, 0x0p+0,
-        0x1.05fb9ae147ae1p-9, 0x0p+0, 0x1.dbc2c54b48d3ap-11, 0x1.3a61204189374p-11, 0x1.3e92352a8438p-11,
-        0x0p+0, 0x0p+0, 0x0p+0,
+};
+
+static const shaker2_real numbers_step_carried[] =
+{
+    0x1.ca4p-58, 0x1.962p-54, 0x1.84p-59, -0x1.fa5a7p-58, 0x1.587988p-60, 0x1.020eap-59, 0x1.7e3dcap-55,
+        0x1.1p-54, -0x1.b6p-54, 0x1.8p-57, -0x1.8p-61, 0x0p+0, 0x1.8p-55, -0x1p-59, 0x0p+0, -0x1.e88p-49,
+        0x1p-47, -0x1.779a10b01b945p-1, 0x1.80b854187de77p+0, -0x1.10f682f0e5d67p-4, 0x1.23d5cfcecd304p-1,
+        -0x1.2f869a4b7b672p-5, -0x1.fa5ef2114a745p-2, -0x1.4f6e26d6d0de7p-1, 0x1.9ae3735cea925p+0,
+        0x1.e7143676a6748p+0, 0x1.ca4725d6629b4p-1, 0x1.f41e0c7d2aabep+0, 0x1.57d8b900c62aep-1,
+        0x1.bd1baeb2a1d07p-1, -0x1.e7effd26d2ac6p-4, 0x1.4828686b0f09fp+1,
+    -0x1.08p-57, -0x1.184p-54, 0x1.38p-56, 0x1.26bb9a8p-58, -0x1.cb04da8p-55, -0x1.16aca48p-55,
+        -0x1.b456678p-58, -0x1.18p-53, 0x0p+0, -0x1p-53, 0x0p+0, -0x1.dp-53, 0x0p+0, 0x1.659d9cceba3f9p-52,
+        -0x1p-52, 0x1.d4p-42, 0x1.88p-43, -0x1.7e9985ec7a63p-2, 0x1.bc6b34a5be763p+0, -0x1.58ab88d29fd1fp+0,
+        -0x1.ecc3d9fe915bcp-4, 0x1.ad6da11ecdf61p-1, 0x1.05dcaedb6292cp-1, 0x1.251c76e29d33ep-3,
+        0x1.54f6f3b18abe4p+1, -0x1.26481cc8ffe1fp+2, 0x1.413da5845cc91p+1, -0x1.42d6a2beb5698p+4,
+        -0x1.959e8c4c8bc83p+1, -0x1.98d089fdd3c8p-1, -0x1.289e2dd0ec00cp+1, 0x1.20ca23842765p+1,
+    0x1.313078p-25, 0x1.f09e08p-26, -0x1.f2802p-25, -0x1.31426p-28, 0x1.947958p-26, 0x1.5360e8p-26,
+        -0x1.bc3c4p-25, 0x1.4b5d2p-25, -0x1.e1ea1p-26, 0x1.43f77p-27, -0x1.7eaadp-25, 0x1.9d9098p-26,
+        0x1.2190ap-25, 0x1.881898p-25, 0x1.f82364p-25, -0x1.f67078p-26, 0x1.ef22p-27,
+};
+
+static const shaker2_real numbers_step_driven_carried[] =
+{
+    0x1.baap-57, -0x1.36c8p-55, -0x1.d4p-59, -0x1.6ffb4cp-56, -0x1.9e7cc2p-59, -0x1.14684p-57, 0x1.300c5p-55,
+        -0x1.7p-54, -0x1.bp-54, -0x1.8p-55, 0x1.7cp-55, 0x1.4p-55, 0x1p-54, 0x0p+0, 0x0p+0, 0x0p+0, 0x1p-47,
+        -0x1.779a10b19433cp-1, 0x1.80b85419659e6p+0, -0x1.10f682e6c75a6p-4, 0x1.23d5cfd44f93cp-1,
+        -0x1.2f8694ff82e13p-5, -0x1.fa5ef2d41b3f9p-2, -0x1.4f6e268d4a975p-1, 0x1.9ae3735ddd339p+0,
+        0x1.e7142e619cd91p+0, 0x1.ca48770038b6fp-1, 0x1.f46860de12903p+0, 0x1.57d8ba244c0b9p-1,
+        0x1.bd1bae0dad0fp-1, -0x1.e7f187f98bfddp-4, 0x1.482864a92369fp+1,
+    0x1.4bp-59, 0x1.12p-57, 0x1.804p-55, 0x1.3b9b1e8p-58, -0x1.228666p-56, 0x1.9cd455cp-55, 0x1.765c4dp-57,
+        0x1.3p-54, 0x0p+0, 0x1p-52, 0x0p+0, -0x1.6p-54, 0x1.5p-55, 0x1.cb3b399d747f2p-53, 0x0p+0, 0x1.1p-43,
+        -0x1p-45, -0x1.7e9985d78c18cp-2, 0x1.bc6b34976da26p+0, -0x1.58ab88b872fep+0, -0x1.ecc3e5d81a66fp-4,
+        0x1.ad6da0e867104p-1, 0x1.05dcaf1c1bb51p-1, 0x1.251c7345baa21p-3, 0x1.54f6f403dc8a3p+1,
+        -0x1.264b09d76850bp+2, 0x1.4024629a54dap+1, -0x1.3a15f7349a70ep+4, -0x1.959e8ee322e35p+1,
+        -0x1.98d08fca6ea1dp-1, -0x1.289fefc952e93p+1, 0x1.20cb317717eefp+1,
+    0x1.313078p-25, 0x1.f09e08p-26, -0x1.f2802p-25, -0x1.31426p-28, 0x1.947958p-26, 0x1.5360e8p-26,
+        -0x1.bc3c4p-25, 0x1.4b5d2p-25, -0x1.e1ea1p-26, 0x1.43f77p-27, -0x1.7eaadp-25, 0x1.9d9098p-26,
+        0x1.2190ap-25, 0x1.881898p-25, 0x1.f82364p-25, -0x1.f67078p-26, 0x1.ef22p-27,
 };
 
 static const shaker2_real numbers_center_of_mass_velocity[] =
 {
     0x1.e01738a96beb6p-2, -0x1.d62f321c5eabp-3, 0x1.4dd58dd631799p+1,
-    -0x1.5ec10551b7086p+1, 0x1.a558ec1a7d429p-4, -0x1.b3c79a25ff5f8p-3,
+    0x1.b46ae315148b9p+0, 0x1.35176aa47fd0cp+1, -0x1.551ed021ab0f8p-3,
 };
 
 typedef struct function {
     const char *name;
-    size_t size;  /* of its results, bytes */
+    size_t size;  /* bytes of its results */
     shaker2_status (*call)(void);
     void (*take)(tally *sum, shaker2_status status);
     const shaker2_real *numbers;
@@ -1059,95 +1156,103 @@ static const function functions[FUNCTIONS] =
 {
     { "forward", sizeof results.forward,
       call_forward, take_forward_results, numbers_forward,
-      { { 0, 0x61f91833u, 6 }, { 0, 0x4a1442e7u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x61f91833u, 6 }, { 0, 0xe9acde2au, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x5a77235bu },
     { "wrench", sizeof results.wrench,
       call_wrench, take_wrench_results, numbers_wrench,
-      { { 0, 0xf8969397u, 6 }, { 0, 0x5bd3c6d5u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xf8969397u, 6 }, { 0, 0x01b69591u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xe8e3369cu },
     { "matrices", sizeof results.matrices,
       call_matrices, take_matrices_results, numbers_matrices,
-      { { 0, 0x14d1d876u, 32 }, { 0, 0x93377584u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x14d1d876u, 32 }, { 0, 0x267a3fc6u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x679df306u },
     { "momentum", sizeof results.momentum,
       call_momentum, take_momentum_results, numbers_momentum,
-      { { 0, 0x2b7e4a45u, 16 }, { 0, 0x5195d31eu, 16 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x2b7e4a45u, 16 }, { 0, 0xf08f6fe0u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x23e8d055u },
     { "torque", sizeof results.torque,
       call_torque, take_torque_results, numbers_torque,
-      { { 0, 0xa889bcefu, 2 }, { 0, 0xa505a3aau, 2 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xa889bcefu, 2 }, { 0, 0x41d85922u, 2 }, { -2, 0x8e5b0aa0u, 0 } },
       0xb38691aeu },
     { "coupled", sizeof results.coupled,
       call_coupled, take_coupled_results, numbers_coupled,
-      { { 0, 0xbf7c5802u, 8 }, { 0, 0xbc759d7fu, 8 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xbf7c5802u, 8 }, { 0, 0x90f9ea85u, 8 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf863c2b1u },
     { "step", sizeof results.step,
       call_step, take_step_results, numbers_step,
-      { { 0, 0x8cf6cb7eu, 17 }, { 0, 0xc9f3f037u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x8cf6cb7eu, 17 }, { 32, 0x6b3b9eb4u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
       0x69f22635u },
     { "step_driven", sizeof results.step_driven,
       call_step_driven, take_step_driven_results, numbers_step_driven,
-      { { 0, 0xe3b5521du, 17 }, { 0, 0xd6524939u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xe3b5521du, 17 }, { 32, 0xe680220eu, 17 }, { -2, 0x8e5b0aa0u, 0 } },
       0x10d46478u },
     { "wrap", sizeof results.wrap,
       call_wrap, take_wrap_results, numbers_wrap,
-      { { 0, 0xc0260436u, 1 }, { 0, 0x63775d2eu, 1 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xc0260436u, 1 }, { 0, 0x92488ab0u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0x06eb9d72u },
     { "phase_of_counts", sizeof results.phase_of_counts,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
-      { { 0, 0x4d2bc480u, 1 }, { 0, 0x175b8a49u, 1 }, { -5, 0x2107376du, 0 } },
+      { { 0, 0x4d2bc480u, 1 }, { 0, 0x2f5b248au, 1 }, { -5, 0x2107376du, 0 } },
       0xaf64c044u },
     { "speed_of_counts", sizeof results.speed_of_counts,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
-      { { 0, 0x842918afu, 1 }, { 0, 0x941ae97fu, 1 }, { -5, 0x2107376du, 0 } },
+      { { 0, 0x842918afu, 1 }, { 0, 0x8b7c0867u, 1 }, { -5, 0x2107376du, 0 } },
       0x0300cdd0u },
     { "accumulate", sizeof results.accumulate,
       call_accumulate, take_accumulate_results, numbers_accumulate,
-      { { 0, 0x5caa922bu, 0 }, { 0, 0xade32bb7u, 0 }, { -5, 0x997109aau, 0 } },
+      { { 0, 0x5caa922bu, 0 }, { 0, 0xca82b94cu, 0 }, { -5, 0x203bc392u, 0 } },
       0xc8a3d991u },
     { "forward_jacobian", sizeof results.forward_jacobian,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
-      { { 0, 0x2fd77a18u, 32 }, { 0, 0x36efa8ffu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x2fd77a18u, 32 }, { 0, 0xbfdecd0fu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x8822346fu },
     { "coupled_jacobian", sizeof results.coupled_jacobian,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
-      { { 0, 0x44717e9au, 32 }, { 0, 0x5bace9b9u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x44717e9au, 32 }, { 0, 0xd8d69305u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0eb4ef1eu },
     { "inverse", sizeof results.inverse,
       call_inverse, take_inverse_results, numbers_inverse,
-      { { 8, 0x68fe0d08u, 17 }, { 8, 0xce8e1ee8u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 8, 0x68fe0d08u, 17 }, { 8, 0x0fde81d6u, 17 }, { -2, 0x8e5b0aa0u, 0 } },
       0xecade5d7u },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0xea24c006u, 2 }, { 0, 0x2547fa17u, 2 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xea24c006u, 2 }, { 0, 0x35b4d05eu, 2 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd52982c4u },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,
-      { { 0, 0xd3caa542u, 4 }, { 0, 0x101ad736u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xd3caa542u, 4 }, { 0, 0x88bdd879u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6c8a2c36u },
     { "state_from_coordinates", sizeof results.state_from_coordinates,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
-      { { 0, 0x32f3d7e8u, 23 }, { 0, 0xdc4bf6dau, 23 }, { -2, 0xf4a4bf81u, 17 } },
+      { { 0, 0x32f3d7e8u, 23 }, { 0, 0x83701f67u, 23 }, { -2, 0xc8cc4137u, 17 } },
       0xf1a5ba09u },
     { "generalized", sizeof results.generalized,
       call_generalized, take_generalized_results, numbers_generalized,
-      { { 0, 0xd6d5f926u, 32 }, { 0, 0x1973a208u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xd6d5f926u, 32 }, { 0, 0xca8e6587u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa00d421cu },
     { "prepare", sizeof results.prepare,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xf9054f53u, 32 }, { 0, 0xd4073938u, 32 }, { -2, 0x69231526u, 32 } },
-      0x04590666u },
+      { { 0, 0x74e09729u, 32 }, { 0, 0xee42c60cu, 32 }, { -2, 0x69231526u, 32 } },
+      0x1d1fc040u },
     { "mounts", sizeof results.mounts,
       call_mounts, take_mounts_results, numbers_mounts,
-      { { 0, 0xe276c32du, 12 }, { 0, 0x7f1b2d0eu, 12 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0xe276c32du, 12 }, { 0, 0x40c8c148u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
       0x68c0c817u },
     { "prepare_mounts", sizeof results.prepare_mounts,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
-      { { 0, 0x45eb6d79u, 32 }, { 0, 0x7b675401u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xbaff5a71u },
+      { { 0, 0x236a4d15u, 32 }, { 0, 0x762c1141u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x61be3c7du },
+    { "step_carried", sizeof results.step_carried,
+      call_step_carried, take_step_carried_results, numbers_step_carried,
+      { { 0, 0x20957ac5u, 32 }, { 32, 0xa17693c5u, 32 }, { -2, 0xc0d5eeebu, 17 } },
+      0x61b0d50cu },
+    { "step_driven_carried", sizeof results.step_driven_carried,
+      call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
+      { { 0, 0x60e5bc1bu, 32 }, { 32, 0xa73bee77u, 32 }, { -2, 0xc0d5eeebu, 17 } },
+      0x0ad1ff17u },
     { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
-      { { 0, 0x64c3dd7cu, 3 }, { 0, 0xfc2628a0u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x64c3dd7cu, 3 }, { 0, 0x16bfbad6u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x19c039dfu },
 };
 
@@ -1163,7 +1268,7 @@ static uint32_t draw_word(uint32_t *seed)  /* xorshift32 */
     return x;
 }
 
-/* 24 bits as a real in [-largest, largest). */
+/* A random real in [-largest, largest) from 24 bits. */
 static shaker2_real draw_real(uint32_t *seed, shaker2_real largest)
 {
     const int32_t part = (int32_t)(draw_word(seed) >> 8) - 8388608;
@@ -1184,11 +1289,11 @@ static void draw_flags(uint32_t *seed, int *flags, int count)
     }
 }
 
-/* The square of a quaternion of integers, by its length: a unit quaternion, of twice the length if refused. */
+/* The square of a quaternion of integers, divided by its length: a unit quaternion; to be refused: of length 2. */
 static void draw_attitude(uint32_t *seed, shaker2_real attitude[4], int refused)
 {
     const uint32_t word = draw_word(seed);
-    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd: not all are 0 */
+    const int32_t a = 2 * (int32_t)(word >> 25) - 127;  /* odd, so that not all are 0 */
     const int32_t b = (int32_t)((word >> 16) & 0xffu) - 128;
     const int32_t c = (int32_t)((word >> 8) & 0xffu) - 128;
     const int32_t d = (int32_t)(word & 0xffu) - 128;
@@ -1210,7 +1315,7 @@ static int draw_order(uint32_t *seed)
     return (draw_word(seed) & 0x100u) != 0u ? 4 : 2;
 }
 
-/* A constant that even light flywheels in strong laws of damping can take. */
+/* A step short enough for light flywheels with strong damping. */
 static shaker2_real draw_step(const uint32_t *seed)
 {
     (void)seed;
@@ -1251,6 +1356,7 @@ static void draw_inputs(uint32_t *seed, unsigned long state)
     draw_reals(seed, in.position, 3, 2.0);
     draw_reals(seed, in.q_dot, 6, 2.0);
     draw_reals(seed, in.q_ddot, 6, 16.0);
+    draw_reals(seed, in.carry.rounding, 17, 5.960464477539063e-8);
     in.mass_factor = draw_factor(seed, 0.125);
 }
 
@@ -1272,7 +1378,7 @@ static void scale_parameters(void)
 
 /* ---- the test ---- */
 
-/* Calls one function and takes its results. */
+/* Calls one function, then hashes and compares its results. */
 static void call(const function *f, tally *sum, int *status)
 {
     unsigned char *bytes = results.bytes;
@@ -1329,7 +1435,7 @@ static void end_line(void (*print)(const char *text))
     length = 0u;
 }
 
-/* The golden vectors of one function; not 0 if it failed. */
+/* Tests the golden vectors of one function; returns 0 if all are right. */
 static int judge(const function *f, uint32_t swept, void (*print)(const char *text))
 {
     const shaker2_real *numbers = f->numbers;
@@ -1370,7 +1476,7 @@ static int judge(const function *f, uint32_t swept, void (*print)(const char *te
 
 static tally sums[FUNCTIONS];
 
-/* Hashes of every function over so many states. */
+/* Prints a hash of every function over a number of states. */
 static void run_sweep(unsigned long states)
 {
     uint32_t seed = 0x6d61686fu;
@@ -1387,7 +1493,7 @@ static void run_sweep(unsigned long states)
     }
 }
 
-/* Runs everything and prints it, a line a call of `print`; returns the number of functions that failed. */
+/* Runs all tests and prints one line per call of `print`; returns the number of functions that failed. */
 int shaker2_selftest(void (*print)(const char *text), unsigned long sweep)
 {
     int failures = 0;

@@ -26,7 +26,7 @@ def alike(name: object, known: Iterable[str]) -> str | None:
     return None
 
 
-def meant(name: object, known: Iterable[str], none: str = "there is none") -> str:
+def suggestion(name: object, known: Iterable[str], none: str = "there is none") -> str:
     """End of a message about an unknown name.
 
     `, did you mean "mass"?`; `, expected one of mass, inertia` if none is similar; `none` if no name is known.

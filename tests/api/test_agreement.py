@@ -1,5 +1,8 @@
 """Every function gives the bits of the C for one state, and what the literal reference gives."""
 
+from collections.abc import Callable, Iterator
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given as drawn_by
@@ -7,10 +10,11 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 import mahovik
-from api.models import backend, drawn, given, model, stand
+from api.models import backend, given, model, random_states, stand
+from mahovik.core.stand import State
 from mahovik.proof import reference
 
-WANTS = {
+WANTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "forward": ("forward", ("phi_ddot",)),
     "coupled": ("coupled", ("tau",)),
     "torque": ("torque", ("V_dot", "phi_ddot")),
@@ -22,30 +26,33 @@ WANTS = {
 }
 """Function: want of the evaluation contract, inputs."""
 
-MISSING = {
+MISSING: dict[str, tuple[str, ...]] = {
     "general": (),
     "everything": (),
     "bench8": ("points",),
-    "rigid": ("coupled", "torque", "inverse", "mounts", "points"),
+    "rigid": ("coupled", "torque", "mounts", "points"),
 }
 STANDS = ("general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8", "rigid")))
 BY_WRENCH = ("momentum", "points")
-"""Take none."""
+"""Functions that take no run-time wrench."""
 
 
-def offered(name: str):
+def offered(name: str) -> set[str]:
     return {f.name for f in model(name).functions}
 
 
-def results(name: str, function, states):
-    """Of a function on all states at once."""
+def results(name: str, function: str, states: list[State]) -> mahovik.Result:
+    """Result of a function on all states at once."""
     x, inputs, wrench = given(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
-    return getattr(model(name), function)(x, **{key: inputs[key] for key in WANTS[function][1]}, **more)
+    call: Callable[..., mahovik.Result] = getattr(model(name), function)
+    return call(x, **{key: inputs[key] for key in WANTS[function][1]}, **more)
 
 
-def pairs(name: str, function, result, expected, j):
-    """Of each number of the contract: what came out, and what was expected."""
+def pairs(
+    name: str, function: str, result: mahovik.Result, expected: dict[str, Any], j: int
+) -> Iterator[tuple[str, Any, Any]]:
+    """Each quantity of the contract by name: its value for state j, and the expected one."""
     if function == "points":
         for k, sensor in enumerate(model(name).sensors):
             for key, value in expected["points"][sensor].items():
@@ -58,13 +65,13 @@ def pairs(name: str, function, result, expected, j):
 
 @pytest.mark.parametrize("name", STANDS)
 @pytest.mark.parametrize("function", WANTS)
-def test_bits_of_the_function_for_one_state(name: str, function) -> None:
+def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:
         with pytest.raises(mahovik.InputError, match="the stand has no"):
             getattr(model(name), function)(model(name).state(), *([0.0] if function == "inverse" else []))
         return
-    states = drawn(name, 11)
+    states = random_states(name, 11)
     result = results(name, function, states)
     for j, state in enumerate(states):
         expected = backend(name).evaluate(state, [WANTS[function][0]])
@@ -74,13 +81,13 @@ def test_bits_of_the_function_for_one_state(name: str, function) -> None:
 
 @pytest.mark.parametrize("name", STANDS)
 def test_one_state_is_a_batch_of_one(name: str) -> None:
-    x, inputs, wrench = given(name, drawn(name, 3))
+    x, inputs, wrench = given(name, random_states(name, 3))
     for function in offered(name) & set(WANTS):
         arguments = {key: inputs[key] for key in WANTS[function][1]}
         more = {} if function in BY_WRENCH or wrench is None else {"wrench": wrench}
         many = getattr(model(name), function)(x, **arguments, **more)
         alone = {key: value[1] for key, value in arguments.items()}
-        if more:
+        if more and wrench is not None:
             more = {"wrench": {body: value[1] for body, value in wrench.items()}}
         one = getattr(model(name), function)(x.take(1), **alone, **more)
         assert one.batch is None and one.status == many.status[1]
@@ -92,10 +99,10 @@ def test_one_state_is_a_batch_of_one(name: str) -> None:
 @settings(max_examples=15)
 @drawn_by(seed=st.integers(0, 2**32 - 1))
 @pytest.mark.parametrize("function", ["forward", "coupled", "torque", "matrices", "momentum", "mounts"])
-def test_the_reference_agrees(function, seed: int) -> None:
+def test_the_reference_agrees(function: str, seed: int) -> None:
     """rtol: conditions of these stands are below 1e4."""
     name = "general"
-    states = drawn(name, 3, seed)
+    states = random_states(name, 3, seed)
     result = results(name, function, states)
     for j, state in enumerate(states):
         expected = reference.evaluate(stand(name), state, [WANTS[function][0]])
@@ -106,7 +113,7 @@ def test_the_reference_agrees(function, seed: int) -> None:
 
 def test_steps_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
-    states = drawn("general", 9)
+    states = random_states("general", 9)
     x, inputs, wrench = given("general", states)
     for function, key in (("step", "tau"), ("step_driven", "phi_ddot")):
         found = getattr(m, function)(x, 1e-4, inputs[key], wrench=wrench, order=2)
@@ -117,9 +124,21 @@ def test_steps_are_those_of_the_c() -> None:
             assert np.array_equal(found.array[j], expected)
 
 
+def test_a_step_that_is_too_long_warns_and_is_made() -> None:
+    """One of two states turns by two radians; in the batch and state by state."""
+    m = model("bench8")
+    x = m.states(2, phi_dot=[[10.0] * 8, [2000.0] * 8])
+    for function in ("step", "step_driven"):
+        call = getattr(m, function)
+        with pytest.warns(RuntimeWarning, match=rf"{function}: COARSE in 1 of 2 states: .* 1 rad in dt = 0.001 s"):
+            found = call(x, 1e-3)
+        assert np.isfinite(found.array).all()
+        call(x, 4e-4)  # no warning, which would be an error
+
+
 def test_generalized_and_slopes_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
-    states = drawn("general", 5)
+    states = random_states("general", 5)
     x, inputs, wrench = given("general", states)
     angles = np.random.default_rng(1).normal(size=(5, 3)) * 0.3
     found = m.generalized(x, angles, inputs["phi_ddot"], wrench=wrench)
@@ -135,7 +154,7 @@ def test_generalized_and_slopes_are_those_of_the_c() -> None:
 
 def test_locks_hold() -> None:
     m = model("bench8")
-    x, inputs, _ = given("bench8", drawn("bench8", 4))
+    x, inputs, _ = given("bench8", random_states("bench8", 4))
     by_name = m.coupled(x, inputs["tau"], locked=("w2", "w5"))
     by_flag = m.coupled(x, inputs["tau"], locked=[0, 1, 0, 0, 1, 0, 0, 0])
     assert np.array_equal(by_name.phi_ddot, by_flag.phi_ddot)
@@ -144,7 +163,7 @@ def test_locks_hold() -> None:
 
 def test_options_of_inverse_reach_the_c() -> None:
     m = model("bench8")
-    x, inputs, _ = given("bench8", drawn("bench8", 4))
+    x, inputs, _ = given("bench8", random_states("bench8", 4))
     limited = m.inverse(x, inputs["V_dot"], limit=1.0)
     assert np.abs(limited.phi_ddot).max() <= 1.0 and limited.has_status("LIMITED").any()
     heavy = m.inverse(x, inputs["V_dot"], weight={"w1": 1e3})
@@ -158,7 +177,7 @@ def test_options_of_inverse_reach_the_c() -> None:
 @pytest.mark.slow
 def test_float_is_float_and_near() -> None:
     m, f = model("bench8"), model("bench8", "float")
-    x, inputs, _ = given("bench8", drawn("bench8", 7))
+    x, inputs, _ = given("bench8", random_states("bench8", 7))
     found = f.forward(f.states_of(x.array), inputs["phi_ddot"])
     assert found.V_dot.dtype == np.float32
     expected = m.forward(x, inputs["phi_ddot"]).V_dot

@@ -7,12 +7,14 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import mahovik
 from api.models import model, stand
+from mahovik.core.stand import Stand
 from mahovik.core.stand.random import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiler
@@ -61,7 +63,7 @@ if __name__ == "__main__":
 @pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("start", ["fork", "spawn"])
-def test_worker_processes(start, threads, tmp_path: Path) -> None:
+def test_worker_processes(start: str, threads: int, tmp_path: Path) -> None:
     script = tmp_path / "workers.py"
     script.write_text(WORKERS.replace("{threads}", str(threads)), encoding="utf-8")
     command = [sys.executable, "-W", "ignore", str(script), start]
@@ -71,7 +73,7 @@ def test_worker_processes(start, threads, tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("other", ["gcc", "clang"])
-def test_every_compiler_gives_the_same_bits(other) -> None:
+def test_every_compiler_gives_the_same_bits(other: str) -> None:
     require(other, other)
     m, one = mahovik.build(stand("general"), compiler=other), model("general")
     rng = np.random.default_rng(1)
@@ -96,35 +98,37 @@ def test_threads_of_openmp_give_the_same_bits() -> None:
 
 
 @pytest.fixture
-def made(monkeypatch: pytest.MonkeyPatch):
+def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Stands compiled from now on, by name; what comes out lay in the store before."""
     model("bench8")
     there = store.find(store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False))
     numbers = store.find_numbers(store.numbers_key(stand("bench8"), "double"))
     assert there is not None and numbers is not None
     library, facts = there[0].read_bytes(), there[1]
-    found = []
+    found: list[str] = []
 
-    def copied(of, real: str, command, parallel, scratch):
+    def copied(
+        of: Stand, real: str, command: tuple[str, ...], parallel: bool, scratch: Path
+    ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
         found.append(of.name)
         (scratch / "copy.so").write_bytes(library)
         return scratch / "copy.so", facts, numbers
 
-    monkeypatch.setattr(compiled, "_made", copied)
+    monkeypatch.setattr(compiled, "_compile", copied)
     return found
 
 
-def works(m):
-    """Does it still give the same?"""
+def works(m: mahovik.Model) -> bool:
+    """Whether the model gives what the model of bench8 gives."""
     x = m.states(3, V=np.eye(6)[:3])
     return np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
-def test_the_second_build_compiles_nothing(made) -> None:
+def test_the_second_build_compiles_nothing(made: list[str]) -> None:
     assert works(mahovik.build(stand("bench8"))) and made == []
 
 
-def test_stands_of_one_structure_share_a_library(made) -> None:
+def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
     one = stand("bench8")
     heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * 1.25), gravity=(0.0, 0.5, -9.0))
     m = mahovik.build(heavier)
@@ -151,7 +155,9 @@ def test_keys_tell_apart_what_differs() -> None:
 
 
 @pytest.mark.parametrize("damage", ["digit", "half"])
-def test_damaged_numbers_are_not_believed(damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made) -> None:
+def test_damaged_numbers_are_not_believed(
+    damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     mahovik.build(stand("bench8"))
     (numbers,) = (tmp_path / "models").glob("*.numbers")
@@ -162,7 +168,9 @@ def test_damaged_numbers_are_not_believed(damage: str, tmp_path: Path, monkeypat
 
 
 @pytest.mark.parametrize("damage", ["truncated", "empty", "no facts", "other facts", "a list"])
-def test_what_is_damaged_is_made_anew(damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made) -> None:
+def test_what_is_damaged_is_made_anew(
+    damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
     monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
     mahovik.build(stand("bench8"))
     (library,), (facts,) = (tmp_path / "models").glob("*.so"), (tmp_path / "models").glob("*.json")
@@ -177,7 +185,7 @@ def test_what_is_damaged_is_made_anew(damage: str, tmp_path: Path, monkeypatch: 
 
 @pytest.mark.parametrize("cache", ["", "file/in/the/way"])
 def test_without_a_cache_it_works_and_leaves_nothing(
-    cache, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made
+    cache: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
 ) -> None:
     (tmp_path / "file").write_text("", encoding="ascii")
     monkeypatch.setenv("MAHOVIK_CACHE", cache and str(tmp_path / cache))

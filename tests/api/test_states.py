@@ -7,6 +7,7 @@ import pytest
 
 import mahovik
 from api.models import model
+from mahovik.contract.status import STATUS_VALUES
 
 
 def test_arrays_are_views() -> None:
@@ -33,7 +34,7 @@ def test_a_single_state_has_no_batch_axis() -> None:
 def test_angles_are_those_of_the_sequence() -> None:
     x = model("bench8").state(angles=[np.pi / 2, 0, 0])
     np.testing.assert_allclose(x.attitude, [np.sqrt(0.5), 0, 0, np.sqrt(0.5)], atol=1e-15)
-    many = model("bench8").states(angles=[[0, 0, 0], [np.pi / 2, 0, 0]])
+    many = model("bench8").states(angles=[[0.0, 0.0, 0.0], [np.pi / 2, 0.0, 0.0]])
     assert np.array_equal(many.attitude[1], x.attitude)
 
 
@@ -72,6 +73,22 @@ def test_a_rigid_body_has_no_flywheels() -> None:
     assert m.forward(x).V_dot.shape == (2, 6) and m.matrices(x).I.shape == (2, 6, 0)
     with pytest.raises(mahovik.InputError, match='phi_ddot: no flywheel "w1": there is none'):
         m.forward(x, {"w1": 1.0})
+
+
+@pytest.mark.slow
+def test_inverse_of_a_rigid_body_says_what_wrench_is_missing() -> None:
+    m = model("rigid")
+    x = m.states(2, V=[1, 2, 3, 4, 5, 6])
+    free = m.forward(x).V_dot
+    more = np.array([0.5, 0.0, 0.0, 0.0, 0.25, 0.0])
+    found = m.inverse(x, free + more)
+    K = m.matrices(x).K[0]
+    np.testing.assert_allclose(found.residual, -np.tile(K @ more, (2, 1)), rtol=1e-9, atol=1e-12)
+    assert found.phi_ddot.shape == found.sigma.shape == found.limited.shape == (2, 0)
+    assert list(found.status) == [STATUS_VALUES["UNREACHABLE"]] * 2 and list(found.rank) == [0, 0]
+    np.testing.assert_allclose(found.hardest[0] @ np.linalg.solve(K, found.hardest[0]), 1.0, rtol=1e-12)
+    with pytest.raises(mahovik.InputError, match="weight"):
+        m.inverse(x, free, weight={"w1": 2.0})
 
 
 def test_states_and_results_can_be_pickled() -> None:

@@ -1,4 +1,4 @@
-"""The gate passes what was accepted and stops what has become dearer."""
+"""The gate passes what was accepted and stops functions that have become more expensive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is installed here gives the same as the reference, at N = 2; nothing is timed."""
+"""Installed peers give the same as the reference, at N = 2; nothing is timed."""
 
 from __future__ import annotations
 

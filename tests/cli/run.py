@@ -26,14 +26,14 @@ def run(*arguments: str, stdin: str | bytes = "") -> Result:
 
 
 def refused(*arguments: str, status: int = 2, stdin: str | bytes = "") -> str:
-    """What is said on standard error; nothing is on standard output."""
+    """Text on standard error; nothing is on standard output."""
     result = run(*arguments, stdin=stdin)
     assert result.exit_code == status, result.output
     return result.stderr
 
 
 def process(*arguments: str, stdin: str = "", cwd: Path | None = None, **env: str) -> subprocess.CompletedProcess[str]:
-    """In its own process, as a user has it."""
+    """Run the command in its own process, like a user."""
     options: dict[str, Any] = {"capture_output": True, "text": True, "cwd": cwd, "timeout": 120}
     done = subprocess.run(
         [sys.executable, "-c", "from mahovik.out.cli import main; main()", *arguments],

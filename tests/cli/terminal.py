@@ -17,7 +17,7 @@ RUN = "from mahovik.__main__ import run; run()"
 
 
 @dataclass(frozen=True)
-class Seen:
+class TerminalOutput:
     """All that was written to the terminal, and what went to standard output where that was a pipe."""
 
     status: int
@@ -38,7 +38,7 @@ class Seen:
 
 def on_terminal(
     *arguments: str, columns: int = 80, piped: bool = False, code: str = RUN, cwd: Path | None = None, **env: str
-) -> Seen:
+) -> TerminalOutput:
     """Runs the command line (or `code`) on a terminal; `piped`: standard error alone is one."""
     leader, follower = pty.openpty()
     fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
@@ -64,4 +64,4 @@ def on_terminal(
         screen += part
     output, _ = process.communicate(timeout=60)
     os.close(leader)
-    return Seen(process.returncode, screen.decode(), (output or b"").decode())
+    return TerminalOutput(process.returncode, screen.decode(), (output or b"").decode())

@@ -47,7 +47,7 @@ def test_help_imports_nothing_heavy() -> None:
 
 def test_help_answers_at_once() -> None:
     def seconds() -> float:
-        """Of the processor: others may share it."""
+        """Processor time, since other processes may share the machine."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         process("--help")
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -114,6 +114,17 @@ def test_new_under_another_name(tmp_path: Path) -> None:
     ]
 
 
+def test_new_names_the_stand_after_its_file(tmp_path: Path) -> None:
+    assert run("new", "bench8", "-o", str(tmp_path / "mine.toml")).stderr == ""
+    assert load(tmp_path / "mine.toml").name == "mine"
+    said = run("new", "bench8", "-o", str(tmp_path / "my-stand.toml"))
+    assert said.exit_code == 0 and load(tmp_path / "my-stand.toml").name == "bench8"
+    assert said.stderr.startswith('note: the stand is still named bench8, since "my-stand" is not a C identifier')
+    assert said.stderr.endswith("give another by --name\n")
+    assert run("new", "bench8", "--name", "other", "-o", str(tmp_path / "third.toml")).stderr == ""
+    assert load(tmp_path / "third.toml").name == "other"
+
+
 def test_new_overwrites_nothing(tmp_path: Path) -> None:
     (tmp_path / "bench8.motion.json").write_text("mine")
     assert "exists already, nothing was written" in refused("new", "bench8", "-o", str(tmp_path))
@@ -121,9 +132,18 @@ def test_new_overwrites_nothing(tmp_path: Path) -> None:
     assert (tmp_path / "bench8.motion.json").read_text() == "mine"
 
 
+@pytest.mark.parametrize("name", stands.names())
+def test_new_names_the_stand(name: str, tmp_path: Path) -> None:
+    assert run("new", name, "--name", "mine", "-o", f"{tmp_path}/").exit_code == 0
+    assert load(tmp_path / "mine.toml").name == "mine"
+    assert "--name: " in refused("new", name, "--name", "no name", "-o", f"{tmp_path}/")
+
+
 def test_new_lists_and_refuses_unknown_names() -> None:
     listed = run("new", "--list")
     assert [line.split()[0] for line in listed.output.splitlines()] == list(stands.names())
+    assert all(line.endswith(".") for line in listed.output.splitlines())
+    assert "unbalance within its data-sheet limits does to an accelerometer." in listed.output
     assert 'no example stand "bench9"' in refused("new", "bench9")
     assert "which example?" in refused("new")
 

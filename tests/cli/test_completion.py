@@ -34,7 +34,7 @@ def test_an_unknown_shell_is_refused() -> None:
     ],
 )
 def test_what_is_completed(words: str, found: list[str]) -> None:
-    """By the variables that the script for bash sets."""
+    """Completion is driven by the variables that the bash script sets."""
     typed = words.split(" ")
     done = subprocess.run(
         [sys.executable, "-c", "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.cli import main; main()"],

@@ -15,6 +15,7 @@ from cli.run import AUV6, DEMO3, refused, run
 from mahovik.core.emit.generate import generate
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
 from mahovik.proof.cost import measure as measuring
 from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
@@ -42,11 +43,12 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         return Costs(stand.name, "0", "1", 3, lanes, tuple(targets))
 
     monkeypatch.setattr(measuring, "measure", measure)
+    monkeypatch.setattr(measuring, "require", lambda target: None)
     return found
 
 
 @cache
-def made(name: str, real: str) -> dict[str, str]:
+def generated_files(name: str, real: str) -> dict[str, str]:
     """The C of an example stand, made once."""
     return generate(load(path(name)), real)
 
@@ -54,8 +56,8 @@ def made(name: str, real: str) -> dict[str, str]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
-    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes=1: made(stand.name, real))
-    delivery.deliver(tmp_path / "out", load(DEMO3), "double", made("demo3", "double"))
+    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes=1: generated_files(stand.name, real))
+    delivery.deliver(tmp_path / "out", load(DEMO3), "double", generated_files("demo3", "double"))
     return tmp_path / "out"
 
 
@@ -231,3 +233,26 @@ def test_the_figures_as_json(folder: Path) -> None:
     assert found["stand"] == "demo3"
     assert [each["target"] for each in found["targets"]] == [name for name, _ in USUAL]
     assert json.loads((folder / "cost.json").read_text(encoding="utf-8")) == found
+
+
+def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measuring, "require", require)
+    monkeypatch.setattr(Target, "missing", lambda target: ("qemu-system-arm",) if "cortex" in target.family else ())
+    result = run("cost", DEMO3, "-o", str(tmp_path))
+    assert result.exit_code == 0
+    lines = result.stderr.splitlines()
+    assert [line.partition(": no ")[0] for line in lines] == ["left out: m4", "left out: m7"]
+    assert all("apt-get install gcc-arm-none-eabi" in line for line in lines)
+    assert "## RV64GC" in result.stdout
+    assert "## Cortex" not in result.stdout
+    assert list(tmp_path.iterdir()) == []
+    assert run("cost", DEMO3, "-o", str(tmp_path), "--accept").exit_code == 0
+    assert accepted(tmp_path) == [pair for pair in USUAL if pair[0].startswith("rv")]
+
+
+def test_where_no_target_is_there_it_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measuring, "require", require)
+    monkeypatch.setattr(Target, "missing", lambda target: ("gcc",))
+    said = refused("cost", DEMO3, "-o", str(tmp_path))
+    assert said.startswith("error: m4: no gcc: ")
+    assert said.count("\n") == 1

@@ -76,7 +76,7 @@ def test_nothing_found_says_what_was_tried(tmp_path: Path) -> None:
     [
         (("--free", "positon"), 'unknown key "positon", did you mean "position"?'),
         (("--free", "none.toml"), "none.toml: no such file"),
-        (("--free", "position", "-o", "out.json"), "expected a stand file, a name that ends in .toml"),
+        (("--free", "position", "-o", "out.json"), "expected a name that ends in .toml"),
         (("--free", "position", "-o", "/proc/out.toml"), "cannot be written"),
         (("--free", "position", "-o", "/proc/out.toml"), "/proc/out.toml: cannot be written"),
         (("--free", "position", "-o", SHAKER2), "is read by this command"),

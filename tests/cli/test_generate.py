@@ -36,13 +36,18 @@ FILES = {
 def generated_once() -> Iterator[None]:
     """Each stand is generated once: what is tried here is what happens to the files."""
     original = delivery.delivery
-    known: dict[tuple[str, str, int, bool, bool], dict[str, str]] = {}
+    known: dict[tuple[object, ...], dict[str, str]] = {}
 
     def once(
-        stand: Stand, real: str = "double", lanes: int = 1, fast: bool = False, batch: bool = False
+        stand: Stand,
+        real: str = "double",
+        lanes: int = 1,
+        fast: bool = False,
+        batch: bool = False,
+        only: tuple[str, ...] = (),
     ) -> dict[str, str]:
-        key = (stand.name, real, lanes, fast, batch)
-        known[key] = known.get(key) or original(stand, real, lanes, fast, batch)
+        key = (stand.name, real, lanes, fast, batch, only)
+        known[key] = known.get(key) or original(stand, real, lanes, fast, batch, only)
         return dict(known[key])
 
     with pytest.MonkeyPatch.context() as patch:
@@ -197,7 +202,7 @@ def test_an_interrupted_run_leaves_the_old_folder(
             raise fault("stopped")
         real(source, target)
 
-    monkeypatch.setattr("mahovik.proof.verify.files.os.replace", replace)
+    monkeypatch.setattr("mahovik.writing.os.replace", replace)
     result = run("generate", DEMO3, "-o", str(folder), "--real", "float")
     assert result.exit_code != 0
     assert contents(folder) == before
@@ -240,9 +245,9 @@ def test_the_cost_of_other_c_is_removed(listed: bool, folder: Path) -> None:
         add_to_delivery(folder, {"COST.md": text})
     else:
         (folder / "COST.md").write_text(text)
-    assert "COST.md: speaks of other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
+    assert "COST.md: was measured on other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
     result = run("generate", DEMO3, "-o", str(folder))
-    assert f"{folder / 'COST.md'} was removed: it speaks of other C" in result.output
+    assert f"{folder / 'COST.md'} was removed: it was measured on other C" in result.output
     assert {p.name for p in folder.iterdir()} == FILES
     assert run("generate", DEMO3, "-o", str(folder), "--check").exit_code == 0
 
@@ -298,15 +303,15 @@ def test_figures_of_somebody_else_stay_unlisted(text: str, folder: Path) -> None
 
 def test_a_project_and_a_delivered_folder_are_not_mixed(folder: Path, tmp_path: Path) -> None:
     before = contents(folder)
-    said = refused("export", "target", "host", DEMO3, "-o", str(folder))
+    said = refused("export", "target", DEMO3, "--target", "host", "-o", str(folder))
     assert said.startswith(f"error: {folder}: holds what `mahovik generate` delivers: ")
     assert contents(folder) == before
     project = tmp_path / "project"
-    assert run("export", "target", "host", DEMO3, "-o", str(project)).exit_code == 0
+    assert run("export", "target", DEMO3, "--target", "host", "-o", str(project)).exit_code == 0
     before = contents(project)
     assert "holds the project of target host" in refused("generate", DEMO3, "-o", str(project))
     assert contents(project) == before
-    assert run("export", "target", "host", DEMO3, "-o", str(project)).exit_code == 0
+    assert run("export", "target", DEMO3, "--target", "host", "-o", str(project)).exit_code == 0
 
 
 # ---- --check ----
@@ -331,4 +336,4 @@ def test_check_finds_what_was_changed_or_lost(name: str, folder: Path) -> None:
 
 def test_check_of_the_other_element_type_is_one_line(folder: Path) -> None:
     said = refused("generate", DEMO3, "--real", "float", "-o", str(folder), "--check", status=1)
-    assert said == f"error: {folder}: its C is double, asked was for float: give --real double, or generate it again\n"
+    assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"

@@ -17,7 +17,7 @@ from cli.run import BENCH8, DEMO3
 from cli.terminal import RUN
 from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path
-from mahovik.use.simulate.output import SUFFIXES
+from mahovik.use.simulate.run import RUN_SUFFIXES
 
 SAT4 = str(path("sat4"))
 MOTION = str(path("bench8").with_name("bench8.motion.json"))
@@ -25,7 +25,7 @@ ENDS = 60.0
 """s in which a command must end; it takes a fraction of one, and this machine may be busy."""
 
 STARTED: list[subprocess.Popen[str]] = []
-"""Of the test that runs."""
+"""Processes that the running test has started."""
 
 
 @pytest.fixture(autouse=True)
@@ -111,7 +111,7 @@ class Started:
         return output, complaint
 
 
-def gone(pid: int) -> bool:
+def has_ended(pid: int) -> bool:
     """Whether no such process runs; one that has ended and that nobody has asked for is gone."""
     try:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
@@ -140,7 +140,7 @@ except KeyboardInterrupt:
     ids=["simulate", "report", "build"],
 )
 def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path) -> None:
-    """No part of the compiler goes on, and it was told in time to take its files away."""
+    """No part of the compiler goes on, and it was stopped in time to remove its files."""
     compiler = tmp_path / "compiler"
     compiler.write_text(COMPILER.format(folder=tmp_path))
     compiler.chmod(0o755)
@@ -152,10 +152,10 @@ def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path
     assert (started.process.returncode, said) == (130, "error: interrupted; no file is half written\n")
     assert list(started.work.iterdir()) == []
     assert not (tmp_path / "parent").exists()
-    assert all(map(gone, pids))
+    assert all(map(has_ended, pids))
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", RUN_SUFFIXES)
 def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> None:
     for seconds in (0.5, 3.0, 12.0):  # on a busy machine there is no row yet
         place = tmp_path / f"after{seconds:g}"
@@ -199,7 +199,8 @@ def test_planning_keeps_the_best_so_far(tmp_path: Path) -> None:
     time.sleep(6.0)
     _, said = started.interrupt()
     assert started.process.returncode == 130
-    assert "interrupted: this is the best so far" in said or "interrupted: nothing was found yet" in said
+    ends = ("interrupted: this is the best so far", "interrupted: nothing was found yet", "no file is half written")
+    assert any(end in said for end in ends)  # the last: the search has not begun, as a busy machine is slow
     written = [each.name for each in started.work.iterdir()]
     assert bool(written) == ("this is the best so far" in said)
     for name in written:

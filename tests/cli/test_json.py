@@ -68,7 +68,7 @@ BAD_CASES = {
     "design": (SHAKER2, "--motion", TILT, "--free", "phase", "-o", "d.toml", "--time", "0.1"),
     "verify": (DEMO3, "--with", "cat", "--states", "2"),
     "judge": (DEMO3, "--with", "cat", "--states", "2"),
-    "verify-programme": (SHAKER2, SPIN, "still.json"),
+    "verify-programme": (SHAKER2, "--motion", SPIN, "--programme", "still.json"),
     "evidence": (DEMO3,),
     "evidence --check": ("broken",),
 }
@@ -86,7 +86,7 @@ def commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, c
 
 @pytest.fixture(autouse=True)
 def files(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the cases read."""
+    """Files that the cases read."""
     monkeypatch.setattr(all_pieces, "PIECES", (GOOD, BAD))
     monkeypatch.delenv("CI", raising=False)
     (own_folder / "broken").mkdir()
@@ -113,7 +113,7 @@ def files(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_every_command_has_it_or_a_reason() -> None:
-    """And those that have it are run here, or in their own test."""
+    """Commands with --json are run here or in their own test."""
     has = {name for name, command in commands() if any("--json" in option.opts for option in command.params)}
     names = {name for name, _ in commands()}
     assert names - has <= set(WITHOUT)

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, refused, run
+from mahovik.stands import path
 
 PYTHON = shlex.quote(sys.executable)
 EVAL = f"{PYTHON} -c 'from mahovik.out.cli import main; main()' eval {{stand}} --backend numpy"
@@ -30,7 +31,10 @@ def wrong(change: str) -> str:
     return f"{PYTHON} -c {shlex.quote(WRONG.replace('CHANGE', change))} {{stand}}"
 
 
-PHASE = wrong('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] * 3')
+SHAKER = str(path("shaker2"))
+"""Its flywheels are unbalanced: without wrenches balanced ones know no phase."""
+
+PHASE = wrong('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] * 2')
 
 
 @pytest.fixture(autouse=True)
@@ -47,7 +51,7 @@ def test_a_program_that_agrees_has_no_fault(tmp_path: Path) -> None:
 
 
 def test_a_program_that_differs_is_told_its_fault() -> None:
-    result = run("judge", DEMO3, "--with", PHASE, "--explain", "--states", "6")
+    result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6")
     assert result.exit_code == 1
     assert "fault found:" in result.stdout
     assert "The phase of the flywheels turns the wrong way" in result.stdout
@@ -55,18 +59,18 @@ def test_a_program_that_differs_is_told_its_fault() -> None:
 
 
 def test_the_diagnosis_as_json() -> None:
-    result = run("judge", DEMO3, "--with", PHASE, "--explain", "--states", "6", "--json", "--want", "forward,torque")
+    result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6", "--json", "--want", "forward,torque")
     assert result.exit_code == 1
     found = json.loads(result.stdout)
     assert found["passed"] is False
     diagnosis = found["diagnosis"]
     assert diagnosis["outcome"] == "named"
     assert diagnosis["causes"][0]["faults"][0]["name"] == "phase, sign"
-    assert set(diagnosis["wrong"]) == {"forward: V_dot"}  # the flywheels of demo3 are balanced: tau knows no phase
+    assert set(diagnosis["wrong"]) == {"forward: V_dot", "torque: tau"}
 
 
 def test_without_explain_it_is_verify_with() -> None:
-    result = run("judge", DEMO3, "--with", PHASE, "--states", "6", "--json")
+    result = run("judge", SHAKER, "--with", PHASE, "--states", "6", "--json")
     assert result.exit_code == 1
     assert "diagnosis" not in json.loads(result.stdout)
 
@@ -74,11 +78,29 @@ def test_without_explain_it_is_verify_with() -> None:
 def test_what_is_accepted_can_be_said() -> None:
     """The reference in float differs, and says so; within what float can do it agrees."""
     rounding = PHASE.replace("-phi for phi", "phi * (1 + 1e-9) for phi")
-    assert run("judge", DEMO3, "--with", rounding, "--states", "6", "--want", "forward").exit_code == 1
+    assert run("judge", SHAKER, "--with", rounding, "--states", "6", "--want", "forward").exit_code == 1
     assert (
-        run("judge", DEMO3, "--with", rounding, "--states", "3", "--want", "forward", "--tolerance", "1e-5").exit_code
+        run("judge", SHAKER, "--with", rounding, "--states", "3", "--want", "forward", "--tolerance", "1e-5").exit_code
         == 0
     )
+
+
+TELL = """
+import json, sys
+for line in sys.stdin:
+    state = json.loads(line)
+    if "wrench" in state:
+        sys.exit("a wrench on " + ", ".join(state["wrench"]))
+    print(json.dumps({"id": state["id"], "V_dot": [1.0] * 6}))
+"""
+
+
+def test_no_wrench_is_sent_that_the_stand_does_not_take() -> None:
+    """No body of demo3 has `wrench_input`."""
+    command = f"{PYTHON} -c {shlex.quote(TELL)}"
+    result = run("judge", DEMO3, "--with", command, "--explain", "--states", "12", "--want", "forward")
+    assert "error:" not in result.output
+    assert "in the dictionary explains it" in result.stdout
 
 
 ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "

@@ -11,20 +11,20 @@ from typing import Any
 import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
-from emit.selftests import made, run_selftest
+from emit.selftests import generate_with_selftest, run_selftest
 from mahovik.core.emit.generate import Generated
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify import judge_log
+from mahovik.proof.verify import selftest_log
 
 SWEEP = 20
-FUNCTIONS = [f.name for f in made("demo3")[0].program.functions if f.public]
+FUNCTIONS = [f.name for f in generate_with_selftest("demo3")[0].program.functions if f.public]
 
 
 @pytest.fixture(scope="module", autouse=True)
 def run_here_once() -> Iterator[None]:
     """The C of this machine is built and run once for each sweep."""
-    original = judge_log._hashes
+    original = selftest_log._hashes
     known: dict[tuple[str, int, int], Any] = {}
 
     def once(stand: Stand, made: Generated, sweep: int) -> Any:
@@ -34,21 +34,23 @@ def run_here_once() -> Iterator[None]:
         return known[key]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(judge_log, "_hashes", once)
-        patch.setattr(judge_log, "generate_all", lambda stand, real, lanes: made(stand.name, real, lanes)[0])
+        patch.setattr(selftest_log, "_hashes", once)
+        patch.setattr(
+            selftest_log, "generate_all", lambda stand, real, lanes: generate_with_selftest(stand.name, real, lanes)[0]
+        )
         yield
 
 
 @pytest.fixture(scope="module")
 def printed(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """What a board with the C of demo3 prints."""
+    """Output of a board with the C of demo3."""
     return board("double", tmp_path_factory.mktemp("board"))
 
 
 def board(real: str, folder: Path) -> str:
     """Builds and runs the self-test of demo3."""
     status, text = run_selftest(
-        made("demo3", real)[1], "demo3", folder, "gcc", "-O2", f"-DDEMO3_SELFTEST_SWEEP={SWEEP}"
+        generate_with_selftest("demo3", real)[1], "demo3", folder, "gcc", "-O2", f"-DDEMO3_SELFTEST_SWEEP={SWEEP}"
     )
     assert status == 0
     return str(text)
@@ -68,7 +70,7 @@ def rewritten(path: Path, text: str | bytes) -> str:
 
 
 def test_a_good_log(log: Path) -> None:
-    result = run("judge-log", str(log), DEMO3)
+    result = run("judge-log", DEMO3, "--log", str(log))
     found = identities(load(DEMO3))
     head = f"PASS   demo3 double, structure {found.structure}, physics {found.physics}"
     assert result.exit_code == 0
@@ -79,13 +81,13 @@ def test_a_good_log(log: Path) -> None:
 
 @pytest.mark.slow
 def test_float(tmp_path: Path) -> None:
-    result = run("judge-log", rewritten(tmp_path / "log", board("float", tmp_path)), DEMO3)
+    result = run("judge-log", DEMO3, "--log", rewritten(tmp_path / "log", board("float", tmp_path)))
     assert result.exit_code == 0
     assert "demo3 float" in result.output
 
 
 def test_without_the_stand_file(log: Path) -> None:
-    result = run("judge-log", str(log))
+    result = run("judge-log", "--log", str(log))
     assert result.exit_code == 0
     assert "not checked: identities, the list of functions, and the sweep: give the stand file" in result.output
 
@@ -105,7 +107,7 @@ def test_without_the_stand_file(log: Path) -> None:
     ids=["CRLF", "CR", "junk around", "time stamps", "junk within", "spaces", "no last line end", "reset"],
 )
 def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: str, log: Path) -> None:
-    result = run("judge-log", rewritten(log, spoil(printed).encode("latin-1")), DEMO3)
+    result = run("judge-log", DEMO3, "--log", rewritten(log, spoil(printed).encode("latin-1")))
     assert result.exit_code == 0, result.output
 
 
@@ -143,7 +145,7 @@ def test_what_a_terminal_does_is_no_fault(spoil: Callable[[str], str], printed: 
 def test_what_was_tampered_with_is_found(old: str, new: str, words: str, printed: str, log: Path) -> None:
     text, count = re.subn(old, new, printed, count=1)
     assert count == 1
-    said = refused("judge-log", rewritten(log, text), DEMO3, status=1)
+    said = refused("judge-log", DEMO3, "--log", rewritten(log, text), status=1)
     assert words in said
     assert said.startswith(f"error: {log}: ")
 
@@ -151,54 +153,54 @@ def test_what_was_tampered_with_is_found(old: str, new: str, words: str, printed
 def test_every_truncated_end_is_found(printed: str, log: Path) -> None:
     lines = printed.splitlines(keepends=True)
     for count in range(1, len(lines)):
-        assert run("judge-log", rewritten(log, "".join(lines[:count]))).exit_code == 1, lines[count - 1]
+        assert run("judge-log", "--log", rewritten(log, "".join(lines[:count]))).exit_code == 1, lines[count - 1]
 
 
 def test_each_run_of_a_board_that_was_reset_counts(printed: str, log: Path) -> None:
     bad = printed.replace("forward PASS cases 4", "forward FAIL cases 4 wrong 4")
-    assert "run 1 of 2: FAIL: forward" in refused("judge-log", rewritten(log, bad + printed), DEMO3, status=1)
-    words = refused("judge-log", rewritten(log, printed + printed[:300]), DEMO3, status=1)
+    assert "run 1 of 2: FAIL: forward" in refused("judge-log", DEMO3, "--log", rewritten(log, bad + printed), status=1)
+    words = refused("judge-log", DEMO3, "--log", rewritten(log, printed + printed[:300]), status=1)
     assert "run 2 of 2: " in words
     assert "run 1 of 2: " not in words
 
 
 def test_the_log_of_another_stand(log: Path) -> None:
-    assert "stand demo3, the stand file has bench8" in refused("judge-log", str(log), BENCH8, status=1)
+    assert "stand demo3, the stand file has bench8" in refused("judge-log", BENCH8, "--log", str(log), status=1)
 
 
 def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> None:
-    done = process("judge-log", str(log), DEMO3, PATH="")
+    done = process("judge-log", DEMO3, "--log", str(log), PATH="")
     assert done.returncode == 0
     assert f"sweep of {SWEEP} states, double, by the interpreter" in done.stdout
     log.write_text(printed.replace("sweep 20\n", "sweep 100000\n"))
-    done = process("judge-log", str(log), DEMO3, PATH="")
+    done = process("judge-log", DEMO3, "--log", str(log), PATH="")
     assert done.returncode == 1  # not everything that was asked for was checked
     assert "not checked: sweep of 100000 states, double: no C compiler here" in done.stdout
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
 def test_a_log_in_utf_16_is_told_so(encoding: str, printed: str, log: Path) -> None:
-    words = refused("judge-log", rewritten(log, printed.encode(encoding)), DEMO3)
+    words = refused("judge-log", DEMO3, "--log", rewritten(log, printed.encode(encoding)))
     assert words.startswith(f"error: {log}: is not plain text (UTF-16?): save it as UTF-8")
 
 
 def test_what_is_no_log(tmp_path: Path) -> None:
     words = 'no line "mahovik selftest ..."'
-    assert words in refused("judge-log", DEMO3)
-    assert words in refused("judge-log", rewritten(tmp_path / "empty", ""))
-    assert words in refused("judge-log", rewritten(tmp_path / "binary", bytes(range(256)) * 9))
-    assert "is not plain text (UTF-16?)" not in refused("judge-log", DEMO3)
-    assert "No such file" in refused("judge-log", str(tmp_path / "none"))
-    assert "error: " in refused("judge-log", str(tmp_path))
-    assert "no such file" in refused("judge-log", DEMO3, str(tmp_path / "none.toml"))
+    assert words in refused("judge-log", "--log", DEMO3)
+    assert words in refused("judge-log", "--log", rewritten(tmp_path / "empty", ""))
+    assert words in refused("judge-log", "--log", rewritten(tmp_path / "binary", bytes(range(256)) * 9))
+    assert "is not plain text (UTF-16?)" not in refused("judge-log", "--log", DEMO3)
+    assert "No such file" in refused("judge-log", "--log", str(tmp_path / "none"))
+    assert "error: " in refused("judge-log", "--log", str(tmp_path))
+    assert "no such file" in refused("judge-log", str(tmp_path / "none.toml"), "--log", DEMO3)
 
 
 def test_the_verdict_as_json(printed: str) -> None:
     Path("board.log").write_text(printed)
-    found = json.loads(run("judge-log", "board.log", DEMO3, "--json").stdout)
+    found = json.loads(run("judge-log", DEMO3, "--log", "board.log", "--json").stdout)
     assert [each["functions"] for each in found["runs"]] == [sorted(FUNCTIONS)]
     assert found["problems"] == []
     Path("board.log").write_text(printed.replace("PASS", "FAIL", 1))
-    result = run("judge-log", "board.log", DEMO3, "--json")
+    result = run("judge-log", DEMO3, "--log", "board.log", "--json")
     assert result.exit_code == 1
     assert json.loads(result.stdout)["problems"]

@@ -11,7 +11,7 @@ from cli.run import DEMO3, refused, run
 from emit.selftests import run_selftest
 from emit.stands import stand
 from mahovik.core.emit.delivery import delivery
-from mahovik.core.emit.header import read_header
+from mahovik.core.emit.reading import read_header
 from mahovik.proof.verify.delivery import deliver
 from mahovik.proof.verify.harness import verify_c
 from mahovik.use.simulate.replay import CMachine
@@ -53,11 +53,11 @@ def test_check_wants_the_same_options(folders: dict[str, Path]) -> None:
     assert run("generate", DEMO3, "--lanes", "4", "-o", four, "--check").exit_code == 0
     assert run("generate", DEMO3, "--fast", "-o", fast, "--check").exit_code == 0
     said = refused("generate", DEMO3, "-o", four, "--check", status=1)
-    assert said == f"error: {four}: its C has lanes 4, asked was for 1: give --lanes 4, or generate it again\n"
+    assert said == f"error: {four}: its C has lanes 4, expected 1: give --lanes 4, or generate it again\n"
     said = refused("generate", DEMO3, "-o", fast, "--check", status=1)
-    assert said == f"error: {fast}: its C is fast, asked was not: give --fast, or generate it again\n"
+    assert said == f"error: {fast}: its C is fast, expected not fast: give --fast, or generate it again\n"
     said = refused("generate", DEMO3, "--fast", "-o", four, "--check", status=1)
-    assert said == f"error: {four}: its C is not fast, asked was for fast: leave --fast out, or generate it again\n"
+    assert said == f"error: {four}: its C is not fast, expected fast: leave --fast out, or generate it again\n"
 
 
 def test_what_cannot_be_asked_for() -> None:
@@ -80,7 +80,7 @@ def test_verify_finds_the_lanes_of_a_folder(folders: dict[str, Path]) -> None:
     assert found.judged == f"C in {folders['four']}, lanes 4"
     assert next(row.verdict for row in found.rows if row.quantity.startswith("interpreter")) == "ok"
     said = refused("verify", DEMO3, "--against", str(folders["four"]), "--lanes", "2")
-    assert said.endswith("its C has lanes 4, asked was for 2: leave --lanes out\n")
+    assert said.endswith("its C has lanes 4, expected 2: leave --lanes out\n")
 
 
 @pytest.mark.slow
@@ -99,7 +99,7 @@ def test_cost_and_replay_refuse_fast_c(folders: dict[str, Path], tmp_path: Path)
     flown = Recorder("demo3", "double", tmp_path)
     flown.fly(3)
     (tmp_path / "log").write_bytes(flown.log)
-    said = refused("replay", str(tmp_path / "log"), DEMO3, "--against", str(folders["fast"]))
+    said = refused("replay", DEMO3, "--log", str(tmp_path / "log"), "--against", str(folders["fast"]))
     assert "its C is for speed (--fast), its bits are not reproducible" in said
 
 
@@ -109,7 +109,7 @@ def test_replay_finds_the_lanes_that_flew(backend: str, tmp_path: Path) -> None:
     flown = Recorder("demo3", "double", tmp_path, lanes=2)
     flown.fly(10)
     (tmp_path / "log").write_bytes(flown.log)
-    result = run("replay", str(tmp_path / "log"), DEMO3, "--backend", backend)
+    result = run("replay", DEMO3, "--log", str(tmp_path / "log"), "--backend", backend)
     assert result.exit_code == 0, result.output
     assert "all 10 steps bit for bit" in result.stdout
     assert CMachine(stand("demo3"), "double", lanes=2).source != CMachine(stand("demo3"), "double").source
@@ -122,9 +122,9 @@ def test_judge_log_finds_the_lanes_of_the_board(tmp_path: Path) -> None:
     status, printed = run_selftest(code, "demo3", tmp_path, "gcc", "-O2", "-DDEMO3_SELFTEST_SWEEP=5")
     assert status == 0
     (tmp_path / "board.log").write_text(printed)
-    assert run("judge-log", str(tmp_path / "board.log"), DEMO3).exit_code == 0
+    assert run("judge-log", DEMO3, "--log", str(tmp_path / "board.log")).exit_code == 0
     (tmp_path / "board.log").write_text(printed.replace(" lanes 4\n", "\n"))
-    assert "other bits in the sweep" in run("judge-log", str(tmp_path / "board.log"), DEMO3).output
+    assert "other bits in the sweep" in run("judge-log", DEMO3, "--log", str(tmp_path / "board.log")).output
 
 
 def test_a_folder_may_get_other_lanes(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ def changed(tmp_path: Path, source: str, **keys: object) -> str:
 
 
 def test_a_programme_is_written_verified_and_told(tmp_path: Path) -> None:
-    """Of demo3, rocking; nothing else is left in the folder."""
+    """A rocking programme of demo3; nothing else is left in the folder."""
     result = run("plan", DEMO3, "--motion", TURN, "-o", str(tmp_path / "a.json"), "--winding", "rock", "--seed", "5")
     assert result.exit_code == 0
     assert "\nOK\n" in result.stdout
@@ -90,14 +90,14 @@ def test_a_winding_goes_with_a_periodic_motion(tmp_path: Path, winding: str) -> 
 
 
 def test_a_winding_that_the_bounds_exclude_is_refused(tmp_path: Path) -> None:
-    """As in the motion file: the mean speed is above what is allowed."""
+    """The mean speed is above the bound, as if it were given in the motion file."""
     motion = changed(tmp_path, TURN, winding="any", bounds={"speed": 20})
     line = refused("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"), "--winding", "3,-4,2")
     assert "winding 3,-4,2: bounds, speed[1]: 20 rad/s is below the mean speed of winding -4, 25.1327 rad/s" in line
 
 
 def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) -> None:
-    """As by every command that writes."""
+    """Every command that writes does so."""
     cos = [0.0, 0.0, 0.1, 1.0, 0.0, 0.0]
     far = changed(tmp_path, TURN, harmonics=[{"k": 1, "cos": cos}], winding="any")
     assert run("plan", DEMO3, "--motion", far, "-o", str(tmp_path / "new" / "p.json")).exit_code == 1
@@ -105,7 +105,7 @@ def test_a_folder_is_made_for_what_is_found_and_only_for_that(tmp_path: Path) ->
 
 
 def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Said, and nothing of an earlier run is left that could be taken for one of this."""
+    """A message says so, and no file of an earlier run is left that could be mistaken for a new one."""
     programme = shaker()[2]
     monkeypatch.setattr("mahovik.use.plan.plan_motion", lambda *_: Plan("OK", None, (), (), (programme,)))
     folder = tmp_path / "new"

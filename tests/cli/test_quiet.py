@@ -11,7 +11,7 @@ from cli.run import DEMO3, refused, run
 from mahovik.core.motion import load as load_regime
 from mahovik.core.stand import load
 from mahovik.stands import path
-from mahovik.use.simulate.start import load as load_start
+from mahovik.use.simulate.case import load_start
 
 SAT4 = str(path("sat4"))
 ASKED = ("--point", "acc1", "--band", "20..200Hz", "--backend", "none")
@@ -70,16 +70,16 @@ def test_a_compiler_that_is_missing_is_told_before_the_search(monkeypatch: pytes
         (("--speeds", "1 2 3"), "3 speeds, but the stand has 4 flywheels"),
         (("--momentum", "0 0 14", "--axis", "zz"), "--axis zz: expected some of the letters xyz"),
         (("--momentum", "0 0 14", "--axis", "0,0,0"), "--axis 0,0,0: expected"),
-        (("--momentum", "0 0 14", "--reduction", "0.5"), "--reduction 0.5: expected how many times lower, above 1"),
-        (("--momentum", "0 0 14", "--reduction", "nan"), "--reduction nan: expected how many times lower, above 1"),
+        (("--momentum", "0 0 14", "--reduction", "0.5"), "--reduction 0.5: expected a factor above 1"),
+        (("--momentum", "0 0 14", "--reduction", "nan"), "--reduction nan: expected a factor above 1"),
         (("--momentum", "0 0 14", "--change", "-3 rpm"), "--change -3 rpm: expected a speed above 0"),
         (("--momentum", "0 0 14", "--least", "3 m"), 'unit "m" does not fit, expected an angular speed (rad/s)'),
         (("--momentum", "0 0 14", "--avoid", "40..30Hz"), "--avoid 40..30 Hz: expected two frequencies"),
         (("--momentum", "0 0 14", "--avoid", "mode"), "--avoid mode"),
         (("--momentum", "0 0 14", "--orders", "0"), "--orders: expected whole numbers from 1"),
         (("--momentum", "0 0 14", "--orders", "1;2"), "--orders 1;2: expected whole numbers"),
-        (("--momentum", "0 0 14", "--margin", "ten"), "--margin ten: expected a part"),
-        (("--momentum", "0 0 14", "--guard", "200%"), "--guard 2: expected a part of 1"),
+        (("--momentum", "0 0 14", "--margin", "ten"), "--margin ten: expected a fraction"),
+        (("--momentum", "0 0 14", "--guard", "200%"), "--guard 2: expected a fraction of 1"),
         (
             ("--momentum", "0 0 14", "--band", "0..200Hz", "--measure", "angle"),
             "--band from 0 Hz: a drift has no angle",
@@ -110,7 +110,7 @@ def test_stands_without_freedom_are_refused() -> None:
 
 
 def test_a_reduction_that_is_not_reached_is_said() -> None:
-    """What was found is printed; exit status 1."""
+    """The best result is printed, with exit status 1."""
     got = run("quiet", SAT4, *ASKED, *NEAR, "--change", "3 rpm", "--reduction", "10")
     assert got.exit_code == 1
     assert "not 10 times lower within the limits" in got.stderr

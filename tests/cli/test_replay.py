@@ -42,7 +42,7 @@ def binary(flown: Path, tmp_path: Path) -> Path:
 
 
 def test_all_steps_bit_for_bit(flown: Path) -> None:
-    said = run("replay", str(flown), DEMO3)
+    said = run("replay", DEMO3, "--log", str(flown))
     assert said.exit_code == 0
     assert said.stderr == ""
     assert "all 721 steps bit for bit: demo3, double, steps 0 to 720, 1 of them refused" in said.output
@@ -51,18 +51,18 @@ def test_all_steps_bit_for_bit(flown: Path) -> None:
 def test_the_stand_is_found_by_the_log(flown: Path) -> None:
     """Among the examples; and a stand file beside the log that is of other physics is passed over."""
     (flown.parent / "demo3.toml").write_text(Path(DEMO3).read_text().replace("mass = ", "mass = 1", 1))
-    assert run("replay", str(flown)).exit_code == 0
+    assert run("replay", "--log", str(flown)).exit_code == 0
 
 
 def test_columns_and_lines_of_states(flown: Path) -> None:
     """The columns read back to bits; the lines go through `eval`."""
-    run("replay", str(flown), "-o", "states.csv")
+    run("replay", "--log", str(flown), "-o", "states.csv")
     lines = Path("states.csv").read_text().splitlines()
     assert len(lines) == 722
     assert lines[0].startswith("step,status,position[0],position[1],position[2],attitude[0],")
     assert len(lines[-1].split(",")) == len(lines[0].split(","))
     assert lines[701].split(",")[1] == "RANGE"
-    run("replay", str(flown), "-o", "states.jsonl")
+    run("replay", "--log", str(flown), "-o", "states.jsonl")
     states = Path("states.jsonl").read_text().splitlines()
     assert len(states) == 721
     good = "\n".join(states[5:8])
@@ -72,10 +72,10 @@ def test_columns_and_lines_of_states(flown: Path) -> None:
 
 
 def test_one_step_in_full(flown: Path) -> None:
-    said = run("replay", str(flown), "--step", "51").stdout.splitlines()
+    said = run("replay", "--log", str(flown), "--step", "51").stdout.splitlines()
     assert json.loads(said[0])["id"] == "step 51"
     shown = {line.rsplit(" ", 3)[0]: line.split()[-3:] for line in said if "position" in line}
-    before = run("replay", str(flown), "--step", "50").stdout.splitlines()
+    before = run("replay", "--log", str(flown), "--step", "50").stdout.splitlines()
     after = next(line.split()[-3:] for line in before if line.startswith("after position"))
     assert shown["before position"] == after  # what one step leaves the next one finds
     assert all("0x" in number for number in after)
@@ -85,10 +85,10 @@ def test_one_step_in_full(flown: Path) -> None:
 @pytest.mark.parametrize("step", [3, 50, 700])
 def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
     """A step with an encoder, one of step_driven, one that was refused. The test passes, and fails for other C."""
-    run("replay", str(flown), "--emit-test", str(step))
+    run("replay", "--log", str(flown), "--emit-test", str(step))
     name = f"demo3_step_{step}"
     source = (flown.parent / "demo3.c").read_text()
-    edited = source.replace("half = 0.5 * dt", "half = 0.5001 * dt").replace("_RANGE;", "_NOT_FINITE;")
+    edited = source.replace("half = 0.5 * h", "half = 0.5001 * h").replace("_RANGE;", "_NOT_FINITE;")
     for text, status, said in ((source, 0, "PASS"), (edited, 1, "FAIL")):
         Path("tried.c").write_text(text)
         flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Werror", "-O2"]
@@ -99,30 +99,30 @@ def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
 
 
 def test_against_the_folder_that_flew(flown: Path) -> None:
-    assert run("replay", str(flown), "--against", str(flown.parent)).exit_code == 0
+    assert run("replay", "--log", str(flown), "--against", str(flown.parent)).exit_code == 0
 
 
 def test_a_state_that_differs_is_status_1(tmp_path: Path) -> None:
     """Flown by C with one constant in another bit; the folder that flew gives its bits again."""
-    flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * dt", "half = 0.5000000000000001 * dt"))
+    flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * h", "half = 0.5000000000000001 * h"))
     flew.fly(6)
     Path("other.log").write_bytes(flew.log)
-    said = run("replay", "other.log", BENCH8)
+    said = run("replay", BENCH8, "--log", "other.log")
     assert said.exit_code == 1
     assert "0 steps bit for bit" in said.output
     assert "error: step 0 differs: the state after it has hash" in said.stderr
-    assert run("replay", "other.log", BENCH8, "--against", str(tmp_path)).exit_code == 0
+    assert run("replay", BENCH8, "--log", "other.log", "--against", str(tmp_path)).exit_code == 0
 
 
 def test_damage_is_status_1_and_a_cut_end_is_not(binary: Path) -> None:
     whole = binary.read_bytes()
     binary.write_bytes(whole[:-5])
-    said = run("replay", str(binary), DEMO3)
+    said = run("replay", DEMO3, "--log", str(binary))
     assert said.exit_code == 0
     assert "all 720 steps" in said.output
     assert "note: the log ends inside the record of step 720" in said.stderr
     binary.write_bytes(whole[:30000] + bytes([whole[30000] ^ 1]) + whole[30001:])
-    said = run("replay", str(binary), DEMO3)
+    said = run("replay", DEMO3, "--log", str(binary))
     assert said.exit_code == 1
     assert "is damaged: its check does not fit; the log ends without another start" in said.stderr
     assert len(said.stderr.splitlines()) == 1
@@ -131,29 +131,29 @@ def test_damage_is_status_1_and_a_cut_end_is_not(binary: Path) -> None:
 def test_refusals_are_one_line(flown: Path, binary: Path) -> None:
     log = str(flown)
     for arguments, words, status in (
-        (("none.log",), "none.log: cannot be read", 2),
-        ((log, BENCH8), 'stand "bench8", but the log is of "demo3"', 1),
-        ((log, "-o", "states.txt"), "expected a name that ends in .csv or .jsonl", 2),
-        ((log, "--backend", "interpreter", "--against", "x"), "the interpreter runs no C", 2),
-        ((log, "--against", "nowhere"), "no such file", 2),
+        (("--log", "none.log"), "none.log: cannot be read", 2),
+        ((BENCH8, "--log", log), 'stand "bench8", but the log is from "demo3"', 1),
+        (("--log", log, "-o", "states.txt"), "expected a name that ends in .csv or .jsonl", 2),
+        (("--log", log, "--backend", "interpreter", "--against", "x"), "the interpreter runs no C", 2),
+        (("--log", log, "--against", "nowhere"), "no such file", 2),
     ):
         said = refused("replay", *arguments, status=status)
         assert words in said
         assert len(said.splitlines()) == 1
     run("generate", DEMO3, "--real", "float", "-o", "single")
-    said = refused("replay", log, DEMO3, "--against", "single")
+    said = refused("replay", DEMO3, "--log", log, "--against", "single")
     assert said == "error: --against single: its C is float, the log double: give the folder that flew\n"
-    done = run("replay", log, "--step", "5000")
+    done = run("replay", "--log", log, "--step", "5000")
     assert (done.exit_code, done.stdout) == (2, "")
     assert "no such step" in done.stderr
     data = bytearray(binary.read_bytes())
     data[len(MAGIC) + 4] ^= 1  # in the name
     binary.write_bytes(data)
-    assert "is damaged" in refused("replay", str(binary))
+    assert "is damaged" in refused("replay", "--log", str(binary))
 
 
 def test_the_verdict_as_json(flown: Path, binary: Path) -> None:
-    found = json.loads(run("replay", str(flown), DEMO3, "--json", "--step", "5").stdout)
+    found = json.loads(run("replay", DEMO3, "--log", str(flown), "--json", "--step", "5").stdout)
     assert (found["stand"], found["steps_equal"], found["steps_refused"], found["differs_at"]) == (
         "demo3",
         721,
@@ -163,6 +163,6 @@ def test_the_verdict_as_json(flown: Path, binary: Path) -> None:
     data = bytearray(binary.read_bytes())
     data[len(data) // 2] ^= 1
     binary.write_bytes(data)
-    result = run("replay", str(binary), DEMO3, "--json")
+    result = run("replay", DEMO3, "--log", str(binary), "--json")
     assert result.exit_code == 1
     assert json.loads(result.stdout)["damage"]

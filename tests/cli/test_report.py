@@ -17,7 +17,7 @@ from cli.run import BENCH8, DEMO3, refused, run
 from mahovik import __version__
 from mahovik.core.stand import identities, load
 from mahovik.out.report.stand import page, verification
-from mahovik.out.report.stand.gather import gather
+from mahovik.out.report.stand.material import gather
 from mahovik.proof.verify import bounds
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.stands import path
@@ -29,7 +29,7 @@ GENERATED = Path(__file__).resolve().parents[2] / "generated"
 SPIN = "schema = 1\ndefault = { speed = 20 }\n"
 
 
-def made(*options: str, stand: str = DEMO3) -> str:
+def report_page(*options: str, stand: str = DEMO3) -> str:
     """The page."""
     result = run("report", stand, "-o", "r.html", *options)
     assert (result.exit_code, result.stdout) == (0, "r.html\n"), result.output
@@ -98,7 +98,7 @@ def test_what_was_not_run_is_said_with_its_command(whole: str) -> None:
 
 
 def test_the_same_inputs_give_the_same_bytes(whole: str) -> None:
-    assert made() == whole
+    assert report_page() == whole
 
 
 def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -120,7 +120,7 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
 def test_without_a_compiler_nothing_is_shown_as_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     only(monkeypatch, "verification")
     monkeypatch.setenv("CC", "no-such-cc")
-    text = words(made())
+    text = words(report_page())
     assert "The compiled C: CC=no-such-cc: no such command" in text
     assert "The program, interpreted, the literal equations" in text
     assert "The generated C, the literal" not in text
@@ -131,19 +131,19 @@ def test_judges_that_are_not_installed_are_not_run(monkeypatch: pytest.MonkeyPat
     for name in ("pinocchio", "mujoco"):
         monkeypatch.setitem(__import__("sys").modules, name, None)
         monkeypatch.delitem(__import__("sys").modules, f"mahovik.proof.verify.judges.{name}_judge", raising=False)
-    text = words(made())
+    text = words(report_page())
     assert "Judges from outside" not in text
     assert "Pinocchio: pinocchio is not installed (pinocchio): pip install pin mujoco" in text
     assert "Pinocchio agrees" not in text
 
 
 def test_names_are_escaped(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of files, which may have any name."""
+    """Files may have any name."""
     only(monkeypatch, "bodies")
     odd = "<b onload='x'>&amp;.toml"
     shutil.copy(DEMO3, odd)
     run_file = simulated("<i>.csv")
-    found = made("--run", run_file, stand=odd)
+    found = report_page("--run", run_file, stand=odd)
     assert "<b onload" not in found
     assert "<i>" not in found
     assert {odd, "<i>.csv"} <= set(words(found).replace(",", "").split()) | {odd}
@@ -153,14 +153,14 @@ def test_names_are_escaped(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_run_is_taken_for_the_state(monkeypatch: pytest.MonkeyPatch) -> None:
     only(monkeypatch, "matrices")
     for name in ("run.csv", "run.parquet"):
-        text = words(made("--run", simulated(name)))
+        text = words(report_page("--run", simulated(name)))
         assert f"run {name}" in text
         assert "The last row of the run, t = 0.02 s." in text
         assert " 0.4 20 0 " in text  # phase, speed, acceleration
 
 
 def test_a_run_of_another_stand_is_refused() -> None:
-    """By the identities that it carries; where it carries none, by its columns and by the equations."""
+    """The run's identities show it; without identities, its columns and the equations do."""
     heavier = Path(SHAKER2).read_text(encoding="utf-8").replace("mass = 0.5", "mass = 0.5005", 1)
     Path("heavier.toml").write_text(heavier, encoding="utf-8")
     names = identities(load("heavier.toml")), identities(load(SHAKER2))
@@ -191,7 +191,7 @@ def test_a_run_of_the_same_numbers_is_taken_whatever_wrote_it(monkeypatch: pytes
     for backend in ("c", "scipy"):
         options = ("--until", "0.01", "--regime", "spin.toml", "--backend", backend, "-o", "run.csv")
         assert run("simulate", SHAKER2, *options).exit_code == 0
-        made("--run", "run.csv", stand=SHAKER2)
+        report_page("--run", "run.csv", stand=SHAKER2)
 
 
 @pytest.mark.parametrize(
@@ -280,10 +280,10 @@ def test_figures_of_other_numbers_are_refused() -> None:
 
 
 def test_measured_cost_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of every target in cost.json, number by number."""
+    """Every target in cost.json is shown, number by number."""
     only(monkeypatch, "cost")
     figures = json.loads((GENERATED / "bench8" / "cost.json").read_text(encoding="utf-8"))
-    text = words(made("--cost", str(GENERATED / "bench8"), stand=BENCH8)).replace("\u202f", "")
+    text = words(report_page("--cost", str(GENERATED / "bench8"), stand=BENCH8)).replace("\u202f", "")
     for target in figures["targets"]:
         assert f"{target['target']}, {target['real']} function" in text
         for f in target["functions"]:

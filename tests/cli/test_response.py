@@ -71,6 +71,24 @@ def test_motors_that_cannot_are_named() -> None:
     assert "warning: rw1 turns at up to 7000 rpm, its motor at most at 6000" in said.stderr
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [("response", SAT4, "--speed", "all=3000", "--at", "acc1"), ("check", SAT4, "--speed", "3000")],
+    ids=["response", "check"],
+)
+def test_a_plain_number_that_may_be_rpm_is_asked_about_in_one_line(arguments: tuple[str, ...]) -> None:
+    said = run(*arguments)
+    assert said.exit_code == 0
+    (line,) = [line for line in said.stderr.splitlines() if "its motor" in line]
+    assert line.startswith("warning: rw1 turns at up to 28647.9 rpm, its motor at most at 6000; 4 flywheels in all")
+    assert line.endswith("numbers without unit are rad/s, 3000 rpm?")
+
+
+def test_speeds_with_a_unit_or_within_the_limit_are_not_asked_about() -> None:
+    assert "its motor" not in run("check", SAT4, "--speed", "3000 rpm").stderr
+    assert "rpm?" not in run("check", SAT4, "--speed", "7000 rpm").stderr
+
+
 def test_time_cuts_a_sweep() -> None:
     said = run("response", *SWEEP, "--time", "1e-9")
     assert said.exit_code == 0

@@ -17,10 +17,10 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik.errors import StateError
-from mahovik.proof.verify.files import probe, write_all
 from mahovik.stands import path
-from mahovik.use.simulate import output
-from mahovik.use.simulate.moment import Moment
+from mahovik.use.simulate import run as runs
+from mahovik.use.simulate.case import Moment
+from mahovik.writing import probe, write_all
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -136,7 +136,7 @@ def test_what_a_start_does_not_take_is_refused_by_name(key: str) -> None:
 @pytest.mark.parametrize("text", ['{"V": [0,0,0,0,0,0], "V": [1,0,0,0,0,0]}', '{"state": {"phi": [0], "phi": [1]}}'])
 def test_a_start_with_a_key_twice_is_refused(text: str) -> None:
     Path("s.json").write_text(text)
-    assert "is there twice" in refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv")
+    assert "appears twice" in refused("simulate", DEMO3, "--until", "1", "--start", "s.json", "-o", "a.csv")
 
 
 @pytest.mark.parametrize(
@@ -228,7 +228,7 @@ def test_parquet_without_pyarrow_names_the_command(monkeypatch: pytest.MonkeyPat
             raise ImportError(name)
         return importlib.import_module(name)
 
-    monkeypatch.setattr(output, "import_module", missing)
+    monkeypatch.setattr(runs, "import_module", missing)
     said = refused("simulate", DEMO3, "--until", "1", "-o", "a.parquet")
     assert 'pip install "mahovik[campaign]"' in said
     assert not Path("a.parquet").exists()

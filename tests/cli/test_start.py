@@ -38,8 +38,8 @@ CASES = {
     ("rest", BENCH8): NUMBERS | {"rich"},
     ("eval", BENCH8, "--backend", "numpy"): NUMBERS,
     ("eval", BENCH8, "--backend", "casadi"): NUMBERS | {"casadi"},
-    ("judge-log", "log"): NUMBERS | {"jinja2"},
-    ("replay", "log"): NUMBERS | {"jinja2", "cffi"},
+    ("judge-log", "--log", "log"): NUMBERS | {"jinja2"},
+    ("replay", "--log", "log"): NUMBERS | {"jinja2", "cffi"},
     ("export", "--help"): NOTHING,
 }
 """What of these a command may import."""

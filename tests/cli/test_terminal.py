@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from cli.run import AUV6, DEMO3, process
-from cli.terminal import Seen, on_terminal
+from cli.terminal import TerminalOutput, on_terminal
 from mahovik.stands import path
 
 SAT4 = str(path("sat4"))
@@ -19,7 +19,7 @@ TABLES = {
 }
 
 
-def words(seen: Seen) -> str:
+def words(seen: TerminalOutput) -> str:
     """All that is said, whatever the width: without blanks and lines of boxes."""
     return re.sub(r"[\s─-]", "", "\n".join(seen.lines))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shlex
 import sys
 import xml.etree.ElementTree as ET
@@ -33,6 +34,22 @@ def test_the_table_of_generated_c(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert sorted(p.name for p in tmp_path.iterdir()) == ["report.xml", "worst.jsonl"]
     replayed = run("eval", DEMO3, stdin=(tmp_path / "worst.jsonl").read_text())
     assert replayed.exit_code == 0
+
+
+def test_outputs_through_a_fifo_and_a_link(tmp_path: Path) -> None:
+    """Neither is replaced; -o /dev/null was, for root."""
+    fifo, link = tmp_path / "fifo", tmp_path / "link"
+    os.mkfifo(fifo)
+    link.symlink_to("report.xml")
+    end = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)  # a reader, so that the writer need not wait
+    try:
+        assert run("verify", DEMO3, "--states", "2", "--junit", str(link), "-o", str(fifo)).exit_code == 0
+        assert os.read(end, 1).startswith(b"{")
+    finally:
+        os.close(end)
+    assert fifo.is_fifo()
+    assert link.is_symlink()
+    assert ET.parse(tmp_path / "report.xml").getroot().get("failures") == "0"
 
 
 def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None:
@@ -110,7 +127,7 @@ def test_the_generated_c_as_a_program_says_what_it_does_not_offer() -> None:
 
 
 def test_generalized_may_be_offered_without_i0_and_j0() -> None:
-    """As the second derivation does."""
+    """The second derivation is an example."""
     casadi = run("verify", DEMO3, "--states", "4", "--with", f"{EVAL} --backend casadi", "--json")
     assert casadi.exit_code == 0
     verdicts = {row["quantity"]: row["verdict"] for row in json.loads(casadi.stdout)["rows"]}

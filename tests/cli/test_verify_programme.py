@@ -15,6 +15,7 @@ from verify.programme.programmes import shaker
 
 SHAKER = str(stands.path("shaker2"))
 SPIN = next(str(path) for path in stands.motions("shaker2") if "spin" in path.name)
+OF_SPIN = ("--motion", SPIN, "--programme")
 
 
 @pytest.fixture
@@ -24,7 +25,7 @@ def programme(tmp_path: Path) -> str:
 
 
 def test_a_right_programme(programme: str) -> None:
-    result = run("verify-programme", SHAKER, SPIN, programme)
+    result = run("verify-programme", SHAKER, *OF_SPIN, programme)
     assert result.exit_code == 0
     assert "the programme is right" in result.stdout
     assert "simulation" in result.stdout
@@ -32,7 +33,7 @@ def test_a_right_programme(programme: str) -> None:
 
 def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
     save_programme(replace(shaker()[2], winding=(1, 1)), tmp_path / "q.json")
-    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"), "--json")
+    result = run("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "q.json"), "--json")
     assert result.exit_code == 1
     found = json.loads(result.stdout)
     assert not found["passed"]
@@ -40,7 +41,7 @@ def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
 
 
 def test_all_multipliers_are_in_the_json(programme: str) -> None:
-    result = run("verify-programme", SHAKER, SPIN, programme, "--json")
+    result = run("verify-programme", SHAKER, *OF_SPIN, programme, "--json")
     assert result.exit_code == 0
     found = json.loads(result.stdout)
     (largest,) = (each["value"] for each in found["findings"] if each["name"] == "Floquet")
@@ -51,23 +52,23 @@ def test_all_multipliers_are_in_the_json(programme: str) -> None:
 def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
     text = Path(programme).read_text(encoding="utf-8").replace(shaker()[2].physics, "00000000")
     (tmp_path / "q.json").write_text(text, encoding="utf-8")
-    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"))
+    result = run("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "q.json"))
     assert result.exit_code == 1
     assert "programme of another stand: physics is 00000000" in result.stdout
     assert "REFUSED: stand" in result.stdout
     other = json.loads(text) | {"flywheels": [f"flywheel_number_{k}" for k in range(2)]}
     (tmp_path / "q.json").write_text(json.dumps(other), encoding="utf-8")
-    result = run("verify-programme", SHAKER, SPIN, str(tmp_path / "q.json"))
+    result = run("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "q.json"))
     assert "flywheel_number_1" in result.stdout
     assert max(map(len, result.stdout.splitlines())) <= 100
 
 
 def test_bad_files(programme: str, tmp_path: Path) -> None:
-    swapped = refused("verify-programme", SHAKER, programme, SPIN)
+    swapped = refused("verify-programme", SHAKER, "--motion", programme, "--programme", SPIN)
     assert swapped.splitlines() == [
         "error: p.json: is a programme file; expected a motion file here: were the two swapped?"
     ]
     again = refused("export", "programme", SHAKER, SPIN)
     assert "motion.json: is a motion file; expected a programme file here: were the two swapped?" in again
-    assert "none.json: no such file" in refused("verify-programme", SHAKER, SPIN, str(tmp_path / "none.json"))
-    assert "winding: expected 8 whole numbers" in refused("verify-programme", BENCH8, SPIN, programme)
+    assert "none.json: no such file" in refused("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "none.json"))
+    assert "winding: expected 8 whole numbers" in refused("verify-programme", BENCH8, *OF_SPIN, programme)

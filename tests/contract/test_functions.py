@@ -48,7 +48,7 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
 
 def test_a_want_without_a_referee_is_refused() -> None:
     with pytest.raises(ValueError, match="a want needs a judge"):
-        PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("differences",), want=True)
+        PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ("exact",), want=True)
     with pytest.raises(ValueError, match="expected judges among"):
         PublicFunction("momentum_rate", "", ("x",), ("Z_dot",), ())
 

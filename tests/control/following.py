@@ -31,7 +31,7 @@ ROUNDS = 6
 
 
 def wanted(rows: int | None = 64) -> Wanted:
-    """With a table of so many rows."""
+    """The programme as a table with this many rows."""
     return Wanted.of(*shaker(), rows)
 
 
@@ -42,7 +42,7 @@ def servo(trim: bool = False, text: str = SERVO) -> Servo:
 
 @cache
 def design() -> TrimDesign:
-    """Of that trim."""
+    """Design of the trim by the heave alone."""
     own = servo(trim=True)
     assert own.trim is not None
     stand, motion, programme = shaker()

@@ -13,7 +13,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.stands import path
-from mahovik.use.control.gains import gains, law, lightness, rotor_inertia, samples
+from mahovik.use.control.servo import gains, lightness, loop_gains, rotor_inertia, samples
 
 BENCH8, SHAKER, SAT4 = (load(path(name)) for name in ("bench8", "shaker2", "sat4"))
 
@@ -25,11 +25,11 @@ def servo(text: str = "", stand: Stand = SHAKER) -> Servo:
 
 def test_the_continuous_loop_has_the_poles_asked_for() -> None:
     given = servo('integral = "5 Hz"\ndamping_ratio = 0.6')
-    found = law(given)
+    found = loop_gains(given)
     omega = 100 * math.pi
     wanted = np.polymul([1, 2 * 0.6 * omega, omega**2], [1, 10 * math.pi])
     assert [1, found.speed, found.angle, found.integral] == pytest.approx(list(wanted), rel=1e-14)
-    halved = law(given, omega / 2)
+    halved = loop_gains(given, omega / 2)
     assert halved.integral == pytest.approx(found.integral / 8)  # all poles keep their proportion
 
 
@@ -50,7 +50,7 @@ def test_rotors_are_lighter_on_a_light_carrier_alone() -> None:
 def test_members_of_the_struct() -> None:
     text = 'latency = "250 us"\nintegral = "5 Hz"\nspeed_filter = "200 Hz"\ntorque_rate = 40\n'
     given = servo(text + 'torque_limit = ["50 mN m", 0.1]')
-    found, each = gains(SHAKER, given, 0.05), law(given)
+    found, each = gains(SHAKER, given, 0.05), loop_gains(given)
     J = rotor_inertia(SHAKER)
     assert found["angle"] == pytest.approx(J * each.angle)
     assert found["integral"] == pytest.approx(J * each.integral * 1e-3)

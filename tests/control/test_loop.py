@@ -11,11 +11,11 @@ from control.following import design, run, servo, wanted
 from mahovik.core.motion.programme import RunUpTable, Samples
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
-from mahovik.use.control.encoder import Encoders
-from mahovik.use.control.following import following
+from mahovik.use.control.controller import Encoders
 from mahovik.use.control.loop import Case, close_loop, starting_state, step_error
 from mahovik.use.control.plant import plant
-from mahovik.use.plan.runup.fade import fade
+from mahovik.use.control.record import following
+from mahovik.use.plan.runup.boundary import fade
 from verify.programme.programmes import shaker
 
 Z = 2
@@ -61,7 +61,7 @@ def test_both_plants_go_the_same_way() -> None:
 
 
 def test_an_unstable_loop_is_told() -> None:
-    """By a servo far too fast for its samples, whatever its gains were judged before."""
+    """The servo is far too fast for its samples; its gains are not checked before."""
     wild = replace(servo(), bandwidth=20000.0)
     record = close_loop(Case(wanted(), shaker()[0], wild, 2))
     assert record.stopped is not None

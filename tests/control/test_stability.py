@@ -19,8 +19,20 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError
 from mahovik.stands import path
-from mahovik.use.control.gains import Law, gains, law, rotor_inertia
-from mahovik.use.control.stability import GAIN, PHASE, Loop, check, delay, highest_bandwidth, loop, margins
+from mahovik.use.control.servo import (
+    LEAST_GAIN,
+    LEAST_PHASE,
+    Loop,
+    LoopGains,
+    check_margins,
+    delay,
+    gains,
+    highest_bandwidth,
+    loop_gains,
+    margins,
+    rotor_inertia,
+    rotor_loop,
+)
 
 SHAKER, SAT4 = load(path("shaker2")), load(path("sat4"))
 T = 1e-3
@@ -66,7 +78,7 @@ def driven(given: Servo, late: float, light: float, difference: bool, count: int
 @pytest.mark.parametrize("difference", [False, True])
 def test_the_linear_loop_is_what_the_servo_does(late: float, difference: bool) -> None:
     given = servo(20, 'integral = "2 Hz"\nspeed_filter = "150 Hz"')
-    one = loop(law(given), T, late, 1.1, difference)
+    one = rotor_loop(loop_gains(given), T, late, 1.1, difference)
     x = np.zeros(len(one.B))
     x[0] = 1e-3
     if difference:
@@ -82,7 +94,7 @@ def test_the_linear_loop_is_what_the_servo_does(late: float, difference: bool) -
 
 def test_fast_sampling_has_the_poles_asked_for() -> None:
     given = servo(10, 'integral = "1 Hz"')
-    poles = np.linalg.eigvals(_closed(loop(law(given), 1e-5, 0.0, 1.0, False)))
+    poles = np.linalg.eigvals(_closed(rotor_loop(loop_gains(given), 1e-5, 0.0, 1.0, False)))
     omega, zeta = 20 * math.pi, 0.8
     wanted = [complex(-zeta * omega, omega * math.sqrt(1 - zeta**2)), complex(-2 * math.pi)]
     for pole in wanted:
@@ -91,11 +103,11 @@ def test_fast_sampling_has_the_poles_asked_for() -> None:
 
 def test_margins_are_where_it_begins_to_swing() -> None:
     given = servo(60, 'latency = "300 us"\nintegral = "5 Hz"')
-    found, each = margins(SHAKER, given, light=1.0), law(given)
+    found, each = margins(SHAKER, given, light=1.0), loop_gains(given)
 
     def radius(factor: float, late: float = 0.3e-3) -> float:
-        scaled = Law(each.angle * factor, each.speed * factor, each.integral * factor, each.filter)
-        return loop(scaled, T, late, 1.0, False).radius()
+        scaled = LoopGains(each.angle * factor, each.speed * factor, each.integral * factor, each.filter)
+        return rotor_loop(scaled, T, late, 1.0, False).radius()
 
     assert radius(found.gain * 0.999) < 1 < radius(found.gain * 1.001)
     assert radius(0.999 / found.less) > 1 > radius(1.001 / found.less)
@@ -114,19 +126,19 @@ def test_delay_lightness_and_encoders_cost_margin() -> None:
 def test_what_is_refused_and_what_is_advised() -> None:
     given = servo(180, 'latency = "1 ms"')
     with pytest.raises(CheckError) as caught:
-        check(SHAKER, given, "S.toml")
+        check_margins(SHAKER, given, "S.toml")
     words = str(caught.value)
     assert "\n" not in words
-    assert words.startswith("S.toml: bandwidth 180 Hz at 1 ms a sample and 1 ms of delay: unstable, its poles reach ")
+    assert words.startswith("S.toml: bandwidth 180 Hz at 1 ms per sample and 1 ms of delay: unstable, its poles reach ")
     advised = float(words.partition("give at most ")[2].partition(" Hz")[0])
-    assert check(SHAKER, servo(advised, 'latency = "1 ms"'), "S.toml").accepted
+    assert check_margins(SHAKER, servo(advised, 'latency = "1 ms"'), "S.toml").accepted
     over = margins(SHAKER, servo(advised * 1.02, 'latency = "1 ms"'))
-    assert over.gain < GAIN or over.phase < PHASE
+    assert over.gain < LEAST_GAIN or over.phase < LEAST_PHASE
 
 
 def test_no_bandwidth_helps() -> None:
     given = servo(20, "damping_ratio = 0.05")
     assert highest_bandwidth(SHAKER, given, 1.0) is None
-    with pytest.raises(CheckError, match=r"phase margin \d+ deg .*: no lower bandwidth is better: give"):
-        check(SHAKER, given, "S.toml")
-    assert check(SHAKER, replace(given, damping_ratio=0.8), "S.toml").accepted
+    with pytest.raises(CheckError, match=r"phase margin \d+ deg .*: a lower bandwidth does not help: give"):
+        check_margins(SHAKER, given, "S.toml")
+    assert check_margins(SHAKER, replace(given, damping_ratio=0.8), "S.toml").accepted

@@ -10,8 +10,8 @@ import pytest
 from control.following import design, servo
 from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.errors import UsageError
-from mahovik.use.control.orbit import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
+from mahovik.use.control.wanted import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.plan.forward import course, drive
 from mahovik.use.plan.residual import Mechanics
 from verify.programme.programmes import shaker
@@ -57,7 +57,7 @@ def test_response_is_the_derivative_of_the_settled_motion(term: int) -> None:
 
 
 def trimmed(gain: float, settling: int, averaging: int) -> TrimDesign:
-    """By the heave alone."""
+    """Design of a trim by the heave alone."""
     own = servo(trim=True).trim
     assert own is not None
     stand, motion, programme = shaker()

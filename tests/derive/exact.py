@@ -37,7 +37,7 @@ def trigonometric(expression: sp.Matrix, phi: sp.Symbol) -> sp.Matrix:
 
 
 def remainders(difference: Iterable[sp.Expr], relations: Sequence[sp.Expr] = ()) -> list[sp.Expr]:
-    """What is left of each element modulo the relations, zeros left out: [] where the difference is proved to be 0."""
+    """Remainders of each element modulo the relations, without zeros: [] proves that the difference is 0."""
     elements = [sp.sympify(e) for e in difference]
     basis = _basis(tuple(sp.expand(r) for r in relations))
     symbols = sorted(set().union(*(e.free_symbols for e in (*elements, *basis))), key=str)

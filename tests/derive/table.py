@@ -46,21 +46,21 @@ def weights() -> Binding:
 
 
 def sums(w: flywheel.Generic) -> accumulate.Sums:
-    """What one flywheel alone adds, with its constant harmonic, in its own symbols, c, s, phi_dot and phi_ddot."""
+    """Terms of one flywheel alone, with its constant harmonic, in its own symbols, c, s, phi_dot and phi_ddot."""
     columns, by_phase = row(w), weights()
     raw = accumulate.sums()
 
-    def of(part: sp.Matrix) -> sp.Matrix:
+    def substituted(part: sp.Matrix) -> sp.Matrix:
         return part.xreplace(by_phase).xreplace(columns)
 
     return accumulate.Sums(
-        mu=of(raw.mu + vector("mu_0")),
-        mu_dot=of(raw.mu_dot),
-        J=of(raw.J + vector("J_0", 6)),
-        J_dot=of(raw.J_dot),
-        h_rel=of(raw.h_rel),
-        a_rel=of(raw.a_rel),
-        g_rel=of(raw.g_rel),
+        mu=substituted(raw.mu + vector("mu_0")),
+        mu_dot=substituted(raw.mu_dot),
+        J=substituted(raw.J + vector("J_0", 6)),
+        J_dot=substituted(raw.J_dot),
+        h_rel=substituted(raw.h_rel),
+        a_rel=substituted(raw.a_rel),
+        g_rel=substituted(raw.g_rel),
     )
 
 

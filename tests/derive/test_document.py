@@ -1,4 +1,4 @@
-"""What the document writes out in its own form is what the derivation says."""
+"""Formulas that the document writes in its own form equal those of the derivation."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ def test_velocity_matrix_is_9(added_mass: bool) -> None:
 
 @pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
 def test_every_equation_of_8_to_11_is_there(sequence: str) -> None:
-    """By number; and sections are not empty."""
-    found: tuple[Section, ...] = sections(sequence, added_mass=True, weight=True, buoyancy=True)
+    """Equations are found by number, and no section is empty."""
+    found: tuple[Section, ...] = sections(sequence, added_mass=True, weight=True, displaces=True)
     numbers = {n for s in found for b in s.blocks if isinstance(b, Formula) for n in b.number.split(", ")}
     assert {"2", "4", "5", "6", "7", "8", "9", "10", "11"} <= numbers
     assert all(section.blocks for section in found)
@@ -51,7 +51,7 @@ def test_weight_is_written_only_where_there_is_any() -> None:
     """In free space (7) has no weight."""
 
     def formulas(weight: bool) -> int:
-        found = sections("ship", added_mass=False, weight=weight, buoyancy=False)
+        found = sections("ship", added_mass=False, weight=weight, displaces=False)
         return sum(isinstance(b, Formula) for section in found for b in section.blocks)
 
     assert formulas(True) == formulas(False) + 1

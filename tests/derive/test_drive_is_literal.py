@@ -31,7 +31,7 @@ def by_the_table() -> sp.Expr:
         | table.bind("origin_acceleration", origin_acceleration)
         | table.bind("spun", spun)
     )
-    bias = drive.bias_torque(buoyancy=False).xreplace(known)
+    bias = drive.bias_torque(displaces=False).xreplace(known)
     return table.columns(W).I.dot(drive.V_dot) + W.J[0, 0] * drive.phi_ddot + bias
 
 

@@ -97,7 +97,7 @@ def test_spun_inertia_sums_to_the_turned_inertia() -> None:
 
 
 def test_first_moment_has_no_second_harmonic_and_spin_inertia_none() -> None:
-    """What the row leaves out is 0: mu and t of harmonics 2c, 2s; mass and inertia about the spin axis of all but 0."""
+    """Omitted columns are 0: mu and t of harmonics 2c, 2s; mass and inertia about the spin axis of all but 0."""
     columns = table.row(W)
     for harmonic, part in flywheel.spun_inertia(W).items():
         assert part.m == (W.m if harmonic == "0" else 0)

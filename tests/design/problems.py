@@ -39,7 +39,7 @@ def motion_of(stand: Stand) -> RequiredMotion:
 
 
 def freedom(text: str = FREE, **changes: str) -> Freedom:
-    """What is free of the shaker; words of FREE changed."""
+    """Free numbers of the shaker, with words of FREE changed."""
     for old, new in changes.items():
         text = text.replace(old, new)
     return read_freedom(text, shaker())

@@ -16,13 +16,11 @@ from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.use.design import DesignOptions, Outcome, design_stand
-from mahovik.use.design.cost import Cost
 from mahovik.use.design.freedom import Weights
-from mahovik.use.design.pareto import Point, not_dominated
+from mahovik.use.design.outcome import as_object, summary
 from mahovik.use.design.read import read_freedom
-from mahovik.use.design.search import Search
-from mahovik.use.design.show import as_object, summary
-from mahovik.use.plan.fourier import uniform
+from mahovik.use.design.search import Cost, Point, Search, not_dominated
+from mahovik.use.plan.problem import uniform
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
 
 
@@ -117,7 +115,7 @@ def test_a_motion_that_no_design_can_do_is_refused() -> None:
 
 
 def test_interrupted_before_anything_was_found() -> None:
-    """Said so; nothing is given."""
+    """The status says so, and there is no design."""
 
     def tell(state: Search) -> None:
         raise KeyboardInterrupt

@@ -1,4 +1,4 @@
-"""What is free: keys, bounds by default, and every wrong input in one line that says what was expected."""
+"""Free numbers: keys, default bounds, and one line with the expected value for every wrong input."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ WRONG = [
     ("quality = 1e-9", "number = [1, 3]", "number: 3 flywheels, but the stand has 2"),
     ("quality = 1e-9", "number = 2", "number: expected least and most, as [2, 4], found 2"),
     ("quality = 1e-9", "phase = 1", "phase: expected true or false, found 1"),
-    ("speed = [-1, 1]", "speed = []", "speed: expected turns a period to choose from"),
+    ("speed = [-1, 1]", "speed = []", "speed: expected turns per period to choose from"),
     ("speed = [-1, 1]", "speed = [0.5]", "speed: expected a whole number, found 0.5"),
     ("[[free]]", '[[free]]\nflywheels = ["lefd"]', 'flywheels: unknown "lefd", did you mean "left"?'),
     ("[[free]]", "[[free]]\nmass = { min = 0, max = 1 }", "mass: min 0: expected a minimum above 0"),
@@ -82,7 +82,7 @@ def test_wrong_input_is_one_line(old: str, new: str, words: str) -> None:
     [("positon", 'did you mean "position"?'), ("", "unknown key"), ("position,,angles", "unknown key")],
 )
 def test_wrong_keys(keys: str, words: str) -> None:
-    """Of --free."""
+    """Keys given with --free."""
     with pytest.raises(DesignError, match="--free") as caught:
         freedom_of_keys(keys, shaker())
     assert words in str(caught.value)

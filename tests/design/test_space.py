@@ -15,7 +15,7 @@ from mahovik.errors import DesignError
 from mahovik.use.design.freedom import PARTS, WIDTH, Freedom, Limits, Mask, Tie
 from mahovik.use.design.space import Space, flywheel_numbers
 from mahovik.use.design.task import Design, Task, Weighing
-from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.problem import Periodic
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.spatial import mount_axes
 from plan.problems import required

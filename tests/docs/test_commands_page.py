@@ -1,4 +1,4 @@
-"""docs/commands.md is what the commands say of themselves now."""
+"""docs/commands.md agrees with the --help texts of the commands."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import commands_page
 
 
 def test_the_page_is_current() -> None:
-    """`make commands-page` writes it anew."""
+    """`make commands-page` rewrites it."""
     assert commands_page.PAGE.read_text(encoding="utf-8") == commands_page.text()
 
 

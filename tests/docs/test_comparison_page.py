@@ -14,7 +14,7 @@ ELLIPSOID = """<mujoco><option density="{}" gravity="0 0 0"/><worldbody><body><f
 
 
 def acceleration(density: float, speed: float) -> list[float]:
-    """Of an ellipsoid that drifts ahead and to the side and is pushed to the side."""
+    """Acceleration of an ellipsoid that drifts ahead and to the side and is pushed to the side."""
     model = mujoco.MjModel.from_xml_string(ELLIPSOID.format(density))
     data = mujoco.MjData(model)
     data.qvel[:2] = speed, speed

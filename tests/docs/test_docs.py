@@ -1,4 +1,4 @@
-"""What the pages say is so: links, commands, C, TOML, names of code, keys, statuses, ranges, order of imports."""
+"""The pages are correct: links, commands, C, TOML, names of code, keys, statuses, ranges, order of imports."""
 
 from __future__ import annotations
 

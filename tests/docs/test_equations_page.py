@@ -40,7 +40,7 @@ def test_each_equation_has_its_code(equation: str) -> None:
 
 
 def test_functions_of_the_c_are_in_its_header() -> None:
-    """And those that name an equation in the header are named in its section."""
+    """Functions that name an equation in the header are named in the section of that equation."""
     for equation in EQUATIONS:
         for name in re.findall(r"`(\w+)`", row(section(equation))[3]):
             assert name == "K_dot" or f"bench8_{name}(" in HEADER, (equation, name)

@@ -1,21 +1,15 @@
-"""docs/results/following.md holds the table that tools/following_campaign.py writes, and what must hold."""
+"""How well bench8 follows its programmes: what must hold."""
 
 from __future__ import annotations
 
-from docs.pages import ROOT, rows
-
-PAGE = ROOT / "docs" / "results" / "following.md"
-
-
-def per_cent(cell: str) -> float:
-    return float(cell.removesuffix("%"))
+import following_campaign as written
 
 
 def test_what_must_hold_is_there() -> None:
     """Rocking programmes within 5 %; with trim both within 1 %."""
-    lines = rows(PAGE, "programme")
-    kinds = {line[0].split(",")[0]: line for line in lines if "winding" in line[0]}
+    found = written.CAMPAIGN.figures()
+    kinds = {row["programme"].split(",")[0]: row for row in found["rows"]}
     assert set(kinds) == {"spin", "rock"}
-    assert per_cent(kinds["rock"][2]) <= 5.0
-    assert all(per_cent(line[5]) <= 1.0 for line in kinds.values())
-    assert all(line[6].split(" of ")[0] == line[6].split(" of ")[1] for line in kinds.values())
+    assert kinds["rock"]["worst"] <= 100 * written.LIMIT
+    assert all(row["with trim: worst"] <= 100 * written.TRIMMED for row in kinds.values())
+    assert all(row["within 1 %"] == [found["seeds"]] * 2 for row in kinds.values())

@@ -1,34 +1,28 @@
-"""docs/results/linear.md and response.md hold what tools/linear_campaign.py writes; their numbers are the code's."""
+"""docs/results/linear.md and response.md have figures that agree; their numbers are the code's."""
 
 from __future__ import annotations
 
 import linear_campaign as written
 import pytest
 
-from docs.pages import ROOT, cells
+from docs.pages import ROOT
 from mahovik.use.study.response.periodic import KINKED_TAIL, TAIL, UNSTABLE
 from mahovik.use.study.response.speeds import EXACT, MOST_TURNS
 
 
-def rows(name: str) -> tuple[str, list[list[str]]]:
-    """What the tool wrote on a page, and the rows of its table."""
-    text = written.BLOCKS[name].text()
-    return text, [cells(line) for line in text.splitlines() if line.startswith("|")][2:]
-
-
 def test_linear_models_agree() -> None:
-    text, found = rows("linear")
-    assert "accepted is 1e-10" in text
-    assert [row[0] for row in found] == [str(N) for N in written.FLYWHEELS]
-    assert sum(int(row[1]) for row in found) == 200
-    assert all(float(number) <= 1e-10 for row in found for number in row[2:])
+    found = written.LINEAR_CAMPAIGN.figures()
+    assert found["accepted"] == written.AGREEMENT == 1e-10
+    assert [row["flywheels"] for row in found["rows"]] == list(written.FLYWHEELS)
+    assert sum(row["stands"] for row in found["rows"]) == 200
+    assert all(row[name] <= 1e-10 for row in found["rows"] for name in "ABCD")
 
 
 def test_steady_states_are_those_of_simulation() -> None:
-    text, found = rows("response")
-    assert "accepted is 1e-06" in text
-    assert [row[0] for row in found] == [course.stand for course in written.COURSES]
-    assert all(float(row[4]) <= 1e-6 for row in found)
+    found = written.RESPONSE_CAMPAIGN.figures()
+    assert found["accepted"] == written.EQUAL == 1e-6
+    assert [row["stand"] for row in found["rows"]] == [course.stand for course in written.COURSES]
+    assert all(row["apart"] <= 1e-6 for row in found["rows"])
 
 
 @pytest.mark.parametrize(

@@ -29,14 +29,14 @@ def test_every_page_is_in_one_index_once() -> None:
 
 
 def test_headings_of_the_index() -> None:
-    """Those of the tables of contents, in this order."""
+    """The index has these headings in this order."""
     heads = re.findall(r"^## (.*)$", INDEX.read_text(encoding="utf-8"), re.MULTILINE)
     assert heads == ["Start", "How-to", "Reference", "Studies and programmes", "Evidence", "Inside"]
     assert len(listed(INDEX)) <= 30
 
 
 class Loads(HTMLParser):
-    """What a browser loads with a page, and where its links lead."""
+    """Files that a browser loads with a page, and targets of its links."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import ctypes
 import subprocess
+from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from emit.stands import stand, write
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.batch import batches
+from mahovik.core.lower.batch import Batch, batches
 from mahovik.core.program.types import Kind, Struct
 from toolchain.tools import FIRMWARE_WARNINGS
 
-OPTIONS = {"dt": 1e-5, "order": 4}
+OPTIONS: dict[str, float] = {"dt": 1e-5, "order": 4}
 """Arguments that are the same for all states."""
+
+
+Arrays = dict[str, NDArray[Any]]
+"""Inputs or results by name, (components, states), in the element type of the C."""
+
+Numbers = NDArray[np.int32]
 
 
 class Batched:
@@ -31,7 +40,7 @@ class Batched:
         self.generated = generate_all(given, real)
         self.layout, self.name = self.generated.layout, name
         self.batches = batches(self.generated.program).batches
-        self.real = np.float32 if real == "float" else np.float64
+        self.real: type[np.floating[Any]] = np.float32 if real == "float" else np.float64
         files = {**self.generated.files, **batch_files(given, self.generated)}
         files["vary.c"] = _vary(name, self.layout.table, real)
         with TemporaryDirectory() as folder:
@@ -51,7 +60,7 @@ class Batched:
             subprocess.run([compiler, *flags, "-shared", *objects, "-o", str(library)], check=True)
             self.library = ctypes.CDLL(str(library))
 
-    def inputs(self, rng: np.random.Generator, n):
+    def inputs(self, rng: np.random.Generator, n: int) -> Arrays:
         """Inputs of n ordinary states by name, arrays of (components, n)."""
         layout, count = self.layout, int(self.layout.count) if self.layout.flywheels else 0
         attitude = rng.normal(size=(4, n))
@@ -61,17 +70,19 @@ class Batched:
         found |= {"tau": rng.normal(size=(count, n)), "wrench": rng.normal(size=(6 * len(layout.inputs), n))}
         return {name: np.ascontiguousarray(values, dtype=self.real) for name, values in found.items()}
 
-    def one(self, batch, inputs, j, table=None):
+    def one(self, batch: Batch, inputs: Arrays, j: int, table: bytes | None = None) -> tuple[int, Arrays]:
         """Status and results of the function for one state, of state j."""
         columns = {name: np.ascontiguousarray(values[:, j]) for name, values in inputs.items()}
         status, results = self._called(batch.narrow.name, batch, columns, 1, table or self._default(), None)
         return status, {name: values[:, 0] for name, values in results.items()}
 
-    def many(self, batch, inputs, n, tables=None, fill=np.nan):
-        """What a batch returns, statuses and results."""
+    def many(
+        self, batch: Batch, inputs: Arrays, n: int, tables: bytes | None = None, fill: float = np.nan
+    ) -> tuple[int, Numbers, Arrays]:
+        """Return value of a batch, statuses (n) and results, arrays of (components, n)."""
         name = f"{batch.narrow.name}_batch{'_of' if batch.each else ''}"
         statuses = np.full(n, 99, dtype=np.int32)
-        table = self._default()
+        table: ctypes.c_char_p | ctypes.c_void_p = self._default()
         if batch.each:
             table = aligned(max(1, -(-n // 8)) * self.library.size_of_wide())
             given = self.function("tables")
@@ -79,20 +90,32 @@ class Batched:
         returned, results = self._called(name, batch, inputs, n, table, statuses, fill)
         return returned, statuses, results
 
-    def table(self, factor):
+    def table(self, factor: float) -> bytes:
         """A copy of the default table, every number a little larger."""
         memory = ctypes.create_string_buffer(self.library.size_of_table())
         self.library.vary(memory, ctypes.c_double(factor))
         return memory.raw
 
-    def function(self, name: str):
-        return getattr(self.library, f"{self.name}_{name}")
+    def function(self, name: str) -> Callable[..., int]:
+        """A function of the stand by its name without the prefix."""
+        found: Callable[..., int] = getattr(self.library, f"{self.name}_{name}")
+        return found
 
-    def _default(self):
+    def _default(self) -> ctypes.c_char_p:
         return ctypes.c_char_p(self.table(1.0))
 
-    def _called(self, name: str, batch, inputs, n, table, statuses, fill=np.nan):
-        passed, results = [], {}
+    def _called(
+        self,
+        name: str,
+        batch: Batch,
+        inputs: Arrays,
+        n: int,
+        table: bytes | ctypes.c_char_p | ctypes.c_void_p,
+        statuses: Numbers | None,
+        fill: float = np.nan,
+    ) -> tuple[int, Arrays]:
+        passed: list[Any] = []
+        results: Arrays = {}
         for a in batch.narrow.arguments:
             if a.name == "table":
                 passed += [ctypes.c_char_p(table) if isinstance(table, bytes) else table]
@@ -102,7 +125,7 @@ class Batched:
             elif a.name in OPTIONS:
                 number = OPTIONS[a.name]
                 real = ctypes.c_float if self.real is np.float32 else ctypes.c_double
-                passed.append(ctypes.c_int(number) if a.type is Kind.INT else real(number))
+                passed.append(ctypes.c_int(int(number)) if a.type is Kind.INT else real(number))
             elif a.direction == "in":
                 passed.append(inputs[a.name].ctypes.data_as(ctypes.c_void_p))
             else:
@@ -114,21 +137,27 @@ class Batched:
         return self.function(name)(*passed), results
 
 
-def locks(flywheels: int):
-    """The second flywheel is locked."""
+def locks(flywheels: int) -> Numbers:
+    """Locks of which the second flywheel's alone is on."""
     return np.array([int(s == 1) for s in range(flywheels)] or [0], dtype=np.int32)
 
 
-def aligned(size):
+class Aligned(ctypes.c_void_p):
+    """An address that keeps its memory alive."""
+
+    memory: ctypes.Array[ctypes.c_char]
+
+
+def aligned(size: int) -> Aligned:
     """Memory at a multiple of 64 bytes."""
     memory = ctypes.create_string_buffer(size + 64)
     place = (ctypes.addressof(memory) + 63) // 64 * 64
-    found = ctypes.c_void_p(place)
+    found = Aligned(place)
     found.memory = memory
     return found
 
 
-def _vary(name: str, table, real: str):
+def _vary(name: str, table: Struct, real: str) -> str:
     """C that scales every number of a copy of the default table."""
     lines = _scaled(table, "t->", count())
     return f"""#include "{name}_batch.h"
@@ -146,7 +175,7 @@ void vary({name}_table *t, double factor)
 """
 
 
-def _scaled(struct, path: Path, numbers):
+def _scaled(struct: Struct, path: str, numbers: Iterator[int]) -> list[str]:
     found = []
     for f in struct.fields:
         at, heads = f"{path}{f.name}", []

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import struct
-from functools import cache, partial
+from collections.abc import Mapping
+from functools import cache, cached_property, partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 from unittest.mock import patch
 
 from emit.stands import float_texts, generated, stand, write
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.values import Values
+from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import build_shared
 from mahovik.core.toolchain.library import Library
+from mahovik.proof.verify.c_backend import ProgramBackend
 
 QUANTITIES = ("forward", "matrices", "momentum", "generalized", "wrench")
 """Public functions of a state; a stand without wrenches has no `wrench`."""
@@ -23,7 +30,14 @@ class Compiled:
     """The C of one stand, built with an optimisation by a compiler, beside its interpreter."""
 
     def __init__(
-        self, given, layout, program, values, files: dict[str, str], optimisation: str = "-O2", compiler: str = "gcc"
+        self,
+        given: Stand,
+        layout: Layout,
+        program: Program,
+        values: Values,
+        files: dict[str, str],
+        optimisation: str = "-O2",
+        compiler: str = "gcc",
     ) -> None:
         self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
         build = partial(build_shared, optimisation=optimisation)
@@ -37,65 +51,65 @@ class Compiled:
             self.library = Library(folder / f"{self.name}.h", source, folder, self.name)
         self.default = self.library.default("default")
 
+    @cached_property
+    def _backend(self) -> ProgramBackend:
+        """The description of inputs that verification has, here of the interpreted program."""
+        return ProgramBackend(self.name, self.layout, self.program, self.values.table, None, self.interpreted)
+
     @property
-    def interpreter(self):
+    def interpreter(self) -> Interpreter:
         """The interpreter of the same program."""
         return interpreter_of(self.program)
 
-    def has(self, function):
-        """Does the program have a public function of that name?"""
+    def has(self, function: str) -> bool:
+        """Whether the program has a public function of that name."""
         return any(f.public and f.name == function for f in self.program.functions)
 
-    def inputs(self, state: State):
-        """Arguments by name for a state, but for the table."""
-        attitude = state.quaternion or (1.0, 0.0, 0.0, 0.0)
-        if state.angles is not None:
-            attitude = self.interpreter.run("quaternion", {"angles": state.angles})[1]["attitude"]
-        x = {"position": state.position, "attitude": attitude, "V": state.V}
-        if self.layout.flywheels:
-            x |= {"phi": state.phi, "phi_dot": state.phi_dot}
-        x = {name: [float(v) for v in values] for name, values in x.items()}
-        wrench = [w for body in self.layout.inputs for w in state.wrench.get(body, (0.0,) * 6)]
+    def inputs(self, state: State) -> dict[str, Any]:
+        """Arguments of the functions in QUANTITIES by name, but for the table, as lists that a test can change."""
+        given = self._backend.arguments(state)
+        x = {name: [float(v) for v in values] for name, values in given["x"].items()}
         angles = list(state.angles or (0.1, 1.0, -0.2))
-        return {"x": x, "phi_ddot": list(state.phi_ddot), "wrench": wrench, "angles": angles}
+        return {"x": x, "phi_ddot": list(given["phi_ddot"]), "wrench": given["wrench"], "angles": angles}
 
-    def c(self, function, inputs, fill=None):
+    def c(self, function: str, inputs: Mapping[str, Any], fill: float | None = None) -> tuple[int, dict[str, Any]]:
         """Status and outputs of the compiled function."""
         return self.library.run(self.program.function(function), self._taken(function, inputs, self.default), fill)
 
-    def interpreted(self, function, inputs):
+    def interpreted(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Status and outputs of the interpreter."""
         return self.interpreter.run(function, self._taken(function, inputs, self.values.table))
 
-    def table(self):
+    def table(self) -> dict[str, Any]:
         """The compiled default table as plain data."""
-        return self.library.value(self.program.function("forward"), "table")
+        found: dict[str, Any] = self.library.value(self.program.function("forward"), "table")
+        return found
 
-    def _taken(self, function, inputs, table):
+    def _taken(self, function: str, inputs: Mapping[str, Any], table: Any) -> dict[str, Any]:
         names = {a.name for a in self.program.function(function).arguments}
-        return {name: value for name, value in ({"table": table} | inputs).items() if name in names}
+        return {name: value for name, value in {"table": table, **inputs}.items() if name in names}
 
 
 @cache
-def interpreter_of(program):
-    """One interpreter a program."""
+def interpreter_of(program: Program) -> Interpreter:
+    """The interpreter of a program, made once."""
     return Interpreter(program)
 
 
 @cache
-def compiled(name: str, optimisation: str = "-O2", compiler: str = "gcc"):
+def compiled(name: str, optimisation: str = "-O2", compiler: str = "gcc") -> Compiled:
     """The C of a stand of `emit.stands`, with double as element type."""
     g = generated(name)
     return Compiled(stand(name), g.layout, g.program, g.values, g.files, optimisation, compiler)
 
 
 @cache
-def compiled_float(name: str, optimisation: str = "-O2", compiler: str = "gcc"):
+def compiled_float(name: str, optimisation: str = "-O2", compiler: str = "gcc") -> Compiled:
     """The same with float."""
     return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 
 
-def bits(value):
+def bits(value: Any) -> Any:
     """Plain data with every number as its bits: equal where and only where every bit is."""
     if isinstance(value, dict):
         return {name: bits(v) for name, v in value.items()}

@@ -7,22 +7,24 @@ from pathlib import Path
 
 from emit.stands import stand, write
 from mahovik.core.emit.delivery import selftest_files
-from mahovik.core.emit.generate import generate_all
-from mahovik.proof.verify.selftest_log import read_log
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.proof.verify.selftest_log import SelfTestLog, read_log
 from toolchain.tools import compile_c
 
 
 @cache
-def made(name: str, real: str = "double", lanes=1, fast=False):
+def generate_with_selftest(
+    name: str, real: str = "double", lanes: int = 1, fast: bool = False
+) -> tuple[Generated, dict[str, str]]:
     """Program and numbers of a stand, and its files with the self-test."""
     generated = generate_all(stand(name), real, lanes, fast)
     return generated, {**generated.files, **selftest_files(stand(name), generated)}
 
 
 def run_selftest(
-    files: dict[str, str], name: str, folder: Path, compiler: str = "gcc", optimisation: str = "-O0", *flags
-):
-    """Compiles header, source and self-test with the strict warnings; returns exit status and what is printed."""
+    files: dict[str, str], name: str, folder: Path, compiler: str = "gcc", optimisation: str = "-O0", *flags: str
+) -> tuple[int, str]:
+    """Compile header, source and self-test with the strict warnings; return exit status and output."""
     write(files, folder)
     program = folder / "selftest"
     sources = (folder / f"{name}_selftest.c", folder / f"{name}.c")
@@ -31,8 +33,8 @@ def run_selftest(
     return done.returncode, done.stdout
 
 
-def failed(files: dict[str, str], name: str, folder: Path):
-    """Names of the functions that a self-test finds wrong; its exit status must agree."""
+def failed(files: dict[str, str], name: str, folder: Path) -> tuple[set[str], SelfTestLog]:
+    """Names of the functions that a self-test finds wrong, and its log; the exit status must agree."""
     status, printed = run_selftest(files, name, folder)
     (run,) = read_log(printed, "selftest")
     names = {f for f, line in run.functions.items() if not line.passed}
@@ -41,13 +43,13 @@ def failed(files: dict[str, str], name: str, folder: Path):
     return names, run
 
 
-def replaced(text: str, old, new):
-    """The text with its first `old` replaced: it must be there."""
+def replaced(text: str, old: str, new: str) -> str:
+    """The text with its first `old`, which must be there, replaced."""
     assert old in text
     return text.replace(old, new, 1)
 
 
-def in_function(source: Path, name: str, function, pattern, new):
+def in_function(source: str, name: str, function: str, pattern: str, new: str) -> str:
     """The source with the first match of a pattern in the body of one function replaced."""
     body = re.search(rf"^\w+ {name}_{function}\(.*?\n}}\n", source, re.DOTALL | re.MULTILINE)
     assert body is not None

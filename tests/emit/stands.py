@@ -1,5 +1,6 @@
 """Stands that the emitted C is tried on, and C of any stand and element type, made once a test run."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -8,13 +9,15 @@ from typing import Any
 import numpy as np
 
 from mahovik import stands as examples
-from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Body, Carrier, Instrument, LawData, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping.data import Damping
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 
@@ -41,7 +44,7 @@ NAMES = (*examples.names(), *GENERAL)
 
 
 @cache
-def stand(name: str):
+def stand(name: str) -> Stand:
     """An example stand, or one of GENERAL."""
     if name in GENERAL:
         flywheels, features = GENERAL[name]
@@ -50,7 +53,7 @@ def stand(name: str):
 
 
 @cache
-def generated(name: str):
+def generated(name: str) -> Generated:
     """Program, numbers and C of a stand by name."""
     return generate_all(stand(name))
 
@@ -68,29 +71,26 @@ def write(files: dict[str, str], folder: Path) -> Path:
     return folder / next(name for name in files if name.endswith(".c"))
 
 
-def other_numbers(given, rng: np.random.Generator):
-    """A stand of the same structure: every number is another one, and the bodies stay physical."""
+def other_numbers(given: Stand, rng: np.random.Generator) -> Stand:
+    """A stand of the same structure with other numbers, its bodies physical."""
 
-    def vec(values, size=0.02):
-        return tuple(float(x) for x in np.array(values) + rng.normal(size=len(values)) * size)
+    def vec(values: Iterable[float], size: float = 0.02) -> tuple[Any, ...]:
+        return tuple(float(x + rng.normal() * size) for x in values)
 
-    def scaled(rows, factor):
+    def scaled(rows: Any, factor: float) -> Any:
         return rows and tuple(tuple(x * factor for x in row) for row in rows)
 
-    def body(old):
+    def body(old: Body) -> dict[str, Any]:
         k = float(rng.uniform(1.1, 1.5))  # the same shape of another density
-        new = {"mass": old.mass * k, "inertia": scaled(old.inertia, k)}
-        if old.buoyancy is not None:
-            new["buoyancy"] = replace(
-                old.buoyancy, displaced_mass=old.buoyancy.displaced_mass * k, center=vec(old.buoyancy.center)
-            )
-        if old.damping is not None:
-            damping = old.damping
+        new: dict[str, Any] = {"mass": old.mass * k, "inertia": scaled(old.inertia, k)}
+        laws: list[LawData] = []
+        if (buoyancy := old.law(Buoyancy)) is not None:
+            laws.append(Buoyancy(buoyancy.displaced_mass * k, vec(buoyancy.center)))
+        if (damping := old.law(Damping)) is not None:
             terms = tuple(replace(term, value=term.value * k) for term in damping.terms)
-            new["damping"] = replace(
-                damping, linear=scaled(damping.linear, k), quadratic=scaled(damping.quadratic, k), terms=terms
-            )
-        if getattr(old, "added_mass", None) is not None:
+            laws.append(Damping(scaled(damping.linear, k), scaled(damping.quadratic, k), terms))
+        new["laws"] = tuple(laws)
+        if isinstance(old, Carrier | Instrument) and old.added_mass is not None:
             new["added_mass"] = scaled(old.added_mass, k)
         return new
 
@@ -101,7 +101,7 @@ def other_numbers(given, rng: np.random.Generator):
         laws.append(replace(law, stiffness=scaled(law.stiffness, 1.5), position=vec(law.position)))
     return replace(
         given.with_laws(*laws),
-        gravity=tuple(x * 1.25 for x in given.gravity),
+        gravity=(1.25 * given.gravity[0], 1.25 * given.gravity[1], 1.25 * given.gravity[2]),
         stream=given.stream and vec(given.stream),
         carrier=replace(given.carrier, **body(given.carrier)),
         instruments=tuple(

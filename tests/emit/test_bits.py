@@ -1,30 +1,36 @@
 """The same bits from the interpreter and from every compiler at every optimisation, in double and float."""
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 
-from emit.compiled import QUANTITIES, bits, compiled, compiled_float
+from emit.compiled import QUANTITIES, Compiled, bits, compiled, compiled_float
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.state import State
 from toolchain.tools import require
+
+Call = Callable[[str, dict[str, Any]], tuple[int, dict[str, Any]]]
+"""Status and outputs of a function, for its inputs by name."""
 
 NAME = "everything6"
 NAMES = (NAME, "everything0", "bare5", "hung5", "stream1", "auv6")
 
 
-def states(stand: Stand, count: int = 4, phase_limit=DOUBLE.max_phase):
+def states(stand: Stand, count: int = 4, phase_limit: float = DOUBLE.max_phase) -> list[State]:
     """Ordinary states and one of each extreme kind."""
     rng = np.random.default_rng(11)
     ordinary = [random_state(stand, rng) for _ in range(count)]
     return ordinary + [extreme_state(stand, rng, kind, phase_limit) for kind in EXTREMES]
 
 
-def all_bits(call, c, chosen):
+def all_bits(call: Call, c: Compiled, chosen: list[State]) -> dict[tuple[int, str], tuple[int, Any]]:
     """Statuses and bits of every quantity at every state."""
-    found = {}
+    found: dict[tuple[int, str], tuple[int, Any]] = {}
     for number, state in enumerate(chosen):
         for function in filter(c.has, QUANTITIES):
             status, outputs = call(function, c.inputs(state))

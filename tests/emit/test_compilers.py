@@ -11,28 +11,28 @@ from emit.stands import NAMES, float_texts, generated, stand, write
 from mahovik.core.emit.generate import generate
 from mahovik.core.program.expression import Place
 from mahovik.core.program.walk import expressions
-from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
+from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from toolchain.tools import compile_c, require, require_32_bit, run
 
 FLOAT_NAMES = ("bench8", "everything6", "bare0", "hung5")
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
+def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The C file of a stand, its header beside it."""
     return write(generated(request.param).files, tmp_path_factory.mktemp(request.param))
 
 
 @pytest.fixture(scope="module", params=FLOAT_NAMES)
-def float_source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
+def float_source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same with float as element type."""
     return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
 
 
-def symbols(thing, *options):
-    """(kind, name) of what nm lists of an object."""
+def symbols(thing: Path, *options: str) -> list[tuple[str, str]]:
+    """Kind and name of the symbols of an object, as nm lists them."""
     lines = run(require("nm", "binutils"), *options, thing).splitlines()
-    return [tuple(line.split()[-2:]) for line in lines]
+    return [(line.split()[-2], line.split()[-1]) for line in lines]
 
 
 def check_object(source: Path, tmp_path: Path) -> None:
@@ -43,8 +43,9 @@ def check_object(source: Path, tmp_path: Path) -> None:
     defined = [(kind, name) for kind, name in symbols(thing, "--defined-only") if not name.startswith(".")]
     assert defined
     assert [name for _, name in defined if not name.startswith(f"{source.stem}_")] == []
-    # code, constants, and no data that could change
-    assert {kind for kind, _ in defined} <= set("TtRr")
+    # code, constants, and no data that could change; the symbol of the linker's check is a number
+    assert {kind for kind, _ in defined} <= set("TtRrA")
+    assert [kind for kind, name in defined if name.startswith(f"{source.stem}_link_")] == ["A"]
     header = source.with_suffix(".h").read_text()
     for _, name in symbols(thing, "--defined-only", "--extern-only"):
         assert re.search(rf"\b{name}\b", header), f"{name} is no static, and not in the header"
@@ -79,6 +80,13 @@ def test_header_alone_and_twice_in_c_and_cpp(source: Path, tmp_path: Path) -> No
     user.write_text(twice)
     flags = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", f"-I{source.parent}")
     run(require("g++", "g++"), *flags, "-fsyntax-only", user)
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_after_complex_and_tgmath(source: Path, compiler: str) -> None:
+    """Macros of the standard library, such as I, replace no word of header or source."""
+    macros = ("-include", "complex.h", "-include", "tgmath.h")
+    compile_c(require(compiler, compiler), source, *macros, "-fsyntax-only")
 
 
 def test_cpp_calls_the_c(tmp_path: Path) -> None:
@@ -116,7 +124,7 @@ NULL EOF INT32_MAX errno main abs uint64_t
 
 
 @pytest.mark.parametrize(("name", "features"), [("bench", BARE), ("B", EVERYTHING), ("c", EVERYTHING), ("_x", BARE)])
-def test_names_that_clash(name: str, features, tmp_path: Path) -> None:
+def test_names_that_clash(name: str, features: Features, tmp_path: Path) -> None:
     names = CLASHES.split()
     given = random_stand(np.random.default_rng(5), len(names), features, name)
     wheels = zip(given.flywheels, names, strict=True)

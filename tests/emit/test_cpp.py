@@ -11,12 +11,14 @@ import pytest
 from emit.stands import NAMES, float_texts, generated, stand, write
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.cpp import cpp_example, cpp_header, namespace
-from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.stand.random import BARE, random_stand
 from toolchain.tools import compile_c, require, run
 
-STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast")
-STRICT = (*STRICT, "-Wundef", "-Wcast-qual", "-Werror")
+STRICT = (
+    *("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wold-style-cast"),
+    *("-Wundef", "-Wcast-qual", "-Werror"),
+)
 COMPILERS = (("g++", "g++", "c++17"), ("clang++", "clang", "c++20"))
 OTHERS = (("g++", "g++", "c++20"), ("clang++", "clang", "c++17"))
 FEW = ("bench8", "auv6", "everything6", "bare0")
@@ -36,7 +38,7 @@ int main()
 """
 
 
-def check(name: str, made, folder: Path, compilers) -> None:
+def check(name: str, made: Generated, folder: Path, compilers: tuple[tuple[str, str, str], ...]) -> None:
     """Each compiler takes the header, twice, with all warnings as errors."""
     write({**made.files, **cpp_header(stand(name), made), **cpp_example(stand(name), made)}, folder)
     user = folder / "user.cpp"

@@ -2,6 +2,7 @@
 
 import random
 from pathlib import Path
+from typing import Any
 
 import cffi
 import numpy as np
@@ -14,6 +15,7 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import (
+    Expr,
     Negate,
     Not,
     Variable,
@@ -28,6 +30,7 @@ from mahovik.core.program.expression import (
 )
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.statement import Return
 from mahovik.core.program.types import DOUBLE, FLOAT, Kind, Precision
 from toolchain.tools import require, run
 
@@ -46,8 +49,8 @@ static t_real t_real_of(t_word value) {{ union {{ t_real r; t_word w; }} u; u.w 
 """
 
 
-def build(program, folder: Path):
-    """Functions by number from a compiled program of trees: called with arrays, they give a real."""
+def build(program: Program, folder: Path) -> tuple[Any, Any]:
+    """The foreign-function interface and the library of a compiled program of trees."""
     names, p = Names("t"), program.precision
     statements = Statements(names, Expressions(names, p))
     prototypes = [prototype(f, names) for f in program.functions]
@@ -72,6 +75,12 @@ def test_random_trees_mean_in_c_what_they_mean(precision: Precision, seed: int, 
     ffi, library = build(program, tmp_path)
     interpreter = Interpreter(program)
     text = Expressions(Names("t"), precision).text
+
+    def tree_of(function: Function) -> str:
+        (statement,) = function.body
+        assert isinstance(statement, Return)
+        return text(statement.value)
+
     finite = 0
     for _ in range(20):
         x, w, n = trees.inputs()
@@ -82,7 +91,7 @@ def test_random_trees_mean_in_c_what_they_mean(precision: Precision, seed: int, 
             finite += bool(np.isfinite(expected))
             # every NaN is as good as another: IEEE does not say which one comes out
             same = expected.tobytes() == found.tobytes() or (np.isnan(expected) and np.isnan(found))
-            assert same, f"{text(f.body[0].value)}\nx = {x}, w = {w}, n = {n}: {expected!r}, in C {found!r}"
+            assert same, f"{tree_of(f)}\nx = {x}, w = {w}, n = {n}: {expected!r}, in C {found!r}"
     assert finite > 5000  # of 8000
 
 
@@ -124,7 +133,7 @@ I, J = (Variable(name, Kind.INT).place for name in "ij")
         (compare("<", I + J, J * 2), "i + j < j * 2"),
     ],
 )
-def test_parentheses(tree, text: str) -> None:
+def test_parentheses(tree: Expr, text: str) -> None:
     assert Expressions(Names("t"), DOUBLE).text(tree) == text
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from emit.selftests import in_function, made, run_selftest
+from emit.selftests import generate_with_selftest, in_function, run_selftest
 from emit.stands import stand
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.manifest import manifest
@@ -37,7 +37,7 @@ def built(files: dict[str, str], name: str, folder: Path, compiler: str = "gcc")
 )
 def test_rounding_is_accepted_with_room(name: str, real: str, lanes: int, tmp_path: Path) -> None:
     """A self-test that just passes would fail on the next processor."""
-    status, printed = built(made(name, real, lanes, True)[1], name, tmp_path)
+    status, printed = built(generate_with_selftest(name, real, lanes, True)[1], name, tmp_path)
     found = _WORST.findall(printed)
     assert status == 0, printed
     assert len(found) >= 15
@@ -46,7 +46,7 @@ def test_rounding_is_accepted_with_room(name: str, real: str, lanes: int, tmp_pa
 
 @pytest.mark.parametrize("change", [r"\1 * 1.0000001", "0.0 / 0.0"])
 def test_a_wrong_number_is_found(change: str, tmp_path: Path) -> None:
-    files = dict(made("demo3", "double", 2, True)[1])
+    files = dict(generate_with_selftest("demo3", "double", 2, True)[1])
     files["demo3.c"] = in_function(files["demo3.c"], "demo3", "momentum", r"(?<=energy = )([^;]+)(?=;)", change)
     status, printed = built(files, "demo3", tmp_path)
     assert status == 1
@@ -75,13 +75,13 @@ def test_the_delivery_says_so() -> None:
 
 def test_only_words_differ_from_c_with_the_same_bits() -> None:
     """The programs are the same: so what is proved of the one is, but for rounding, true of the other."""
-    slow, fast = made("demo3", "double", 2)[1], made("demo3", "double", 2, True)[1]
+    slow, fast = generate_with_selftest("demo3", "double", 2)[1], generate_with_selftest("demo3", "double", 2, True)[1]
     assert slow["demo3.c"] == fast["demo3.c"]
     code = {"".join(line for line in f["demo3.h"].splitlines(True) if line[:3] != " * ") for f in (slow, fast)}
     assert (
         len(
             {
-                text.replace("#define DEMO3_FAST      1            /* speed before bits: see above */\n", "")
+                text.replace("#define DEMO3_FAST      1            /* bits not reproducible: see above */\n", "")
                 for text in code
             }
         )

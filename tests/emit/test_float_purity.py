@@ -19,12 +19,12 @@ HELPERS = r"__aeabi_(c?d|[a-z]+2d)"  # double arithmetic, comparisons and conver
 
 
 @pytest.fixture(scope="module", params=NAMES)
-def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
+def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
 
 
-def undefined(source: Path, tmp_path: Path, tool, *flags):
-    """Symbols that the object wants from elsewhere."""
+def undefined(source: Path, tmp_path: Path, tool: str, *flags: str) -> tuple[list[str], Path]:
+    """Undefined symbols of the object, and the object."""
     thing = tmp_path / "stand.o"
     run(tool, "-std=c99", "-O2", "-ffp-contract=off", *flags, "-c", source, "-o", thing)
     return run(require("nm", "binutils"), "-u", "-f", "posix", thing).split("\n"), thing

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from emit.selftests import made, run_selftest
+from emit.selftests import generate_with_selftest, run_selftest
 from emit.stands import stand, write
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import LANES, generate_all, host_lanes
@@ -54,14 +54,14 @@ def passes(files: dict[str, str], name: str, folder: Path, compiler: str, *flags
 @pytest.mark.slow
 @pytest.mark.parametrize("build", [BUILDS[3], BUILDS[5]], ids=" ".join)
 def test_bits_with_vectors(build: tuple[str, ...], tmp_path: Path) -> None:
-    passes(made("everything6", "double", 4)[1], "everything6", tmp_path, *build)
+    passes(generate_with_selftest("everything6", "double", 4)[1], "everything6", tmp_path, *build)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("build", BUILDS, ids=" ".join)
 @pytest.mark.parametrize(("name", "lanes", "real"), CASES)
 def test_bits(name: str, lanes: int, real: str, build: tuple[str, ...], tmp_path: Path) -> None:
-    passes(made(name, real, lanes)[1], name, tmp_path, *build)
+    passes(generate_with_selftest(name, real, lanes)[1], name, tmp_path, *build)
 
 
 @pytest.mark.slow
@@ -94,8 +94,8 @@ def test_gcc_makes_vectors_of_the_lanes(march: str, packed: str, tmp_path: Path)
 @pytest.mark.parametrize(("there", "here"), [(1, 4), (4, 1), (4, 8)])
 def test_header_and_sources_of_other_lanes_are_refused(there: int, here: int, tmp_path: Path) -> None:
     require("gcc", "gcc")
-    files = dict(made("demo3", "double", here)[1])
-    files["demo3.h"] = made("demo3", "double", there)[1]["demo3.h"]
+    files = dict(generate_with_selftest("demo3", "double", here)[1])
+    files["demo3.h"] = generate_with_selftest("demo3", "double", there)[1]["demo3.h"]
     write(files, tmp_path)
     for name in ("demo3.c", "demo3_selftest.c"):
         with pytest.raises(AssertionError, match="were generated for different numbers of lanes"):
@@ -103,7 +103,7 @@ def test_header_and_sources_of_other_lanes_are_refused(there: int, here: int, tm
 
 
 def test_one_lane_is_the_code_without_blocks() -> None:
-    text = made("demo3")[1]["demo3.c"]
+    text = generate_with_selftest("demo3")[1]["demo3.c"]
     assert "BLOCKS" not in text
     assert "#if DEMO3_LANES != 1\n" in text
 

@@ -13,6 +13,7 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Variable
+from mahovik.core.program.statement import Set, When
 from mahovik.core.program.types import DOUBLE, FLOAT, Kind
 
 TOKEN = re.compile(
@@ -21,12 +22,12 @@ TOKEN = re.compile(
 SEEDS = st.integers(0, 2**32 - 1)
 
 
-def tokens(text: str):
+def tokens(text: str) -> list[str]:
     """C tokens, a comment as one."""
     return [re.sub(r"\s+", " ", token) for token in TOKEN.findall(text)]
 
 
-def tree_text(seed: int, depth: int = 7):
+def tree_text(seed: int, depth: int = 7) -> str:
     """A long expression."""
     rng = random.Random(seed)
     trees = Trees(rng, rng.choice([DOUBLE, FLOAT]))
@@ -60,7 +61,11 @@ def test_conditions_with_comments_keep_their_tokens(seed: int) -> None:
         body.set(a, trees.real(5), comment="what it is")
     lines = Statements(names, expressions).block(body.statements, "    ")
     found = [t for t in tokens("\n".join(lines)) if not t.startswith("/*")]
-    value = expressions.text(body.statements[0].body[0].value)
+    (when,) = body.statements
+    assert isinstance(when, When)
+    (assigned,) = when.body
+    assert isinstance(assigned, Set)
+    value = expressions.text(assigned.value)
     assert found == tokens(f"if ({expressions.text(condition)}) {{ a = {value}; }}")
     assert "\n".join(lines).count("/*") == "\n".join(lines).count("*/") == 2
 
@@ -70,12 +75,12 @@ WORDS = st.lists(st.text("abcxyz,.()'+-=", min_size=1, max_size=30), min_size=1,
 
 @given(WORDS)
 @example(["x"] * 200)
-def test_paragraphs_keep_every_word_and_fit(words) -> None:
+def test_paragraphs_keep_every_word_and_fit(words: list[str]) -> None:
     lines = paragraph(" ".join(words), "/* ", " * ")
     assert [w for line in lines for w in line[3:].split()] == words
     assert max(len(line) for line in lines) <= WIDTH
 
 
 @given(st.text("abc", min_size=150, max_size=300))
-def test_what_cannot_be_broken_stays_whole(word) -> None:
+def test_what_cannot_be_broken_stays_whole(word: str) -> None:
     assert wrapped(word, "    ") == [f"    {word}"]

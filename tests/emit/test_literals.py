@@ -18,13 +18,13 @@ EDGES = (0.0, -0.0, 1.0, 0.1, 1e22, 1e23, 5e-324, 2.2250738585072014e-308, 1.797
 FLOAT_EDGES = (0.0, -0.0, 1.0, 0.1, 1e10, 16777216.0, 1e-45, 1.1754943508222875e-38, 3.4028234663852886e38)
 
 
-def same(a, b, code):
+def same(a: float, b: float, code: str) -> bool:
     """Equal bits."""
     return struct.pack(code, a) == struct.pack(code, b)
 
 
 @given(DOUBLES)
-def test_double_literals_read_back(value) -> None:
+def test_double_literals_read_back(value: float) -> None:
     text = real_literal(value, DOUBLE)
     assert same(float(text), value, "<d")
     assert "." in text  # 1 would be an int
@@ -32,7 +32,7 @@ def test_double_literals_read_back(value) -> None:
 
 
 @given(FLOATS)
-def test_float_literals_read_back(value) -> None:
+def test_float_literals_read_back(value: float) -> None:
     text = real_literal(value, FLOAT)
     assert text.endswith("F")
     assert "." in text
@@ -41,13 +41,13 @@ def test_float_literals_read_back(value) -> None:
 
 
 @given(DOUBLES.filter(lambda x: abs(x) < 3e38))
-def test_a_literal_of_a_float_program_is_the_nearest_float(value) -> None:
+def test_a_literal_of_a_float_program_is_the_nearest_float(value: float) -> None:
     assert same(float(real_literal(value, FLOAT)[:-1]), value, "<f")
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf")])
 @pytest.mark.parametrize("precision", [DOUBLE, FLOAT])
-def test_what_is_no_number_has_no_literal(value, precision: Precision) -> None:
+def test_what_is_no_number_has_no_literal(value: float, precision: Precision) -> None:
     with pytest.raises(ValueError, match="has no literal"):
         real_literal(value, precision)
 
@@ -62,13 +62,18 @@ def test_a_double_beyond_float_has_no_float_literal() -> None:
     [(DOUBLE, DOUBLES, EDGES), (FLOAT, FLOATS, FLOAT_EDGES)],
     ids=["double", "float"],
 )
-def test_c_reads_the_same_bits(precision: Precision, numbers, edges, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_c_reads_the_same_bits(
+    precision: Precision,
+    numbers: st.SearchStrategy[float],
+    edges: tuple[float, ...],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
     folder = tmp_path_factory.mktemp("literals")
     code = "<d" if precision is DOUBLE else "<f"
 
     @settings(max_examples=3, deadline=None)
     @given(st.lists(numbers, min_size=200, max_size=400))
-    def check(values) -> None:
+    def check(values: list[float]) -> None:
         values = [*edges, *values]
         text = ",\n".join(real_literal(v, precision) for v in values)
         (folder / "literals.c").write_text(f"const {precision.name} literals[] = {{ {text} }};\n")
@@ -84,7 +89,7 @@ def test_c_reads_the_same_bits(precision: Precision, numbers, edges, tmp_path_fa
 
 
 @given(st.integers(0, 2**64 - 1))
-def test_word_literals_read_back(value) -> None:
+def test_word_literals_read_back(value: int) -> None:
     text = word_literal(value)
     assert text.endswith("u")
     assert int(text[:-1], 0) == value

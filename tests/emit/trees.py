@@ -6,13 +6,14 @@ Kept away from what C leaves undefined: ints stay small, divisors of ints are no
 from __future__ import annotations
 
 import math
-
-import numpy as np
+import random
+from typing import Any
 
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert as Converted
 from mahovik.core.program.expression import (
+    Expr,
     Not,
     and_,
     binary,
@@ -32,15 +33,15 @@ REALS, WORDS, INTS = 5, 3, 3
 
 
 class Trees:
-    """Draws trees over the arguments x (reals), w (words), n (ints) from a `random.Random`."""
+    """Draws trees over the arguments x (reals), w (words) and n (ints)."""
 
-    def __init__(self, rng: np.random.Generator, precision: Precision) -> None:
+    def __init__(self, rng: random.Random, precision: Precision) -> None:
         self.rng, self.precision = rng, precision
         self.x = Argument("x", Kind.REAL, (REALS,))
         self.w = Argument("w", Kind.WORD, (WORDS,))
         self.n = Argument("n", Kind.INT, (INTS,))
 
-    def real(self, depth: int):
+    def real(self, depth: int) -> Expr:
         """A tree whose value is a real."""
         pick = self.rng.random()
         if depth == 0 or pick < 0.1:
@@ -54,9 +55,9 @@ class Trees:
             return select(self.truth(less), self.real(less), self.real(less))
         if pick < 0.94:
             return real_of_bits(self.word(less))
-        return Converted(self.word(less) if self.rng.random() < 0.5 else self.int(min(less, 2)), Kind.REAL)
+        return Converted(self.word(less) if self.rng.random() < 0.5 else self.small_int(min(less, 2)), Kind.REAL)
 
-    def word(self, depth: int):
+    def word(self, depth: int) -> Expr:
         """A tree whose value is a word, modulo 2^width."""
         rng, less, pick = self.rng, depth - 1, self.rng.random()
         width = self.precision.width
@@ -74,25 +75,25 @@ class Trees:
         if pick < 0.92:
             return -self.word(less)
         if pick < 0.96:
-            return Converted(self.int(min(less, 2)), Kind.WORD)
+            return Converted(self.small_int(min(less, 2)), Kind.WORD)
         value = rng.choice(list(self.x.place))  # the bits of a NaN are no promise, those of an argument are
         return bits_of(-value if rng.random() < 0.5 else value)
 
-    def int(self, depth: int):
+    def small_int(self, depth: int) -> Expr:
         """A tree whose value is a small int."""
         rng, less = self.rng, depth - 1
         if depth == 0:
             return integer(rng.randint(-9, 9)) if rng.random() < 0.3 else rng.choice(list(self.n.place))
         pick = rng.random()
         if pick < 0.6:
-            return binary(rng.choice("+-*"), self.int(less), self.int(less))
+            return binary(rng.choice("+-*"), self.small_int(less), self.small_int(less))
         if pick < 0.75:
-            return binary("/", self.int(less), integer(rng.choice([-3, -2, 2, 3, 7])))
+            return binary("/", self.small_int(less), integer(rng.choice([-3, -2, 2, 3, 7])))
         if pick < 0.85:
             return Converted(self.word(less) & 0xFF, Kind.INT)
-        return -self.int(less)
+        return -self.small_int(less)
 
-    def truth(self, depth: int):
+    def truth(self, depth: int) -> Expr:
         """A condition."""
         rng, less, pick = self.rng, max(depth - 1, 0), self.rng.random()
         if depth > 0 and pick < 0.3:
@@ -105,9 +106,9 @@ class Trees:
         operator = rng.choice([operator, "==", "!="])
         if pick < 0.85:
             return compare(operator, self.word(less), self.word(less))
-        return compare(operator, self.int(min(less, 2)), self.int(min(less, 2)))
+        return compare(operator, self.small_int(min(less, 2)), self.small_int(min(less, 2)))
 
-    def program(self, count: int, depth: int):
+    def program(self, count: int, depth: int) -> Program:
         """`count` functions f0, f1, ... of (x, w, n), each the value of one tree."""
         functions = []
         for k in range(count):
@@ -123,7 +124,7 @@ class Trees:
             functions.append(Function(f"f{k}", "A tree.", arguments, body.statements, returns=Kind.REAL, public=True))
         return Program("t", self.precision, (), (), tuple(functions))
 
-    def inputs(self):
+    def inputs(self) -> tuple[list[Any], list[int], list[int]]:
         """Arguments: numbers of every size, zeros with sign, infinities and subnormals."""
         rng, p = self.rng, self.precision
         tiny = 2.0 ** (2 - p.bias - p.significand)
@@ -135,6 +136,6 @@ class Trees:
         x = [p.scalar(value) for value in x]
         return x, [rng.getrandbits(p.width) for _ in range(WORDS)], [rng.randint(-9, 9) for _ in range(INTS)]
 
-    def _number(self):
+    def _number(self) -> Expr:
         rng = self.rng
         return real(rng.choice([0.5, -2, 0.1, -1e-7, 3, 1e6, 0, -1, 1 / 3]))

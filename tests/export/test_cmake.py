@@ -76,7 +76,7 @@ def cmake() -> str:
 
 
 def call(*command: str | Path) -> str:
-    """What a command prints, that must not fail."""
+    """Output of a command that must not fail."""
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{command}\n{done.stdout}\n{done.stderr}"
     assert "Warning" not in done.stderr
@@ -119,7 +119,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
-    """What the same program prints when it is built as the header of the C says."""
+    """Output of the same program, compiled with the flags of the C's header."""
     folder = tmp_path_factory.mktemp("plain")
     (folder / "main.c").write_text(IN_C)
     program = folder / "main"

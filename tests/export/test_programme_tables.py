@@ -1,4 +1,4 @@
-"""Tables against the programme that they were made of: errors as they are told, and every method the same motion."""
+"""Tables against the programme that they were made of: their stated errors, and the same motion by every method."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def player(made: Exported) -> Player:
     return Player(made.made, {t.form.part: t.value for t in made.tables})
 
 
-def at(made: Exported, phases: np.ndarray, number: int = 0) -> dict[str, np.ndarray]:
+def outputs_at(made: Exported, phases: np.ndarray, number: int = 0) -> dict[str, np.ndarray]:
     """Outputs of one table at phases."""
     return player(made).many(made.made.courses[number], [float(np.float32(x)) for x in phases])
 
@@ -34,7 +34,7 @@ def mean() -> np.ndarray:
     return course.mean
 
 
-def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def angular_distance(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Distance of angles, modulo a turn."""
     d = a - b
     return np.asarray(np.abs(d - 2 * np.pi * np.round(d / (2 * np.pi))))
@@ -48,9 +48,9 @@ def test_errors_are_what_is_told(name: str, kind: str, real: str) -> None:
     made = exported(name, kind, real)
     told = made.errors[0]
     phases = np.random.default_rng(3).random(300)
-    found = at(made, phases)
+    found = outputs_at(made, phases)
     truth = made.tables[0].at(np.float32(phases).astype(float) * PERIOD)
-    assert np.max(apart(found["phi"], truth.phi)) <= 2 * told.phi
+    assert np.max(angular_distance(found["phi"], truth.phi)) <= 2 * told.phi
     assert np.max(np.abs(found["phi_dot"] - truth.phi_dot)) <= 2 * told.phi_dot
     assert np.max(np.abs(found["phi_ddot"] - truth.phi_ddot)) <= 2 * told.phi_ddot
     assert np.max(np.abs(found["phi"])) <= np.pi * (1 + 1e-6)
@@ -74,16 +74,16 @@ def test_quintic_and_fourier_agree_within_their_errors() -> None:
     for name in ("spin", "swaying"):
         one, two = exported(name, "quintic"), exported(name, "fourier")
         phases = np.random.default_rng(4).random(200)
-        a, b = at(one, phases), at(two, phases)
+        a, b = outputs_at(one, phases), outputs_at(two, phases)
         bounds = (sum(getattr(x.errors[0], each) for x in (one, two)) for each in OUTPUTS)
         for each, bound in zip(OUTPUTS, bounds, strict=True):
-            assert np.max(apart(a[each], b[each])) <= 2 * bound + 1e-12, each
+            assert np.max(angular_distance(a[each], b[each])) <= 2 * bound + 1e-12, each
 
 
 @pytest.mark.parametrize("kind", ["quintic", "fourier"])
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_many_turns_a_period_cost_no_digits(kind: str, real: str) -> None:
-    """Whole turns are taken off as integers: the angle of 15 turns a period is as good as that of one."""
+    """Whole turns are removed as integers: the angle of 15 turns per period is as good as that of one."""
     many = replace(swaying(2), winding=(12, -15))
     told = export_programme(stand(), many, kind=kind, real=real, limit=1e-2).errors[0]
     assert told.phi < {"double": 2e-11, "float": 2e-6}[real]
@@ -132,16 +132,16 @@ def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
     for each, phase in ((up, 1.0), (down, 0.0)):
         status, joint = player(made).at(each, phase)
         assert status == 0
-        assert np.max(apart(np.array(joint["phi"]), np.array(begin["phi"]))) < 1e-12
+        assert np.max(angular_distance(np.array(joint["phi"]), np.array(begin["phi"]))) < 1e-12
         assert joint["phi_dot"] == pytest.approx(begin["phi_dot"], rel=1e-12)
         assert joint["phi_ddot"] == pytest.approx(begin["phi_ddot"], abs=1e-6)
     assert player(made).at(up, 0.0)[1]["phi_dot"] == [0.0, 0.0]
     truth = started().runup
     assert truth is not None
     phases = np.random.default_rng(5).random(100)
-    found = at(made, phases, 1)
+    found = outputs_at(made, phases, 1)
     exact = truth.at(np.float32(phases).astype(float) * truth.duration)
-    assert np.max(apart(found["phi"], exact.phi)) < 1e-9
+    assert np.max(angular_distance(found["phi"], exact.phi)) < 1e-9
     assert np.max(np.abs(found["phi_ddot"] - exact.phi_ddot)) < 1e-2
 
 

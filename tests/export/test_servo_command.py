@@ -39,7 +39,7 @@ def test_files_and_what_is_said(arguments: list[str], tmp_path: Path) -> None:
     assert sorted({path.name for path in folder.iterdir()} - {"shaker2.c", "shaker2.h"}) == FILES
     said = result.stdout.splitlines()[len(FILES) :]
     assert "float" in said[0]
-    assert "servo: 0.5 ms a sample, 0.7 ms of delay; 100 samples are 1 period" in said
+    assert "servo: 0.5 ms per sample, 0.7 ms of delay; 100 samples are 1 period" in said
     (folder / "shaker2_servo.c").write_text("mine")
     assert "shaker2_servo.c: was changed by hand" in refused(*arguments, "--motion", MOTION)
     assert (folder / "shaker2_servo.c").read_text() == "mine"
@@ -57,7 +57,7 @@ def test_what_is_not_stable_is_refused(arguments: list[str], tmp_path: Path) -> 
     (tmp_path / "S.toml").write_text(HEAD.replace("60 Hz", "400 Hz"))
     said = refused(*arguments, "--motion", MOTION, status=1)
     assert said.count("\n") == 1
-    assert "S.toml: bandwidth 400 Hz at 0.5 ms a sample and 0.7 ms of delay: unstable" in said
+    assert "S.toml: bandwidth 400 Hz at 0.5 ms per sample and 0.7 ms of delay: unstable" in said
     assert "give at most " in said
     assert not (tmp_path / "D").exists()
 

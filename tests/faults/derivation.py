@@ -8,4 +8,4 @@ DERIVED: dict[str, tuple[str, tuple[str, ...]]] = {
     **{name: ("derivation", tuple(sorted(found))) for name, (_, found) in DERIVATION.items()},
     **{name: ("numbers of the stand", tuple(sorted(found))) for name, (_, found) in NUMBERS.items()},
 }
-"""By name: where a fault is planted, and quantities in which the comparison must see it, as those tests assert."""
+"""Where each fault is planted, and quantities in which the comparison must see it, by name of the fault."""

@@ -33,7 +33,7 @@ def _calls(f: Function, name: str) -> list[str]:
     """Calls of one function, a pointer NULL in each."""
     pointers = [i for i, a in enumerate(f.arguments) if a.shape or a.variable.pointer]
     found = []
-    for null in pointers:
+    for null in [i for i in pointers if not f.arguments[i].optional]:
         given = []
         for i, a in enumerate(f.arguments):
             if i not in pointers:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 
 from faults.catalogue import FAULTS
 from faults.checks import CHECKS
@@ -13,39 +11,12 @@ from fuzz.test_harness import FAULTS as FUZZED
 from second.test_mutations import MUTATIONS
 from toolchain.test_eva import FAULTS as EVA
 
-SHOWN = Path(__file__).parent / "shown.json"
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "results" / "planted-faults.md"
-
-HEAD = """# Planted faults
-
-Written by `make faults`. Each fault is planted in a copy of what the generator emits, or in the derivation; every check
-that stands beside it must catch it, and finds nothing without the fault. `make test` plants some of them,
-`make test-slow` all.
-
-`FAIL: prepare (worst 0 ulp)` is what the self-test says where no listed number is off, but a status, a number that it
-does not list, or the hash over all numbers.
-
-"""
-
-
-def keep(how: Mapping[str, Sequence[str]]) -> None:
-    """Keeps what each check of a fault said."""
-    SHOWN.write_text(json.dumps(how, indent=1) + "\n", encoding="utf-8")
-
-
-def write() -> None:
-    """Writes the page from what was kept."""
-    PAGE.write_text(kept(), encoding="utf-8")
-
-
-def kept() -> str:
-    """The page from what was kept."""
-    return text(json.loads(SHOWN.read_text(encoding="utf-8")))
+NOT_RUN = ("not planted yet",)
 
 
 def text(how: Mapping[str, Sequence[str]]) -> str:
-    """The page."""
-    parts = [HEAD, f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one, "]
+    """The tables; `how`: what each check said of a fault."""
+    parts = [f"{len(FAULTS)} in the C, {len(DERIVED)} in the derivation, {len(MUTATIONS)} in the second one, "]
     parts.append(f"{len(EVA)} for Frama-C Eva, {len(FUZZED)} for the fuzzer.\n")
     kinds = dict.fromkeys(fault.kind for fault in FAULTS)
     for kind in kinds:
@@ -55,9 +26,8 @@ def text(how: Mapping[str, Sequence[str]]) -> str:
         )
         for f in FAULTS:
             if f.kind == kind:
-                parts.append(
-                    f"| {f.name} | {f.place}, {f.host} | {', '.join(f.caught_by)} | {cell(how[f.name][0])} |\n"
-                )
+                said = cell(how.get(f.name, NOT_RUN)[0])
+                parts.append(f"| {f.name} | {f.place}, {f.host} | {', '.join(f.caught_by)} | {said} |\n")
     parts.append("\n## The derivation\n\nCaught by `comparison`, in `tests/verify/test_mutations.py`.\n\n")
     parts.append("| fault | planted in | what must differ |\n|---|---|---|\n")
     parts += [f"| {cell(name)} | {where} | {', '.join(found)} |\n" for name, (where, found) in DERIVED.items()]

@@ -17,7 +17,7 @@ QUICK = (
     "second pivot not tested",
     "angle guard a thousand times too narrow",
 )
-"""Those of `make test`; all of them in `make test-slow`."""
+"""Faults that `make test` plants; `make test-slow` plants all."""
 
 USED = sorted({(fault.host, name) for fault in FAULTS for name in fault.caught_by}, key=str)
 

@@ -29,7 +29,7 @@ class DrawnBody:
     moments: Array
 
 
-def drawn(rng: np.random.Generator, fixed: int, turning: int) -> list[DrawnBody]:
+def random_bodies(rng: np.random.Generator, fixed: int, turning: int) -> list[DrawnBody]:
     """Body 0 is the root; then those that are fixed, on any of them; then wheels, and a weight fixed on each."""
     found = [_body(rng, -1, False, 10.0)]
     found += [_body(rng, int(rng.integers(i + 1)), False, 2.0) for i in range(fixed)]
@@ -57,7 +57,7 @@ def _body(rng: np.random.Generator, parent: int, turns: bool, scale: float) -> D
 
 
 def urdf(bodies: list[DrawnBody]) -> str:
-    """As URDF."""
+    """The bodies as a URDF text."""
     lines = ['<robot name="drawn">']
     for i, body in enumerate(bodies):
         xx, yy, zz = body.moments
@@ -75,7 +75,7 @@ def urdf(bodies: list[DrawnBody]) -> str:
 
 
 def mjcf(bodies: list[DrawnBody], rng: np.random.Generator) -> str:
-    """As MJCF, with anchors and references of hinges."""
+    """The bodies as an MJCF text, with anchors and references of hinges."""
 
     def element(i: int) -> str:
         body = bodies[i]

@@ -1,4 +1,4 @@
-"""`mahovik import` as a user has it: what is written and said, and what is not written."""
+"""`mahovik import` as used from the command line: files, messages, and refusals that write nothing."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_an_mjcf_too() -> None:
 
 
 def test_what_alone_was_compared_is_told() -> None:
-    """Of a base that is fixed on the world, torques."""
+    """Only torques are compared if the base is fixed on the world."""
     wheel = '<joint name="j" axis="0 0 1"/><inertial pos="1e-3 0 0" mass="1" diaginertia=".01 .01 .015"/>'
     hub = f'<body name="b"><inertial pos="0 0 0" mass="3" diaginertia=".1 .1 .1"/><body name="w">{wheel}</body></body>'
     Path("held.xml").write_text(f'<mujoco model="held"><worldbody>{hub}</worldbody></mujoco>', encoding="utf-8")
@@ -106,7 +106,7 @@ def test_a_stand_that_disagrees_is_not_written(monkeypatch: pytest.MonkeyPatch) 
     """Should the reading of a format be wrong for a file, the other program notices."""
     from mahovik.out.foreign import urdf
 
-    monkeypatch.setattr(urdf, "of_rpy", lambda *_: np.eye(3))
+    monkeypatch.setattr(urdf, "rotation_from_rpy", lambda *_: np.eye(3))
     said = refused("import", "urdf", URDF, status=1)
     assert said.startswith("error: sat.urdf: the stand differs from the original in Pinocchio")
     assert os.listdir() == []

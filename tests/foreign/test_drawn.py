@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from foreign.drawn import drawn, mjcf, urdf
+from foreign.drawn import mjcf, random_bodies, urdf
 from mahovik.out.foreign.agreement import MujocoOriginal, PinocchioOriginal, agreement
-from mahovik.out.foreign.merge import stand_of
-from mahovik.out.foreign.mjcf import compiled, read_mjcf
+from mahovik.out.foreign.merge import make_stand
+from mahovik.out.foreign.mjcf import compile_model, read_mjcf
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
 
@@ -28,8 +28,8 @@ def test_urdf(seed: int, tmp_path: Path) -> None:
     rng = np.random.default_rng(seed)
     fixed, turning = int(rng.integers(5)), int(rng.integers(1, 6))
     path = tmp_path / "drawn.urdf"
-    path.write_text(urdf(drawn(rng, fixed, turning)))
-    found = stand_of(read_urdf(path), "drawn", path.name, gravity=rng.normal(size=3) * 9, **options(rng, fixed))
+    path.write_text(urdf(random_bodies(rng, fixed, turning)))
+    found = make_stand(read_urdf(path), "drawn", path.name, gravity=rng.normal(size=3) * 9, **options(rng, fixed))
     stand_file(found, path.name, "")
     errors = agreement(found, PinocchioOriginal(path, found, False), 5, seed)
     assert len(found.stand.flywheels) == turning
@@ -42,10 +42,10 @@ def test_mjcf(seed: int, tmp_path: Path) -> None:
     rng = np.random.default_rng(1000 + seed)
     fixed, turning = int(rng.integers(5)), int(rng.integers(1, 6))
     path = tmp_path / "drawn.xml"
-    path.write_text(mjcf(drawn(rng, fixed, turning), rng))
-    found = stand_of(read_mjcf(path), "drawn", path.name, **options(rng, fixed))
+    path.write_text(mjcf(random_bodies(rng, fixed, turning), rng))
+    found = make_stand(read_mjcf(path), "drawn", path.name, **options(rng, fixed))
     stand_file(found, path.name, "")
-    errors = agreement(found, MujocoOriginal(compiled(path), found, True), 5, seed)
+    errors = agreement(found, MujocoOriginal(compile_model(path), found, True), 5, seed)
     assert len(found.stand.flywheels) == turning
     assert max(errors.values()) < 1e-11, errors
     assert max(errors[name] for name in ("K", "I", "bias", "tau")) < 1e-12, errors

@@ -12,8 +12,8 @@ import pytest
 from mahovik.core.stand import loads
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.agreement import MujocoOriginal, agreement
-from mahovik.out.foreign.merge import Imported, stand_of
-from mahovik.out.foreign.mjcf import compiled, read_mjcf
+from mahovik.out.foreign.merge import Imported, make_stand
+from mahovik.out.foreign.mjcf import compile_model, read_mjcf
 from mahovik.out.foreign.write import stand_file
 
 SAT = Path(__file__).parent / "models" / "sat.xml"
@@ -23,12 +23,12 @@ TOLERANCE = 1e-12
 
 def imported(path: Path = SAT, **options: Any) -> Imported:
     """The stand of a file."""
-    return stand_of(read_mjcf(path), "sat", path.name, **options)
+    return make_stand(read_mjcf(path), "sat", path.name, **options)
 
 
 def errors_of(path: Path, found: Imported) -> dict[str, float]:
     """How far off MuJoCo on the file itself is."""
-    return agreement(found, MujocoOriginal(compiled(path), found, read_mjcf(path).free is not False))
+    return agreement(found, MujocoOriginal(compile_model(path), found, read_mjcf(path).free is not False))
 
 
 def check(path: Path, **options: object) -> None:

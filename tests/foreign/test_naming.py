@@ -7,10 +7,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.names import name_problem, stand_name_problem
-from mahovik.out.foreign.merge import combined, moved
-from mahovik.out.foreign.model import Place, RigidMass
+from mahovik.out.foreign.merge import combine_masses, move_mass
+from mahovik.out.foreign.model import Place, RigidMass, angles_of, rotation_about, rotation_from_rpy, spin_axes
 from mahovik.out.foreign.naming import Names, stand_name
-from mahovik.out.foreign.rotation import about, angles_of, of_rpy, spin_axes
 
 
 def test_every_name_is_an_identifier_of_its_own() -> None:
@@ -58,11 +57,11 @@ def test_rotations_are_those_of_scipy() -> None:
     for _ in range(50):
         roll, pitch, yaw = rng.uniform(-3, 3, 3)
         assert np.allclose(
-            of_rpy(roll, pitch, yaw), Rotation.from_euler("xyz", [roll, pitch, yaw]).as_matrix(), atol=1e-15
+            rotation_from_rpy(roll, pitch, yaw), Rotation.from_euler("xyz", [roll, pitch, yaw]).as_matrix(), atol=1e-15
         )
         axis, angle = rng.normal(size=3), rng.uniform(-3, 3)
         turn = Rotation.from_rotvec(axis / np.linalg.norm(axis) * angle).as_matrix()
-        assert np.allclose(about(axis, angle), turn, atol=1e-15)
+        assert np.allclose(rotation_about(axis, angle), turn, atol=1e-15)
         axes = spin_axes(axis, rng.normal(size=3))
         assert np.allclose(axes.T @ axes, np.eye(3), atol=1e-15)
         assert np.allclose(axes[:, 0] * np.linalg.norm(axis), axis)
@@ -74,15 +73,15 @@ def test_bodies_that_are_merged_keep_momentum_and_energy() -> None:
     rng = np.random.default_rng(5)
     points = rng.normal(size=(7, 3))
     masses = rng.uniform(1, 2, 7)
-    whole = combined([RigidMass(float(m), p, np.zeros((3, 3))) for m, p in zip(masses, points, strict=True)])
+    whole = combine_masses([RigidMass(float(m), p, np.zeros((3, 3))) for m, p in zip(masses, points, strict=True)])
     assert whole.mass == pytest.approx(masses.sum())
     assert whole.center == pytest.approx(masses @ points / masses.sum())
     arms = points - whole.center
     expected = sum(m * (a @ a * np.eye(3) - np.outer(a, a)) for m, a in zip(masses, arms, strict=True))
     assert whole.inertia == pytest.approx(expected)
-    place = Place(rng.normal(size=3), of_rpy(*rng.normal(size=3)))
-    back = moved(moved(whole, place), place.inverse)
+    place = Place(rng.normal(size=3), rotation_from_rpy(*rng.normal(size=3)))
+    back = move_mass(move_mass(whole, place), place.inverse)
     assert back.center == pytest.approx(whole.center)
     assert back.inertia == pytest.approx(whole.inertia)
     alone = RigidMass(0.1, np.array([0.1, 0.2, 0.3]), np.diag([0.1, 0.2, 0.3]))
-    assert combined([alone]) is alone
+    assert combine_masses([alone]) is alone

@@ -14,19 +14,19 @@ from mahovik.core.stand.model import MountingAxes
 from mahovik.core.stand.state import State
 from mahovik.errors import ForeignError
 from mahovik.out.foreign.agreement import PinocchioOriginal, agreement, disagreement
-from mahovik.out.foreign.merge import Imported, stand_of
+from mahovik.out.foreign.merge import Imported, make_stand
 from mahovik.out.foreign.model import Array
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
 
 SAT = Path(__file__).parent / "models" / "sat.urdf"
 TOLERANCE = 1e-12
-"""Of K, I, bias, tau, phi_ddot. V_dot is a small difference of large torques of the wheels: 1e-11."""
+"""Tolerance of K, I, bias, tau, phi_ddot. V_dot is a small difference of large wheel torques: 1e-11."""
 
 
 def imported(path: Path = SAT, **options: Any) -> Imported:
     """The stand of a file."""
-    return stand_of(read_urdf(path), "sat", path.name, **options)
+    return make_stand(read_urdf(path), "sat", path.name, **options)
 
 
 def check(path: Path, **options: object) -> None:
@@ -228,7 +228,7 @@ def test_refused(case: str, tmp_path: Path) -> None:
 
 
 def test_all_problems_are_told_together(tmp_path: Path) -> None:
-    """Of the file, of the bodies, of what turns on what."""
+    """Problems of the file, of the bodies and of the joints come in one message."""
     path = tmp_path / "m.urdf"
     wheels = WHEEL + LINK.format("x", -2) + LINK.format("y", 1).replace('ixx="1"', 'ixx="3"') + LINK.format("z", 1)
     wheels += joint("continuous", "", "l", "base", "y") + joint("continuous", "", "m", "y", "z")

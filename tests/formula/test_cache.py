@@ -166,12 +166,13 @@ def test_a_folder_that_cannot_be_written_is_no_failure(tmp_path: Path, monkeypat
 
 
 def test_a_read_only_folder_is_no_failure(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As the system refuses it to all but root."""
+    """The error is raised by hand, since root may write anywhere."""
 
-    def refused(**_: object) -> None:
+    def refused(*_: object) -> None:
         raise PermissionError(13, "Permission denied", str(folder))
 
-    monkeypatch.setattr("tempfile.mkstemp", refused)
+    folder.mkdir()
+    monkeypatch.setattr("mahovik.writing._create", refused)
     warnings: list[str] = []
     assert remembered(warnings) == carrier.momentum(True)
     assert list(folder.iterdir()) == []

@@ -1,4 +1,4 @@
-"""What every reader must do with anything: take it or refuse it by an error of its own, soon and in one line each."""
+"""Conditions of every reader: it accepts any input, or refuses it soon, by its own error with one line per problem."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TIMES = int(os.environ.get("MAHOVIK_FUZZ_TIMES", "1"))
 """How many times as many examples: `make fuzz` sets it, and then they are new ones each time."""
 
 READERS = [pytest.mark.fuzz, pytest.mark.usefixtures("bounded_memory")]
-"""Of a module of tests of readers."""
+"""Marks of a module that tests readers."""
 
 SECONDS = 20
 """For one input: the slowest takes a second where nobody else computes."""
@@ -33,7 +33,7 @@ class Hang(BaseException):
 
 
 def fuzzed(examples: int) -> Callable[[T], T]:
-    """As many examples, the same in every run, or `TIMES` as many new ones."""
+    """Settings for a number of examples, the same in every run; `TIMES` as many, new in each run, if TIMES is not 1."""
     return settings(
         max_examples=examples * TIMES,
         derandomize=TIMES == 1,
@@ -59,17 +59,17 @@ def soon(seconds: int = SECONDS) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def taken(read: Callable[[], Any]) -> Any:
-    """What a reader gives, None where it refuses; every other exception goes through: it would be a traceback."""
+def read_or_refuse(read: Callable[[], Any]) -> Any:
+    """Result of a reader, None if it refuses; every other exception is raised, since it would be a traceback."""
     try:
         with soon():
             return read()
     except MahovikError as error:
-        said(str(error))
+        check_message(str(error))
         return None
 
 
-def said(text: str) -> None:
+def check_message(text: str) -> None:
     """A refusal is there, is not endless, and is text that any terminal and file can hold."""
     assert text.strip()
     assert len(text) < LONGEST, text[:200]

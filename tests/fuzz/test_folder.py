@@ -10,14 +10,13 @@ import pytest
 from hypothesis import given
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
-from fuzz.reading import READERS, fuzzed, taken
+from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.emit.generate import generate
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
-from mahovik.proof.cost.page import accepted
-from mahovik.proof.verify.cost_files import COST, FIGURES
-from mahovik.proof.verify.delivery import accepted_figures, deliver, differences, require_place_for_cost
+from mahovik.proof.cost.page import read_accepted
+from mahovik.proof.verify.delivery import COST, FIGURES, accepted_figures, deliver, differences, require_place_for_cost
 from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -39,9 +38,9 @@ def folder(tmp_path: Path) -> Path:
 
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
-    taken(lambda: differences(folder, DEMO3, "double", FILES))
-    taken(lambda: accepted_figures(folder, DEMO3))
-    taken(lambda: deliver(folder, DEMO3, "double", FILES))
+    read_or_refuse(lambda: differences(folder, DEMO3, "double", FILES))
+    read_or_refuse(lambda: accepted_figures(folder, DEMO3))
+    read_or_refuse(lambda: deliver(folder, DEMO3, "double", FILES))
     for name, text in FILES.items():
         there = folder / name
         assert not there.is_file() or there.read_text(encoding="utf-8") == text
@@ -65,17 +64,17 @@ def test_manifest_of_any_bytes(data: bytes, folder: Path) -> None:
 @given(text=spoiled_json([FEW]))
 def test_accepted_figures(text: str, folder: Path) -> None:
     (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
-    found = taken(lambda: accepted_figures(folder, DEMO3))
+    found = read_or_refuse(lambda: accepted_figures(folder, DEMO3))
     if found is not None:
-        taken(lambda: accepted(found, FIGURES))
-    taken(lambda: deliver(folder, DEMO3, "double", FILES))
+        read_or_refuse(lambda: read_accepted(found, FIGURES))
+    read_or_refuse(lambda: deliver(folder, DEMO3, "double", FILES))
 
 
 @fuzzed(4)
 @given(text=spoiled_json([json.loads(manifest(DEMO3, "double", FILES))]))
 def test_a_place_for_cost(text: str, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
-    taken(lambda: require_place_for_cost(folder, DEMO3))
+    read_or_refuse(lambda: require_place_for_cost(folder, DEMO3))
 
 
 @fuzzed(30)

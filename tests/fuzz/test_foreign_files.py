@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import NUMBERS, spoiled_bytes
-from fuzz.reading import READERS, fuzzed, taken
-from mahovik.out.foreign.merge import Imported, stand_of
+from fuzz.reading import READERS, fuzzed, read_or_refuse
+from mahovik.out.foreign.merge import Imported, make_stand
 from mahovik.out.foreign.mjcf import read_mjcf
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
@@ -41,14 +41,14 @@ def spoiled_xml(draw: st.DrawFn, text: str) -> str:
 
 
 def into_a_stand(path: Path) -> None:
-    """What can be read is a stand, or is refused."""
+    """Every file gives a stand, or is refused."""
 
     def whole() -> Imported:
-        found = stand_of(read_urdf(path) if path.suffix == ".urdf" else read_mjcf(path), "x", path.name)
+        found = make_stand(read_urdf(path) if path.suffix == ".urdf" else read_mjcf(path), "x", path.name)
         stand_file(found, path.name, "x")
         return found
 
-    found = taken(whole)
+    found = read_or_refuse(whole)
     assert found is None or all("\n" not in note for note in found.notes)
 
 

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
-from fuzz.reading import READERS, fuzzed, soon, taken
-from mahovik.core.emit.log_format import fnv1a
+from fuzz.reading import READERS, fuzzed, read_or_refuse, soon
+from mahovik.core.lower.golden import fnv1a
 from mahovik.errors import MahovikError
-from mahovik.proof.verify.judge_log import judge_log
+from mahovik.proof.verify.selftest_log import judge_log
 from mahovik.use.simulate import flight_log
 from mahovik.use.simulate.flight_log import Damage, Start, records
 from mahovik.use.simulate.replay import CMachine, check_stand, replay
@@ -40,7 +40,7 @@ def machine() -> CMachine:
 
 
 def read(data: bytes, file: Path, machine: CMachine) -> None:
-    """As the command does: all records, then the replay of those of this stand."""
+    """Read a log as the command does: all records, then the replay of those of this stand."""
     file.write_bytes(data)
     found, _ = flight_log.load(file)
     for start in [r for r in records(found) if isinstance(r, Start)]:
@@ -59,7 +59,7 @@ def test_a_spoiled_flight_log(
 ) -> None:
     text = b"\n".join(b"@" + log[i : i + 32].hex().encode() for i in range(0, len(log), 32))
     spoiled = data.draw(spoiled_bytes([log, text]))
-    taken(lambda: read(spoiled, tmp_path_factory.getbasetemp() / "flight.log", machine))
+    read_or_refuse(lambda: read(spoiled, tmp_path_factory.getbasetemp() / "flight.log", machine))
 
 
 def resealed(log: bytes, change: Callable[[bytearray], None], which: int) -> bytes:
@@ -81,7 +81,7 @@ def test_a_record_that_lies(
         record[at : at + len(new)] = new[: len(record) - at]
 
     file = tmp_path_factory.getbasetemp() / "flight.log"
-    taken(lambda: read(resealed(log, change, which), file, machine))
+    read_or_refuse(lambda: read(resealed(log, change, which), file, machine))
 
 
 @pytest.fixture(scope="module")
@@ -90,7 +90,7 @@ def console() -> bytes:
 
 
 def _selftest_log() -> str:
-    """What a self-test would print that has no sweep: nothing has to be compiled to judge it."""
+    """Output of a self-test without a sweep: judging it needs no compiler."""
     from mahovik.core.stand.identity import identities
 
     found = identities(STAND)
@@ -108,7 +108,7 @@ def _selftest_log() -> str:
 @given(data=st.data())
 def test_the_log_of_a_selftest(data: st.DataObject, console: bytes) -> None:
     spoiled = data.draw(spoiled_bytes([console, console + console]))
-    taken(lambda: judge_log(spoiled.decode("utf-8", "replace"), "log"))
+    read_or_refuse(lambda: judge_log(spoiled.decode("utf-8", "replace"), "log"))
 
 
 @fuzzed(3)

@@ -1,4 +1,4 @@
-"""What is no file, has no end, or is too much: every command that reads says so in a line."""
+"""Paths that are not files, endless files and too large files: every command that reads refuses them in one line."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3, run
-from fuzz.reading import READERS, said, soon
+from fuzz.reading import READERS, check_message, soon
 from mahovik.core.motion.read import loads
 from mahovik.core.stand import Stand, load
 from mahovik.errors import RegimeError
-from mahovik.proof.verify import evaluate
+from mahovik.proof.verify import states
 from mahovik.proof.verify.backends import NumpyBackend
 
 pytestmark = READERS
@@ -27,15 +27,15 @@ COMMANDS = {
     "eval": ("eval", "{}"),
     "rest": ("rest", "{}"),
     "cost": ("cost", "{}", "-o", "{out}"),
-    "export target": ("export", "target", "m7", "{}", "-o", "{out}"),
+    "export target": ("export", "target", "{}", "--target", "m7", "-o", "{out}"),
     "export fuzz": ("export", "fuzz", "{}", "-o", "{out}"),
     "simulate": ("simulate", "{}", "--until", "0.001", "-o", "{out}/x.csv"),
     "regime": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--regime", "{}"),
     "start": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--start", "{}"),
-    "replay": ("replay", "{}"),
-    "replay, stand": ("replay", "{}", DEMO3),
-    "judge-log": ("judge-log", "{}"),
-    "judge-log, stand": ("judge-log", "{}", DEMO3),
+    "replay": ("replay", "--log", "{}"),
+    "replay, stand": ("replay", DEMO3, "--log", "{}"),
+    "judge-log": ("judge-log", "--log", "{}"),
+    "judge-log, stand": ("judge-log", DEMO3, "--log", "{}"),
 }
 PLACES = ("missing", "folder", "empty", "/dev/zero", "a/b", "blank", "closed")
 
@@ -53,16 +53,16 @@ def test_a_place_that_holds_nothing_to_read(command: str, place: str, tmp_path: 
     with soon(60):
         result = run(*words)
     assert result.exit_code in (1, 2)
-    said(result.stderr)
+    check_message(result.stderr)
     assert len(result.stderr.splitlines()) < 30
     assert not (tmp_path / "out").exists()
 
 
 def test_a_line_of_eval_without_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(evaluate, "LONGEST", 1000)
+    monkeypatch.setattr(states, "LONGEST", 1000)
     stream = io.BytesIO(b"[" * 5000 + b'\n{"id": 1}\n' + b"{" * 3000)
     answers = [
-        text for text, _ in evaluate.results(load_demo3(), NumpyBackend(load_demo3()), evaluate.lines_of(stream))
+        text for text, _ in states.evaluate_lines(load_demo3(), NumpyBackend(load_demo3()), states.split_lines(stream))
     ]
     assert len(answers) == 3
     assert "more than 1000 bytes" in answers[0]
@@ -78,4 +78,4 @@ def test_a_table_that_is_no_file(table: str, tmp_path: Path) -> None:
     text = f'schema = 1\n[default]\ntable = "{table}"\n'.replace("\0", "\\u0000")
     with soon(), pytest.raises(RegimeError) as found:
         loads(text, load_demo3(), 1.0, folder=tmp_path)
-    said(str(found.value))
+    check_message(str(found.value))

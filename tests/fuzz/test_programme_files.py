@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
-from fuzz.reading import READERS, fuzzed, taken
+from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik import stands
 from mahovik.core.motion.programme import load_programme, programme_text, read_programme
 from mahovik.core.motion.required import load_motion, read_motion
@@ -74,7 +74,7 @@ def test_the_examples_are_motions(motion: dict[str, object]) -> None:
 @fuzzed(300)
 @given(text=spoiled_json(MOTIONS))
 def test_motions(text: str) -> None:
-    motion = taken(lambda: read_motion(text, DEMO3))
+    motion = read_or_refuse(lambda: read_motion(text, DEMO3))
     if motion is not None:
         assert np.all(np.isfinite(motion.at(np.array([0.0, 0.3, 1e3])).q_ddot))
 
@@ -82,7 +82,7 @@ def test_motions(text: str) -> None:
 @fuzzed(300)
 @given(text=spoiled_json(PROGRAMMES))
 def test_programmes(text: str) -> None:
-    programme = taken(lambda: read_programme(text))
+    programme = read_or_refuse(lambda: read_programme(text))
     if programme is not None:
         assert programme_text(read_programme(programme_text(programme))) == programme_text(programme)
 
@@ -92,4 +92,4 @@ def test_programmes(text: str) -> None:
 def test_bytes(data: bytes, kind: bool, tmp_path_factory: pytest.TempPathFactory) -> None:
     file = tmp_path_factory.getbasetemp() / "file.json"
     file.write_bytes(data)
-    taken(lambda: load_motion(file, DEMO3) if kind else load_programme(file))
+    read_or_refuse(lambda: load_motion(file, DEMO3) if kind else load_programme(file))

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json, spoiled_toml
-from fuzz.reading import READERS, fuzzed, taken
+from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.motion.read import load, loads
 from mahovik.core.stand import load as load_stand
 from mahovik.stands import path
@@ -94,7 +94,7 @@ def test_the_examples_are_regimes(text: str, tmp_path: Path) -> None:
 @given(text=spoiled_toml(REGIMES), table=st.sampled_from(TABLES))
 def test_toml(text: str, table: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp(), table)
-    taken(lambda: loads(text, DEMO3, 1.0, folder=folder))
+    read_or_refuse(lambda: loads(text, DEMO3, 1.0, folder=folder))
 
 
 @fuzzed(200)
@@ -103,7 +103,7 @@ def test_json(text: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp())
     file = folder / "regime.json"
     file.write_bytes(text.encode("utf-8", "surrogatepass"))
-    taken(lambda: load(file, DEMO3, 1.0))
+    read_or_refuse(lambda: load(file, DEMO3, 1.0))
 
 
 @st.composite
@@ -121,4 +121,4 @@ def spoiled_csv(draw: st.DrawFn) -> bytes:
 def test_tables(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp(), data, data)
     for text in REGIMES:
-        taken(partial(loads, text, DEMO3, 1.0, folder=folder))
+        read_or_refuse(partial(loads, text, DEMO3, 1.0, folder=folder))

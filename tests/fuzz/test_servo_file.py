@@ -8,12 +8,11 @@ import pytest
 from hypothesis import given
 
 from fuzz.mangle import spoiled_bytes, spoiled_toml
-from fuzz.reading import READERS, fuzzed, taken
+from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.motion.servo import load_servo, read_servo
 from mahovik.core.stand import load
 from mahovik.stands import path
-from mahovik.use.control.gains import gains
-from mahovik.use.control.stability import check
+from mahovik.use.control.servo import check_margins, gains
 
 pytestmark = READERS
 
@@ -55,11 +54,11 @@ def test_the_examples_are_servos(text: str) -> None:
 @fuzzed(200)
 @given(text=spoiled_toml(SERVOS))
 def test_toml(text: str) -> None:
-    servo = taken(lambda: read_servo(text, SAT4))
+    servo = read_or_refuse(lambda: read_servo(text, SAT4))
     if servo is not None:
         for values in gains(SAT4, servo, 0.1).values():
             assert all(map(math.isfinite, values if isinstance(values, list) else [values]))
-        taken(lambda: check(SAT4, servo, "S.toml"))
+        read_or_refuse(lambda: check_margins(SAT4, servo, "S.toml"))
 
 
 @fuzzed(100)
@@ -67,4 +66,4 @@ def test_toml(text: str) -> None:
 def test_bytes(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     file = tmp_path_factory.getbasetemp() / "S.toml"
     file.write_bytes(data)
-    taken(lambda: load_servo(file, SAT4))
+    read_or_refuse(lambda: load_servo(file, SAT4))

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from cli.run import run
 from fuzz.mangle import spoiled_bytes, spoiled_toml
-from fuzz.reading import READERS, fuzzed, said, soon, taken
+from fuzz.reading import READERS, check_message, fuzzed, read_or_refuse, soon
 from mahovik.core.stand.read import load, loads
 from mahovik.stands import names, path
 
@@ -22,7 +22,7 @@ EXAMPLES = [Path(path(name)).read_text(encoding="utf-8") for name in names()]
 @fuzzed(250)
 @given(text=spoiled_toml(EXAMPLES))
 def test_values_that_nobody_would_write(text: str) -> None:
-    taken(lambda: loads(text))
+    read_or_refuse(lambda: loads(text))
 
 
 @fuzzed(60)
@@ -30,7 +30,7 @@ def test_values_that_nobody_would_write(text: str) -> None:
 def test_bytes(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     file = tmp_path_factory.getbasetemp() / "stand.toml"
     file.write_bytes(data)
-    taken(lambda: load(file))
+    read_or_refuse(lambda: load(file))
 
 
 @fuzzed(15)
@@ -45,4 +45,4 @@ def test_the_commands_end_with_a_status(text: str, command: str, tmp_path_factor
     assert result.exit_code in (0, 1, 2)
     if result.exit_code:
         assert result.stderr.startswith("error: ")
-        said(result.stderr)
+        check_message(result.stderr)

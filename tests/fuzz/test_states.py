@@ -11,16 +11,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
-from fuzz.reading import READERS, fuzzed, soon, taken
+from fuzz.reading import READERS, fuzzed, read_or_refuse, soon
 from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.verify.backends import Backend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.evaluate import results
 from mahovik.proof.verify.foreign import read_results
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Request, evaluate_lines
 from mahovik.stands import path
-from mahovik.use.simulate.start import load as load_start
+from mahovik.use.simulate.case import load_start
 
 pytestmark = READERS
 
@@ -58,7 +57,7 @@ def strict(line: str) -> Any:
 def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
     lines = [line for line in io.BytesIO(data) if line.strip()]
     with soon(60):
-        answers = list(results(AUV6, backend, iter(lines)))
+        answers = list(evaluate_lines(AUV6, backend, iter(lines)))
     blank = sum(not line.removeprefix(b"\xef\xbb\xbf").strip() for line in lines[:1])
     assert len(answers) == len(lines) - blank
     for answer, good in answers:
@@ -73,11 +72,11 @@ def test_eval_answers_each_line(data: bytes, backend: Backend) -> None:
 def test_a_start_of_simulate(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     file = tmp_path_factory.getbasetemp() / "start.json"
     file.write_bytes(data)
-    taken(lambda: load_start(file, AUV6))
+    read_or_refuse(lambda: load_start(file, AUV6))
 
 
 @fuzzed(150)
 @given(data=LINES)
 def test_answers_of_a_program(data: bytes) -> None:
     request = Request(7, rest_state(AUV6), ("forward",))
-    taken(lambda: read_results([data], [request]))
+    read_or_refuse(lambda: read_results([data], [request]))

@@ -66,14 +66,14 @@ def test_the_field_is_constant_in_E0() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_derivations_and_C_agree(seed: int) -> None:
     """Literal, by energy and the compiled C."""
-    from mahovik.proof.second import evaluate
+    from mahovik.proof.second import Second
 
     stand = torqued(seed, stream=False, wrench_inputs=False)
-    backend = CBackend(stand)
+    backend, second = CBackend(stand), Second(stand)
     for number in range(3):
         state = random_state(stand, np.random.default_rng([seed, number]))
         expected = expectations(stand, state)
-        for ask in (lambda s, w: evaluate(stand, s, w), backend.evaluate):
+        for ask in (second.evaluate, backend.evaluate):
             assert max(differences(ask, state, expected).values()) <= AGREEMENT
 
 
@@ -101,25 +101,25 @@ def test_rigorous_balls_hold_the_moment() -> None:
 
 
 def test_slopes_of_planning() -> None:
-    """By differences of the wrench over small turns of the carrier."""
+    """Slopes agree with differences of the wrench over small turns of the carrier."""
     from mahovik.laws.torquer import plan
 
     stand = torqued(6)
     state = replace(random_state(stand, np.random.default_rng(6)), quaternion=None, angles=(0.3, 0.4, -0.2))
     C = reference.pieces(stand, state).C
 
-    def at(turn: Any) -> Any:
+    def moment_at(turn: Any) -> Any:
         zero = np.zeros((1, 6))
         turned = (C @ Rotation.from_rotvec(turn).as_matrix())[None]
         return SimpleNamespace(C=turned, O1=np.zeros((1, 3)), V=zero)
 
-    by_pose = plan.slopes(stand, at(np.zeros(3))).by_pose[0]
+    by_pose = plan.slopes(stand, moment_at(np.zeros(3))).by_pose[0]
     for k, step in enumerate(1e-5 * np.eye(3)):
-        difference = (plan.wrench(stand, at(step)) - plan.wrench(stand, at(-step)))[0] / 2e-5
+        difference = (plan.wrench(stand, moment_at(step)) - plan.wrench(stand, moment_at(-step)))[0] / 2e-5
         np.testing.assert_allclose(by_pose[:, 3 + k], difference, rtol=0, atol=1e-8)
     F = reference.pieces(stand, state).terms["carrier"]
     own = sum(wrench for kind, wrench in F.items() if kind.startswith("torquer"))
-    np.testing.assert_allclose(plan.wrench(stand, at(np.zeros(3)))[0], own, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(plan.wrench(stand, moment_at(np.zeros(3)))[0], own, rtol=0, atol=1e-13)
 
 
 def test_file_comes_back_and_numbers_are_no_structure() -> None:

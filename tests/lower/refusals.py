@@ -12,10 +12,13 @@ from mahovik.core.toolchain.library import filled
 FILL = 4321.5
 """What outputs hold before a call."""
 
+NumberPath = tuple[Any, ...]
+"""Keys and indices from plain data down to one number."""
+
 NOT_FINITE = (math.nan, math.inf, -math.inf)
 
 
-def numbers(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+def numbers(value: Any, path: NumberPath = ()) -> Iterator[NumberPath]:
     """Paths of every real in plain data."""
     if isinstance(value, dict):
         for name, inner in value.items():
@@ -27,7 +30,7 @@ def numbers(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]
         yield path
 
 
-def spoiled(value: Any, path: tuple[Any, ...], number: Any) -> Any:
+def spoiled(value: Any, path: NumberPath, number: Any) -> Any:
     """Plain data with one number replaced."""
     found = copy.deepcopy(value)
     place = found
@@ -37,7 +40,7 @@ def spoiled(value: Any, path: tuple[Any, ...], number: Any) -> Any:
     return found
 
 
-def get(value: Any, path: tuple[Any, ...]) -> Any:
+def get(value: Any, path: NumberPath) -> Any:
     """What lies at a path."""
     for step in path:
         value = value[step]

@@ -7,15 +7,16 @@ from functools import cache
 import numpy as np
 import pytest
 
-from lower.test_inverse import ask, made
+from lower.test_inverse import ask, backend_of
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import rest_state
+from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
 
 
 @cache
-def of_sequence(angles: str) -> CBackend:
+def of_sequence(angles: Sequence) -> CBackend:
     """A small stand with that sequence of angles."""
     from dataclasses import replace
 
@@ -60,7 +61,7 @@ def test_a_singular_attitude_is_refused(angles: str, theta: float) -> None:
 @pytest.mark.parametrize("count", [1, 5, 6, 7, 12])
 def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
     """Well away from singularity both give the same answer; the condition is squared on the way."""
-    c = made(count)
+    c = backend_of(count)
     compared = 0
     for seed in range(6):
         given, _, out = ask(c, seed)
@@ -77,7 +78,7 @@ def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
 
 
 def test_damping_of_the_cheap_inverse_lowers_the_answer() -> None:
-    c = made(6)
+    c = backend_of(6)
     given, _, out = ask(c, damping=0.3)
     status, fast = c.call("inverse_fast", given)
     assert status == 0

@@ -1,4 +1,4 @@
-"""What the self-test leaves out: answers that grow with the square of the number of flywheels, where there are many."""
+"""Answers that the self-test omits for many flywheels: those that grow with the square of their number."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from emit.stands import generated
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower import golden
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
@@ -26,4 +27,5 @@ def test_both_orders_of_the_time_step_are_taken(name: str) -> None:
     made = generated(name)
     vectors = golden.golden(made.program, made.values)
     assert [case["order"] for case in vectors.inputs[:2]] == [4, 2]
-    assert [answer.status for answer in vectors.answers["step"][:2]] == [0, 0]
+    # the second has fast flywheels: half a radian and more in the step
+    assert [answer.status for answer in vectors.answers["step"][:2]] == [0, STATUS_VALUES["COARSE"]]

@@ -18,11 +18,11 @@ LIMITED = (1, 5, 6, 8, 12, 24)
 
 
 @cache
-def made(count: int) -> CBackend:
+def backend_of(count: int) -> CBackend:
     return CBackend(random_stand(np.random.default_rng(100 + count), count, BARE, name="inverted"))
 
 
-def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict, int, dict]:
+def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int, dict[str, Any]]:
     """Inputs, status and result at a random state; options over their defaults."""
     rng = np.random.default_rng(seed)
     count = len(c.layout.structure.flywheels)
@@ -38,7 +38,7 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict, int, dict]:
 @pytest.mark.parametrize("count", COUNTS)
 def test_residual_and_equations_agree(count: int) -> None:
     """residual = F - K V* - M V - J phi' - I phi'' with the matrices of the C; zero for N >= 6."""
-    c = made(count)
+    c = backend_of(count)
     given, status, out = ask(c)
     m = c.call("matrices", given)[1]["out"]
     left = np.array(m["F"]) - np.array(m["K"]) @ given["V_dot"] - np.array(m["M"]) @ given["x"]["V"]
@@ -52,8 +52,8 @@ def test_residual_and_equations_agree(count: int) -> None:
 
 
 def test_weights_choose_among_flywheels() -> None:
-    """Of 12 flywheels the heavily weighted one moves less, the target is met all the same, and it is the least norm."""
-    c = made(12)
+    """One of 12 flywheels, weighted heavily, moves less; the target is still met, with the least weighted norm."""
+    c = backend_of(12)
     _, _, plain = ask(c)
     weight = [1.0] * 12
     weight[3] = 1e4
@@ -67,7 +67,7 @@ def test_weights_choose_among_flywheels() -> None:
     assert null @ (theta * out["phi_ddot"]) == pytest.approx(0, abs=1e-9 * np.abs(theta * out["phi_ddot"]).max())
 
 
-def scaled(c: CBackend, given: dict) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def scaled(c: CBackend, given: dict[str, Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """K^-1/2 I, K^-1/2 times the demand, and the spin inertias, by the matrices of the C."""
     m = c.call("matrices", given)[1]["out"]
     demand = np.array(m["F"]) - np.array(m["K"]) @ given["V_dot"] - np.array(m["M"]) @ given["x"]["V"]
@@ -81,7 +81,7 @@ def scaled(c: CBackend, given: dict) -> tuple[np.ndarray, np.ndarray, np.ndarray
 @pytest.mark.parametrize("spread", [1.0, 1e3, 1e6])
 def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> None:
     """sigma, rank and status are those of K^-1/2 I Theta_ff^-1/2; what is attainable stays so."""
-    c = made(count)
+    c = backend_of(count)
     weight = [1.0 if s % 2 else spread for s in range(count)]
     given, status, out = ask(c, weight=weight)
     _, plain_status, plain = ask(c)
@@ -93,7 +93,7 @@ def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> 
 
 def test_limits_are_kept_and_told() -> None:
     """Where too many flywheels are limited: accelerations at their limits, the mask, what is missing."""
-    c = made(7)
+    c = backend_of(7)
     _, _, free = ask(c)
     bound = 0.5 * max(abs(a) for a in free["phi_ddot"])
     _, status, out = ask(c, limit=[bound] * 7)
@@ -107,7 +107,7 @@ def test_limits_are_kept_and_told() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_others_give_what_a_limited_flywheel_cannot(count: int, seed: int) -> None:
     """One flywheel held below what it would give: seven and more still meet the demand; the free ones at least norm."""
-    c = made(count)
+    c = backend_of(count)
     _, _, free = ask(c, seed)
     worst = int(np.argmax(np.abs(free["phi_ddot"])))
     limit = [float("inf")] * count
@@ -126,7 +126,7 @@ def test_others_give_what_a_limited_flywheel_cannot(count: int, seed: int) -> No
 @pytest.mark.parametrize("seed", range(4))
 def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> None:
     """SciPy's bounded least squares is the judge: the same residual, and reached where it can be."""
-    c = made(count)
+    c = backend_of(count)
     _, _, free = ask(c, seed)
     limit = [0.7 * max(abs(a) for a in free["phi_ddot"])] * count
     given, status, out = ask(c, seed, limit=limit)
@@ -141,8 +141,8 @@ def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> No
 
 
 def test_damping_lowers_what_is_near_singular() -> None:
-    """With `near` above the smallest ratio, damping is told and the answer gets smaller."""
-    c = made(6)
+    """With `near` above the smallest ratio, the damping is reported and the answer gets smaller."""
+    c = backend_of(6)
     _, status, plain = ask(c)
     assert status == 0
     _, flagged, same = ask(c, near=0.9)
@@ -157,7 +157,7 @@ def test_damping_lowers_what_is_near_singular() -> None:
 @pytest.mark.parametrize("count", [1, 5])
 def test_what_is_out_of_reach_is_told(count: int) -> None:
     """With fewer than six flywheels `hardest` is the demand's part that none of them gives, as large as 1."""
-    c = made(count)
+    c = backend_of(count)
     given, status, out = ask(c)
     assert status & STATUS_VALUES["UNREACHABLE"]
     K = np.array(c.call("matrices", given)[1]["out"]["K"])
@@ -167,7 +167,7 @@ def test_what_is_out_of_reach_is_told(count: int) -> None:
 
 def test_the_hardest_direction_has_the_least_singular_value() -> None:
     """With six flywheels: K^-1/2 hardest is the left singular vector of the least singular value."""
-    c = made(6)
+    c = backend_of(6)
     given, _, out = ask(c)
     m = c.call("matrices", given)[1]["out"]
     root = np.linalg.inv(np.linalg.cholesky(np.array(m["K"])))
@@ -179,7 +179,7 @@ def test_the_hardest_direction_has_the_least_singular_value() -> None:
 @pytest.mark.parametrize("count", [1, 5])
 def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
     """With fewer than six flywheels it is K^-1-orthogonal to every column of I, and of unit size."""
-    c = made(count)
+    c = backend_of(count)
     given, _, out = ask(c)
     m = c.call("matrices", given)[1]["out"]
     K, matrix, hardest = np.array(m["K"]), np.array(m["I"]), np.array(out["hardest"])
@@ -192,29 +192,32 @@ def test_the_hardest_direction_is_out_of_reach(count: int) -> None:
 @pytest.mark.parametrize(
     "options",
     [
-        {"weight": [0.0] * 6},
-        {"weight": [-1.0] * 6},
         {"limit": [0.0] * 6},
         {"near": 1.5},
         {"damping": -0.1},
     ],
 )
-def test_bad_options_are_refused(options: dict) -> None:
-    assert ask(made(6), **options)[1] == STATUS_VALUES["BAD_ARGUMENT"]
+def test_bad_options_are_refused(options: dict[str, Any]) -> None:
+    assert ask(backend_of(6), **options)[1] == STATUS_VALUES["BAD_ARGUMENT"]
 
 
 def test_not_a_number_among_options_is_refused() -> None:
-    assert ask(made(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
-    assert ask(made(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
-    assert ask(made(6), near=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(backend_of(6), weight=[float("nan")] + [1.0] * 5)[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(backend_of(6), limit=[float("nan")] * 6)[1] == STATUS_VALUES["NOT_FINITE"]
+    assert ask(backend_of(6), near=float("nan"))[1] == STATUS_VALUES["NOT_FINITE"]
 
 
 def test_the_fast_variant_reads_weights_and_damping_only() -> None:
     """The same answer as inverse for weighted flywheels; its other options are nobody's business."""
-    c = made(12)
+    c = backend_of(12)
     weight = [1.0 + s for s in range(12)]
     given, _, out = ask(c, weight=weight)
     given["options"] |= {"limit": [float("nan")] * 12, "near": 7.0}
     status, fast = c.call("inverse_fast", given)
     assert status == 0
     assert fast["phi_ddot"] == pytest.approx(out["phi_ddot"], rel=1e-7)
+
+
+@pytest.mark.parametrize("weight", [0.0, -1.0, 0.99e-6, 1.01e6])
+def test_a_weight_out_of_its_range_is_RANGE_on_either_side(weight: float) -> None:
+    assert ask(backend_of(6), weight=[weight] + [1.0] * 5)[1] == STATUS_VALUES["RANGE"]

@@ -40,14 +40,14 @@ def stand_of(name: str) -> Stand:
 
 
 @cache
-def made(name: str) -> CBackend:
+def backend_of(name: str) -> CBackend:
     return CBackend(stand_of(name))
 
 
 def state_of(name: str, seed: int) -> State:
     """A random state; without run-time wrenches where the C takes none."""
     state = random_state(stand_of(name), np.random.default_rng(seed))
-    return state if made(name).inputs else replace(state, wrench=MappingProxyType({}))
+    return state if backend_of(name).inputs else replace(state, wrench=MappingProxyType({}))
 
 
 def differentiated(stand: Stand, state: State, want: str, by: tuple[str, ...]) -> dict[str, np.ndarray]:
@@ -84,15 +84,15 @@ def locked_slopes(stand: Stand, state: State, free: list[int]) -> dict[str, np.n
     wanted = [needed, *(ca.jacobian(each, symbols[n]) for each in (V_dot, needed) for n in by)]
     function = ca.Function("slopes", list(symbols.values()), wanted)
 
-    def at(phi_ddot: np.ndarray) -> list[np.ndarray]:
+    def accelerations_at(phi_ddot: np.ndarray) -> list[np.ndarray]:
         arguments = second.arguments(replace(state, phi_ddot=tuple(phi_ddot.tolist())))
         return [each.full() for each in function(*(arguments[n] for n in symbols))]
 
     phi_ddot = np.zeros(len(state.phi))
-    now = at(phi_ddot)
+    now = accelerations_at(phi_ddot)
     pull = np.linalg.inv(now[8][np.ix_(free, free)])
     phi_ddot[free] = pull @ (np.array(state.tau) - now[0].ravel())[free]
-    _, *slopes = at(phi_ddot)
+    _, *slopes = accelerations_at(phi_ddot)
     V_by, needed_by = dict(zip(by, slopes[:4], strict=True)), dict(zip(by, slopes[4:], strict=True))
     found = {}
     for name in ("V", "phi", "phi_dot", "tau"):
@@ -110,10 +110,10 @@ def scales(exact: np.ndarray) -> np.ndarray:
     rows = np.abs(exact).max(axis=1, keepdims=True)
     if len(exact) == 6:
         rows = np.repeat([rows[:3].max(), rows[3:].max()], 3)[:, None]
-    return np.maximum(rows, np.abs(exact).max() * 1e-3)
+    return np.asarray(np.maximum(rows, np.abs(exact).max() * 1e-3))
 
 
-def within(found: object, exact: np.ndarray, allowed: np.ndarray) -> bool:
+def rows_within(found: object, exact: np.ndarray, allowed: np.ndarray) -> bool:
     """Is every row as near as is allowed to it (rows x 1)?"""
     return bool(np.all(np.abs(np.array(found) - exact) <= allowed))
 
@@ -124,15 +124,15 @@ CASES = [*RANDOM, *names()]
 @pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("name", CASES)
 def test_derivatives_of_forward(name: str, seed: int) -> None:
-    """By V, phi, phi' and phi''. Two independent solves: 1e-10 of the largest in a row of like numbers."""
-    c, state = made(name), state_of(name, seed)
+    """Derivatives by V, phi, phi' and phi''. Two independent solves: 1e-10 of the largest in a row of like numbers."""
+    c, state = backend_of(name), state_of(name, seed)
     by = ("V", "phi", "phi_dot", "phi_ddot") if state.phi else ("V",)
     slopes = c.call("forward_jacobian", c.arguments(state))[1]["out"]
     exact = differentiated(stand_of(name), state, "forward", by)
     assert set(slopes) == set(exact)
     for key, value in exact.items():
         if np.abs(value).max() > 1e-12:  # balanced flywheels: nothing depends on their phases
-            assert within(slopes[key], value, 1e-10 * scales(value)), key
+            assert rows_within(slopes[key], value, 1e-10 * scales(value)), key
         else:
             assert np.abs(slopes[key]).max() < 1e-9, key
 
@@ -140,8 +140,8 @@ def test_derivatives_of_forward(name: str, seed: int) -> None:
 @pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("name", [n for n in CASES if n != "bare 0"])
 def test_derivatives_of_coupled(name: str, seed: int) -> None:
-    """By V, phi, phi' and tau, of both results."""
-    c, state = made(name), state_of(name, seed)
+    """Derivatives of both results by V, phi, phi' and tau."""
+    c, state = backend_of(name), state_of(name, seed)
     slopes = c.call("coupled_jacobian", c.arguments(state))[1]["out"]
     motion = c.call("coupled", c.arguments(state))[1]
     exact = differentiated(stand_of(name), state, "coupled", ("V", "phi", "phi_dot", "tau"))
@@ -152,14 +152,14 @@ def test_derivatives_of_coupled(name: str, seed: int) -> None:
             if key == "phi_ddot_phi":
                 # a turned phase moves a small unbalance: what is left of terms as large as phi'' itself
                 allowed = np.maximum(allowed, 1e-12 * np.abs(motion["phi_ddot"])[:, None])
-            assert within(slopes[key], value, allowed), key
+            assert rows_within(slopes[key], value, allowed), key
         else:
             assert np.abs(slopes[key]).max() < 1e-9, key
 
 
 def test_locked_flywheels_take_no_part() -> None:
     """With all locked the derivatives by V and phi are those of forward at phi'' = 0, and those by tau vanish."""
-    c, state = made("everything 4"), state_of("everything 4", 3)
+    c, state = backend_of("everything 4"), state_of("everything 4", 3)
     given = c.arguments(replace(state, phi_ddot=(0.0,) * 4)) | {"locked": [1] * 4}
     locked = c.call("coupled_jacobian", given)[1]["out"]
     driven = c.call("forward_jacobian", given)[1]["out"]
@@ -173,15 +173,15 @@ def test_locked_flywheels_take_no_part() -> None:
 def test_a_small_row_is_held_to_its_own_size() -> None:
     exact = np.array([[1e3, 2e3], [1.0, 3.0]])
     off = exact + np.array([[1e-8, 0.0], [0.0, 1e-8]])
-    assert within(off[:1], exact[:1], 1e-10 * scales(exact[:1]))
-    assert not within(off, exact, 1e-10 * scales(exact))
+    assert rows_within(off[:1], exact[:1], 1e-10 * scales(exact[:1]))
+    assert not rows_within(off, exact, 1e-10 * scales(exact))
 
 
 @pytest.mark.parametrize("locks", [(1, 0, 0, 0), (0, 1, 0, 1), (1, 1, 0, 1)])
 @pytest.mark.parametrize("seed", [1, 2])
 def test_some_flywheels_locked(locks: tuple[int, ...], seed: int) -> None:
-    """By V, phi, phi' and tau: of the second derivation with phi'' = 0 of those locked, their rows left out."""
-    c, state = made("everything 4"), state_of("everything 4", seed)
+    """Derivatives by V, phi, phi' and tau are the second derivation's without the rows of locked flywheels."""
+    c, state = backend_of("everything 4"), state_of("everything 4", seed)
     given = c.arguments(state) | {"locked": list(locks)}
     found = c.call("coupled_jacobian", given)[1]["out"]
     free = [s for s, lock in enumerate(locks) if not lock]
@@ -189,7 +189,7 @@ def test_some_flywheels_locked(locks: tuple[int, ...], seed: int) -> None:
     assert set(exact) == set(found)
     for key, value in exact.items():
         allowed = np.maximum(1e-10 * scales(value), 1e-300)
-        assert within(found[key], value, allowed), key
+        assert rows_within(found[key], value, allowed), key
     for s, lock in enumerate(locks):
         if lock:
             assert not any(np.any(np.array(found[key])[s]) for key in found if key.startswith("phi_ddot"))
@@ -198,7 +198,7 @@ def test_some_flywheels_locked(locks: tuple[int, ...], seed: int) -> None:
 
 @pytest.mark.parametrize("function", ["forward_jacobian", "coupled_jacobian"])
 def test_not_a_number_is_refused(function: str) -> None:
-    c, state = made("everything 1"), state_of("everything 1", 1)
+    c, state = backend_of("everything 1"), state_of("everything 1", 1)
     bad = c.arguments(replace(state, phi_dot=(float("nan"),)))
     wanted = {a.name for a in c.program.function(function).arguments}
     status, out = c.library.run(c.program.function(function), {k: v for k, v in bad.items() if k in wanted}, fill=3.5)
@@ -208,6 +208,6 @@ def test_not_a_number_is_refused(function: str) -> None:
 
 def test_coupled_costs_at_most_twice_forward() -> None:
     """At eight flywheels, by the operations of the program."""
-    program = made("bench8").program
+    program = backend_of("bench8").program
     coupled, forward = (cost(program.function(name), program.functions) for name in ("coupled", "forward"))
     assert coupled.total <= 2 * forward.total

@@ -182,11 +182,11 @@ def test_speed_is_counts_over_time(precision_name: str) -> None:
 
 
 def reading(position: int, bits: int, per_turn: int, signed: bool) -> int:
-    """What a counter of so many bits shows; 0 bits: it counts over one turn."""
+    """Reading of a counter with this many bits; 0 bits: it counts over one turn."""
     if bits == 0:
         return position % abs(per_turn)
-    value = position % 2**bits
-    return value - 2**bits if signed and value >= 2 ** (bits - 1) else value
+    value = position % (1 << bits)
+    return value - (1 << bits) if signed and value >= 1 << (bits - 1) else value
 
 
 @PRECISIONS

@@ -1,14 +1,15 @@
 """prepare in compiled C: the generator's tables, tables of other stands, and parameters that it refuses."""
 
 import copy
-from pathlib import Path
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 import pytest
 
 from emit.compiled import Compiled, bits, compiled
 from emit.stands import other_numbers
-from lower.refusals import NOT_FINITE, accepts, numbers, refuses, spoiled
+from lower.refusals import NOT_FINITE, NumberPath, accepts, numbers, refuses, spoiled
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
@@ -23,10 +24,10 @@ LAWS = {"gravity", "stream", "damper", "term", "suspension", "leg", "magnetic_fi
 LINKS = {"flywheel", "instrument", "damper", "wrench"}
 
 
-def scrambled(c: Compiled):
+def scrambled(c: Compiled) -> dict[str, Any]:
     """The default table with every number that prepare should write turned into another."""
 
-    def other(value):
+    def other(value: Any) -> Any:
         if isinstance(value, list):
             return [other(v) for v in value]
         if isinstance(value, dict):
@@ -42,7 +43,7 @@ def scrambled(c: Compiled):
     return table
 
 
-def inputs_of(c: Compiled, parameters=None):
+def inputs_of(c: Compiled, parameters: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Arguments of prepare that begin with a scrambled table."""
     parameters = c.values.parameters if parameters is None else parameters
     return {"parameters": parameters, "table": scrambled(c)}
@@ -51,7 +52,7 @@ def inputs_of(c: Compiled, parameters=None):
 @pytest.fixture(scope="module", params=FEW)
 def c(request: pytest.FixtureRequest) -> Compiled:
     """A stand with few parameters: every one of them is spoiled."""
-    return compiled(request.param)
+    return compiled(str(request.param))
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -126,14 +127,14 @@ def test_too_large_in_any_parameter(c: Compiled) -> None:
             refuses(c, "prepare", inputs | {"parameters": spoiled(inputs["parameters"], path, float(number))}, "RANGE")
 
 
-def bodies(parameters):
+def bodies(parameters: Mapping[str, Any]) -> Iterator[NumberPath]:
     """Paths of all bodies."""
     yield ("carrier",)
     for kind in ("instrument", "flywheel"):
         yield from ((kind, k, "body") for k in range(len(parameters.get(kind, ()))))
 
 
-def refuses_with(c: Compiled, path: Path, value, *expected) -> None:
+def refuses_with(c: Compiled, path: NumberPath, value: Any, *expected: str) -> None:
     """prepare refuses the default parameters with one of them replaced."""
     inputs = inputs_of(c)
     refuses(c, "prepare", inputs | {"parameters": spoiled(inputs["parameters"], path, value)}, *expected)
@@ -149,14 +150,14 @@ def test_no_mass_at_all() -> None:
 
 
 @pytest.mark.parametrize("inertia", [0.0, -1e-6])
-def test_a_flywheel_without_spin_inertia(inertia) -> None:
+def test_a_flywheel_without_spin_inertia(inertia: float) -> None:
     c = compiled("everything6")
     for k in range(6):
         refuses_with(c, ("flywheel", k, "body", "inertia", 0), inertia, "NOT_POSITIVE_DEFINITE")
 
 
 @pytest.mark.parametrize("kind", ["instrument", "flywheel"])
-def test_axes_without_a_direction(kind) -> None:
+def test_axes_without_a_direction(kind: str) -> None:
     c = compiled("everything1")
     wheel = c.values.parameters[kind][0]
     for zero in ([0.0] * 3, [3 * x for x in wheel["axis"]], [-x for x in wheel["axis"]]):
@@ -166,14 +167,14 @@ def test_axes_without_a_direction(kind) -> None:
 
 
 @pytest.mark.parametrize("mount", [-2, 2, 100, -(2**31), 2**31 - 1])
-def test_a_mount_that_is_none(mount) -> None:
+def test_a_mount_that_is_none(mount: int) -> None:
     c = compiled("everything6")
     for k in range(6):
         refuses_with(c, ("flywheel", k, "mount"), mount, "BAD_ARGUMENT")
 
 
 @pytest.mark.parametrize("mount", [-1, 0, 1])
-def test_every_mount_that_is_one(mount) -> None:
+def test_every_mount_that_is_one(mount: int) -> None:
     c = compiled("everything6")
     parameters = copy.deepcopy(c.values.parameters)
     parameters["flywheel"][3]["mount"] = mount

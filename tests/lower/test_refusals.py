@@ -2,14 +2,14 @@
 
 import copy
 import math
-from pathlib import Path
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 
 from emit.compiled import QUANTITIES, Compiled, compiled
-from lower.refusals import FILL, NOT_FINITE, accepts, get, numbers, refuses, spoiled
+from lower.refusals import FILL, NOT_FINITE, NumberPath, accepts, get, numbers, refuses, spoiled
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
@@ -22,15 +22,15 @@ LIMIT = {name: limit.value for name, limit in limits(DOUBLE).items()}
 @pytest.fixture(scope="module", params=NAMES)
 def c(request: pytest.FixtureRequest) -> Compiled:
     """A compiled stand."""
-    return compiled(request.param)
+    return compiled(str(request.param))
 
 
-def ordinary(c: Compiled, seed: int = 1):
+def ordinary(c: Compiled, seed: int = 1) -> dict[str, Any]:
     """Inputs of an ordinary state."""
     return c.inputs(random_state(c.stand, np.random.default_rng(seed)))
 
 
-def functions(c: Compiled):
+def functions(c: Compiled) -> Iterator[tuple[str, list[str]]]:
     """Public functions of a state with the names of what they read."""
     for name in ("quaternion", *QUANTITIES):
         if c.has(name):
@@ -40,14 +40,14 @@ def functions(c: Compiled):
             )
 
 
-def places(c: Compiled, function: str, taken, inputs: dict[str, Any]):
+def places(c: Compiled, function: str, taken: list[str], inputs: dict[str, Any]) -> Iterator[NumberPath]:
     """Paths of the numbers that a function reads; `generalized` takes angles instead of the quaternion."""
     for path in numbers({name: inputs[name] for name in taken}):
         if not (function == "generalized" and path[:2] == ("x", "attitude")):
             yield path
 
 
-def limit_of(path: Path):
+def limit_of(path: NumberPath) -> float | None:
     """The largest magnitude that a number may have."""
     match path:
         case ("x", "position", _):
@@ -63,11 +63,6 @@ def limit_of(path: Path):
         case ("wrench", _):
             return LIMIT["MAX_WRENCH"]
     return None
-
-
-def test_ordinary_states_are_accepted(c: Compiled) -> None:
-    for function, _ in functions(c):
-        accepts(c, function, ordinary(c))
 
 
 def test_not_finite_in_any_element(c: Compiled) -> None:
@@ -119,7 +114,7 @@ def test_everything_at_its_limit_gives_finite_results(c: Compiled) -> None:
 
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 1 - 1.0001e-3, 1 + 1.0001e-3, 1.9])
-def test_quaternions_off_unit_length(c: Compiled, length) -> None:
+def test_quaternions_off_unit_length(c: Compiled, length: float) -> None:
     inputs = ordinary(c)
     inputs["x"]["attitude"] = [length * q for q in inputs["x"]["attitude"]]
     for function, taken in functions(c):
@@ -128,7 +123,7 @@ def test_quaternions_off_unit_length(c: Compiled, length) -> None:
 
 
 @pytest.mark.parametrize("length", [1 - 0.9999e-3, 1 + 0.9999e-3, 1 + 1e-9])
-def test_quaternions_near_unit_length_are_normalised(c: Compiled, length) -> None:
+def test_quaternions_near_unit_length_are_normalised(c: Compiled, length: float) -> None:
     """The same result as for the unit quaternion but for rounding: some hundred operations."""
     inputs = ordinary(c)
     other = copy.deepcopy(inputs)

@@ -85,14 +85,14 @@ def test_the_integral_does_not_wind_up() -> None:
     inputs = {name: [0.0] * N for name in ("phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot")}
     inputs["phi_ref"] = [1.0, 1.0]
 
-    def after(back: list[float]) -> float:
+    def integral_after(back: list[float]) -> float:
         state, g = run("servo_reset", {})[1]["state"], gains(back=back, change=[1e9, 1e9])
         for _ in range(200):
             state = run("servo_step", {"gains": g, "state": state, **inputs})[1]["state"]
         return float(state["integral"][0])
 
-    assert after([0.3, 0.2]) == pytest.approx(2.0 + 0.5 / 0.3 - 3.0)
-    assert after([0.0, 0.0]) == 2.0
+    assert integral_after([0.3, 0.2]) == pytest.approx(2.0 + 0.5 / 0.3 - 3.0)
+    assert integral_after([0.0, 0.0]) == 2.0
 
 
 @pytest.mark.parametrize("name", ["phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot"])
@@ -107,6 +107,24 @@ def test_refusals_write_nothing(name: str) -> None:
         assert found["tau"] == [0.0, 0.0]
     broken = state | {"integral": [float("nan"), 0.0]}
     assert run("servo_step", {"gains": gains(), "state": broken, **inputs})[0] == NOT_FINITE
+
+
+def test_one_bad_encoder_leaves_the_other_servo_alone() -> None:
+    """The flywheel without a reading gets the torque of zero errors; the other the same bits as beside a good one."""
+    run = interpreter().run
+    state = run("servo_reset", {})[1]["state"] | {"integral": [0.125, 0.25]}
+    wanted: dict[str, Any] = {"gains": gains(change=[1e9] * N), "state": state}
+    wanted |= {"phi_ref": [0.5, 0.7], "phi_dot_ref": [1.0, -1.0], "tau_ff": [0.1, 0.2]}
+    good = run("servo_step", {**wanted, "phi": [0.4, 0.6], "phi_dot": [1.1, -1.2]})
+    for nothing in (float("nan"), float("inf"), 1e300):
+        readings = {"phi": [nothing, 0.6], "phi_dot": [nothing, -1.2]}
+        assert run("servo_step", {**wanted, **readings})[0] < 0
+        status, found = run("servo_step", {**wanted, **readings, "invalid": [1, 0]})
+        assert status == OK
+        assert found["tau"][1] == good[1]["tau"][1]
+        assert [found["state"][name][1] for name in found["state"]] == [good[1]["state"][name][1] for name in state]
+        exact = run("servo_step", {**wanted, "phi": [0.5, 0.6], "phi_dot": [1.0, -1.2]})
+        assert found == exact[1]
 
 
 # ---- trim ----
@@ -184,4 +202,5 @@ def test_in_float_it_is_as_good_as_float() -> None:
     for precision in (DOUBLE, FLOAT):
         run = interpreter(None, precision).run
         found.append(run("servo_step", {**inputs, "state": run("servo_reset", {})[1]["state"]})[1]["tau"])
-    assert np.allclose(*found, rtol=1e-5)
+    double, single = found
+    assert np.allclose(double, single, rtol=1e-5)

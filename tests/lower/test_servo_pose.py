@@ -13,6 +13,7 @@ from mahovik.core.lower.servo.program import lower_servo
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.structure import structure
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.stands import path
@@ -21,7 +22,7 @@ STAND = load(path("shaker2"))
 
 
 @pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
-def test_angles_give_the_attitude_back(sequence: str) -> None:
+def test_angles_give_the_attitude_back(sequence: Sequence) -> None:
     rng = np.random.default_rng(4)
     layout = Layout(structure(replace(STAND, angles=sequence)), DOUBLE)
     run = Interpreter(lower_servo(layout, ServoForm(layout.count, TrimForm((0, 2, 3, 4, 5), 1)))).run

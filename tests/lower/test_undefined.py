@@ -4,6 +4,8 @@ import math
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,11 +24,11 @@ def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.Mon
     """The interpreter begins locals and outputs with zeros, C with what was there: with NaN nothing may change."""
     c = compiled(name)
 
-    def spoilt(type_, shape, precision: Precision):
+    def spoilt(type_: Kind | Struct, shape: tuple[Any, ...], precision: Precision) -> Any:
         if shape:
             return [spoilt(type_, shape[1:], precision) for _ in range(int(shape[0]))]
         if isinstance(type_, Struct):
-            return module.SimpleNamespace(**{f.name: spoilt(f.type, f.shape, precision) for f in type_.fields})
+            return SimpleNamespace(**{f.name: spoilt(f.type, f.shape, precision) for f in type_.fields})
         return precision.scalar(math.nan) if type_ is Kind.REAL else 10**9
 
     plain = module.Interpreter(c.program)

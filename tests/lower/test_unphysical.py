@@ -64,7 +64,7 @@ def about_origin(principal: Array, Q: Array, mass: float, center: Array) -> Arra
     return np.asarray(Q @ np.diag(principal) @ Q.T + mass * (center @ center * np.eye(3) - np.outer(center, center)))
 
 
-def drawn(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
+def random_body(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
     """A body of second moments about its centre of mass in random axes: principal moments, mass, centre, J."""
     rng = np.random.default_rng(seed)
     mass, size = float(10 ** rng.uniform(-4, 4)), float(10 ** rng.uniform(-4, 2))
@@ -81,7 +81,7 @@ def drawn(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
 )
 def test_every_body_that_can_be_is_taken(precision: Precision, seed: int, moments: tuple[float, ...]) -> None:
     """Rods, discs and clouds: second moments that are zero are on the border, and rounding is beside it."""
-    _, mass, center, J = drawn(seed, np.array(moments))
+    _, mass, center, J = random_body(seed, np.array(moments))
     assert inertia_status(precision, mass, center, J) == OK
 
 
@@ -92,7 +92,7 @@ def test_a_triangle_that_does_not_close_is_refused(
     precision: Precision, seed: int, moments: tuple[float, float], excess: float
 ) -> None:
     """One second moment negative, by more than the tolerance of the largest element of J about the origin."""
-    _, mass, center, J = drawn(seed, np.array([*moments, 0.0]))
+    _, mass, center, J = random_body(seed, np.array([*moments, 0.0]))
     rng = np.random.default_rng(seed + 1)
     n = rng.normal(size=3)
     n /= np.linalg.norm(n)
@@ -137,7 +137,7 @@ def test_mass_off_the_origin_has_inertia_there(precision: Precision) -> None:
 
 
 def definite(rng: np.random.Generator, rank: int) -> Array:
-    """A positive semidefinite 6x6 of so many directions, its rows of very different size."""
+    """A positive semidefinite 6x6 of this rank, its rows of very different size."""
     factor = rng.normal(size=(6, rank)) * 10 ** rng.uniform(-3, 3, 6)[:, None]
     added = factor @ factor.T
     return np.asarray((added + added.T) / 2)
@@ -160,7 +160,7 @@ def test_every_semidefinite_added_mass_is_taken(precision: Precision, seed: int,
 def test_an_added_mass_with_a_negative_direction_is_refused(
     precision: Precision, seed: int, rank: int, excess: float
 ) -> None:
-    """Of unit diagonal and a zero eigenvalue, less a little along its direction."""
+    """A matrix with unit diagonal and a zero eigenvalue, less a little along its direction."""
     rng = np.random.default_rng(seed)
     added = definite(rng, rank)
     root = np.sqrt(np.diag(added))

@@ -20,7 +20,7 @@ HEAD = "schema = 1\n"
 REST = "default = { hold = true }\n"
 
 
-def left(law: str) -> str:
+def regime_of_left(law: str) -> str:
     """A regime of shaker2 whose flywheel `left` has the lines given; the other is held."""
     return f"{HEAD}{REST}[flywheel.left]\n{law}\n"
 
@@ -49,7 +49,7 @@ def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
     ],
 )
 def test_laws_in_si(text: str, law: Law) -> None:
-    first, second = loads(left(text), SHAKER, 1.0).flywheels
+    first, second = loads(regime_of_left(text), SHAKER, 1.0).flywheels
     assert (first.name, first.law) == ("left", law)
     assert (second.name, second.law) == ("right", Constant(0.0))
 
@@ -91,7 +91,7 @@ def test_tables(tmp_path: Path) -> None:
     assert isinstance(law, SpeedTable)
     np.testing.assert_allclose(law.motion(np.array([0.25]))[1], 5 * math.pi, rtol=1e-12)
     assert found.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
-    torque = loads(left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
+    torque = loads(regime_of_left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
     assert isinstance(torque, TorqueTable)
     assert torque.command(0.5, 0.0) == 1.5
 
@@ -106,41 +106,56 @@ def test_tables(tmp_path: Path) -> None:
         (HEAD + REST + "[flywheel.lefd]\nspeed = 1", 'unknown flywheel "lefd", did you mean "left"?'),
         (HEAD + "[flywheel.left]\nspeed = 1", 'flywheel "right": has no law'),
         (HEAD + "[flywheel.left]\nphase = 1\n[flywheel.right]\nhold=true", "no law: expected"),
-        (left("speed = 1\ntorque = 2"), "exactly one law, not 2"),
-        (left("sped = 1"), 'unknown key "sped", did you mean "speed"?'),
-        (left('speed = "50 Hz"'), "a frequency is not one: write rpm or rad/s"),
-        (left('torque = "3 N"'), 'unit "N" does not fit, expected a torque (N m)'),
-        (left("speed = nan"), "not finite"),
-        (left("hold = false"), "expected true"),
-        (left("ramp = 5"), "ramp: expected a table with from, to"),
-        (left("ramp = { to = 5 }"), "ramp, duration: required, but missing"),
-        (left("ramp = { to = 5, duration = 0 }"), "duration: 0 s is not above 0"),
-        (left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 s is negative"),
-        (left("ramp = { too = 5, to = 5, duration = 1 }"), 'unknown key "too", did you mean "to"?'),
-        (left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'scale: unknown "dec"'),
-        (left('sweep = { from = 0, to = 5, duration = 1, scale = "log" }'), "two speeds of one sign"),
-        (left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
-        (left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 N m is not above 0"),
-        (left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 rad/s is negative"),
-        (left("speed = 1e300"), 'left", speed: a speed of 1e+300 rad/s is out of range, at most 100000 in magnitude'),
-        (left("speed = -2e5"), "a speed of 200000 rad/s is out of range"),
-        (left("ramp = { to = 2e5, duration = 1 }"), "ramp: a speed of 200000 rad/s"),
-        (left("ramp = { to = 9e4, duration = 1e-5 }"), "ramp: an acceleration of 9e+09 rad/s2 is out of range"),
-        (left("ramp = { from = -9e4, to = 9e4, duration = 1e-320 }"), "ramp: an acceleration of inf rad/s2"),
-        (left('sweep = { from = 1, to = 9e4, duration = 1e-4, scale = "log" }'), "sweep: an acceleration of 1.02"),
-        (left("harmonic = { mean = 6e4, amplitude = 6e4, frequency = 1 }"), "harmonic: a speed of 120000 rad/s"),
-        (left("harmonic = { amplitude = 6e4, frequency = 1e5 }"), "harmonic: an acceleration of 3.7"),
-        (left("torque = 2e9"), "torque: a torque of 2e+09 N m is out of range"),
-        (left("run_up = { torque = 1, to = 2e5 }"), "run_up: a speed of 200000 rad/s"),
-        (left("run_up = { torque = 1e10, to = 2 }"), "run_up: a torque of 1e+10 N m"),
-        (left("speed = 1\nphase = 2e7"), 'flywheel "left", phase: an angle of 20000000 rad is out of range'),
-        (left("torque = 1\ninitial_speed = 2e5"), "initial_speed: an angular speed of 200000 rad/s is out of range"),
+        (regime_of_left("speed = 1\ntorque = 2"), "exactly one law, not 2"),
+        (regime_of_left("sped = 1"), 'unknown key "sped", did you mean "speed"?'),
+        (regime_of_left('speed = "50 Hz"'), "a frequency is not one: write rpm or rad/s"),
+        (regime_of_left('torque = "3 N"'), 'unit "N" does not fit, expected a torque (N m)'),
+        (regime_of_left("speed = nan"), "not finite"),
+        (regime_of_left("hold = false"), "expected true"),
+        (regime_of_left("ramp = 5"), "ramp: expected a table with from, to"),
+        (regime_of_left("ramp = { to = 5 }"), "ramp, duration: required, but missing"),
+        (regime_of_left("ramp = { to = 5, duration = 0 }"), "duration: 0 s is not above 0"),
+        (regime_of_left("ramp = { to = 5, duration = 1, start = -1 }"), "start: -1 s is negative"),
+        (regime_of_left("ramp = { too = 5, to = 5, duration = 1 }"), 'unknown key "too", did you mean "to"?'),
+        (regime_of_left('sweep = { from = 1, to = 5, duration = 1, scale = "dec" }'), 'scale: unknown "dec"'),
+        (regime_of_left('sweep = { from = 0, to = 5, duration = 1, scale = "log" }'), "two speeds of one sign"),
+        (regime_of_left('sweep = { from = "1 m", to = 5, duration = 1 }'), 'sweep, from: unit "m" does not fit'),
+        (regime_of_left("run_up = { torque = -1, to = 5 }"), "run_up, torque: -1 N m is not above 0"),
+        (regime_of_left("run_up = { torque = 1, to = 5, band = -1 }"), "band: -1 rad/s is negative"),
+        (
+            regime_of_left("speed = 1e300"),
+            'left", speed: a speed of 1e+300 rad/s is out of range, at most 100000 in magnitude',
+        ),
+        (regime_of_left("speed = -2e5"), "a speed of 200000 rad/s is out of range"),
+        (regime_of_left("ramp = { to = 2e5, duration = 1 }"), "ramp: a speed of 200000 rad/s"),
+        (
+            regime_of_left("ramp = { to = 9e4, duration = 1e-5 }"),
+            "ramp: an acceleration of 9e+09 rad/s2 is out of range",
+        ),
+        (regime_of_left("ramp = { from = -9e4, to = 9e4, duration = 1e-320 }"), "ramp: an acceleration of inf rad/s2"),
+        (
+            regime_of_left('sweep = { from = 1, to = 9e4, duration = 1e-4, scale = "log" }'),
+            "sweep: an acceleration of 1.02",
+        ),
+        (
+            regime_of_left("harmonic = { mean = 6e4, amplitude = 6e4, frequency = 1 }"),
+            "harmonic: a speed of 120000 rad/s",
+        ),
+        (regime_of_left("harmonic = { amplitude = 6e4, frequency = 1e5 }"), "harmonic: an acceleration of 3.7"),
+        (regime_of_left("torque = 2e9"), "torque: a torque of 2e+09 N m is out of range"),
+        (regime_of_left("run_up = { torque = 1, to = 2e5 }"), "run_up: a speed of 200000 rad/s"),
+        (regime_of_left("run_up = { torque = 1e10, to = 2 }"), "run_up: a torque of 1e+10 N m"),
+        (regime_of_left("speed = 1\nphase = 2e7"), 'flywheel "left", phase: an angle of 20000000 rad is out of range'),
+        (
+            regime_of_left("torque = 1\ninitial_speed = 2e5"),
+            "initial_speed: an angular speed of 200000 rad/s is out of range",
+        ),
         (
             HEAD + REST + "[wrench]\ncarrier = [0, 0, 1e12, 0, 0, 0]",
             'wrench "carrier", Z: a force of 1e+12 N is out of',
         ),
-        (left("speed = 1\ninitial_speed = 2"), "initial_speed: not allowed with `speed`"),
-        (left("table = 3"), "expected the name of a CSV file"),
+        (regime_of_left("speed = 1\ninitial_speed = 2"), "initial_speed: not allowed with `speed`"),
+        (regime_of_left("table = 3"), "expected the name of a CSV file"),
         (HEAD + "flywheel = 3\n" + REST, "flywheel: expected a table of flywheels"),
         (HEAD + REST + "[wrench]\ncarier = [0, 0, 0, 0, 0, 0]", 'unknown body "carier", did you mean "carrier"?'),
         (HEAD + REST + "[wrench]\ncarrier = [0, 0, 0]", "expected six numbers or the name of a CSV file"),
@@ -162,7 +177,7 @@ def test_bad_regimes(text: str, words: str) -> None:
         ("t,phi_dit\n0,1\n1,1\n", 'unknown column "phi_dit", did you mean "phi_dot"?'),
         ("phi_dot,torque\n0,1\n1,1\n", 'no column "t"'),
         ("t\n0\n1\n", "no column besides t"),
-        ("t,t\n0,1\n1,1\n", 'column "t" is there twice'),
+        ("t,t\n0,1\n1,1\n", 'column "t" appears twice'),
         ("t,phi_dot [Hz]\n0,1\n1,1\n", 'unit "Hz" does not fit'),
         ("t,phi_dot\n0,1\n1\n", "row 3: 1 cells, but the header has 2"),
         ("t,phi_dot\n0,1\n1,x\n", 'row 3: "x" is not a number'),
@@ -172,7 +187,7 @@ def test_bad_regimes(text: str, words: str) -> None:
 )
 def test_bad_tables(content: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text(content)
-    (line,) = problems(left('table = "a.csv"'), tmp_path)
+    (line,) = problems(regime_of_left('table = "a.csv"'), tmp_path)
     assert words in line
 
 
@@ -187,7 +202,7 @@ def test_bad_tables(content: str, words: str, tmp_path: Path) -> None:
 )
 def test_tables_out_of_range(content: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text(content)
-    (line,) = problems(left('table = "a.csv"'), tmp_path)
+    (line,) = problems(regime_of_left('table = "a.csv"'), tmp_path)
     assert words in line
 
 
@@ -202,21 +217,21 @@ def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
     """Converted it may be a hair below; half a step of output less is not the same."""
     for end in (until, float(np.nextafter(until, 0.0))):
         (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{end * 1e3!r},3\n")
-        loads(left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
+        loads(regime_of_left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
     (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{until * 1e3 * (1 - 1e-9)!r},3\n")
-    assert "but the simulation runs" in problems(left('table = "a.csv"'), tmp_path, until)[0]
+    assert "but the simulation runs" in problems(regime_of_left('table = "a.csv"'), tmp_path, until)[0]
 
 
 @pytest.mark.parametrize(
     "text", ['{"schema": 1, "schema": 1}', '{"schema": 1, "default": {"speed": 1, "speed": 2}}'], ids=["head", "inside"]
 )
 def test_a_key_of_json_that_is_there_twice(text: str) -> None:
-    with pytest.raises(RegimeError, match=r'^r.json: not JSON: key "(schema|speed)" is there twice$'):
+    with pytest.raises(RegimeError, match=r'^r.json: not JSON: key "(schema|speed)" appears twice$'):
         loads(text, SHAKER, 1.0, "r.json", is_json=True)
 
 
 def test_missing_files(tmp_path: Path) -> None:
-    (line,) = problems(left('table = "none.csv"'), tmp_path)
+    (line,) = problems(regime_of_left('table = "none.csv"'), tmp_path)
     assert "cannot be read: No such file" in line
     with pytest.raises(RegimeError, match="no such file"):
         load(tmp_path / "none.toml", SHAKER, 1.0)

@@ -56,6 +56,21 @@ def test_another_rounding_is_noticed(tmp_path: Path) -> None:
     assert {"step_driven", "forward_jacobian"} <= run_old_selftest("bench8", source, tmp_path)
 
 
+RAISED = {
+    "step": 0.02, "step(order=2)": 0.02, "step_driven": 0.02, "step_driven(order=2)": 0.02,
+    "coupled": 0.002, "inverse": 0.002,
+}  # fmt: skip
+"""Functions that may cost more than then, and by how much: steps see how far a flywheel or the carrier turns in them,
+and share their stages with the steps with a carry, which is a call; `locked` may be null; no answer of `inverse`
+exceeds its limit."""
+
+STATUS = 5
+"""Instructions by which any function may differ: a status is an int, where a compiler took a byte for the enum."""
+
+LESS = 1e-3
+"""Part of its cost by which any function may have become cheaper."""
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_instruction_counts_are_those_of_the_old_release(name: str) -> None:
     """Recorded costs by processor, element type and function: only names have changed, and functions were added."""
@@ -68,7 +83,11 @@ def test_instruction_counts_are_those_of_the_old_release(name: str) -> None:
     assert set(new) == set(old)
     for target, counts in old.items():
         renamed = {re.sub(r"^\w+", lambda m: FUNCTIONS.get(m[0], m[0]), f): count for f, count in counts.items()}
-        assert all(abs(new[target][f] - count) <= counter_error(count) for f, count in renamed.items()), target
+        for function, count in renamed.items():
+            more = new[target][function] - count
+            same = max(counter_error(count), STATUS)
+            assert -same - LESS * count <= more, (target, function)
+            assert more <= same + RAISED.get(function, 0.0) * count, (target, function)
 
 
 def counter_error(count: int) -> int:

@@ -7,8 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from mahovik.core.stand import Stand, State, dumps
-from mahovik.proof.verify.evaluate import state_line
-from mahovik.proof.verify.states import Request
+from mahovik.proof.verify.states import Request, state_line
 
 Shown = Callable[[Stand, State], None]
 

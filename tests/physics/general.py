@@ -1,16 +1,34 @@
 """Random general stands with every kind of wrench, moderate states of them, and stands with parts taken away."""
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import State
+from mahovik.laws.suspension.data import Suspension
+from mahovik.proof.reference.bodies import Fixed, Spinning
+from mahovik.proof.reference.pieces import Pieces
+
+AnyBody = TypeVar("AnyBody", bound=Body)
+
+
+def suspension_of(stand: Stand) -> Suspension:
+    """The suspension of a stand that has one."""
+    found = stand.law(Suspension)
+    assert found is not None
+    return found
+
+
+def placed(at: Pieces) -> tuple[Fixed | Spinning, ...]:
+    """Every body with its transfer to E1: carrier, instruments, flywheels."""
+    return (*at.fixed, *at.flywheels)
 
 
 def rows(matrix: np.ndarray) -> tuple[Any, ...]:
+    """A matrix as the plain data of a stand."""
     return tuple(tuple(float(x) for x in row) for row in matrix)
 
 
@@ -43,8 +61,8 @@ def draw(
 def isolated(stand: Stand) -> Stand:
     """The stand without any external wrench: no gravity, fluid wrenches, suspension nor legs. Added mass stays."""
 
-    def bare(body: Body) -> Body:
-        return replace(body, buoyancy=None, damping=None)
+    def bare(body: AnyBody) -> AnyBody:
+        return replace(body, laws=())
 
     return replace(
         stand,
@@ -57,6 +75,8 @@ def isolated(stand: Stand) -> Stand:
 
 
 def without_added_mass(stand: Stand) -> Stand:
+    """The stand without the added mass of any body."""
+    """The stand without the added mass of any body."""
     return replace(
         stand,
         carrier=replace(stand.carrier, added_mass=None),

@@ -13,10 +13,15 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 
-SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}  # SciPy's names; capitals: about moving axes
+SEQUENCES: dict[Sequence, str] = {
+    "ship": "ZYX",
+    "aircraft": "YZX",
+    "euler": "ZXZ",
+}
+"""SciPy's names of the attitude sequences; capitals turn about moving axes."""
 
 # central difference of order 8: offsets, weights of the first and of the second derivative
 OFFSETS = np.array([1, 2, 3, 4])
@@ -26,19 +31,21 @@ SECOND_MIDDLE = -205 / 72
 
 
 def cross(a: np.ndarray) -> np.ndarray:
+    """Matrix of the vector product, <a>."""
     return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]], dtype=float)
 
 
 def vec(values: Iterable[float]) -> tuple[Any, ...]:
+    """Numbers as the plain data of a stand or a state."""
     return tuple(float(x) for x in values)
 
 
 def rotation(stand: Stand, state: State) -> np.ndarray:
     """C of the state, by SciPy."""
     if state.quaternion is not None:
-        return Rotation.from_quat(state.quaternion, scalar_first=True).as_matrix()
+        return np.asarray(Rotation.from_quat(state.quaternion, scalar_first=True).as_matrix())
     if state.angles is not None:
-        return Rotation.from_euler(SEQUENCES[stand.angles], state.angles).as_matrix()
+        return np.asarray(Rotation.from_euler(SEQUENCES[stand.angles], state.angles).as_matrix())
     return np.eye(3)
 
 
@@ -64,7 +71,7 @@ def motion(stand: Stand, state: State) -> Callable[[float], State]:
     v0, a0 = C0 @ V[:3], C0 @ (V_dot[:3] + np.cross(V[3:], V[:3]))  # of O1 in E0
     phi, phi_dot, phi_ddot = map(np.array, (state.phi, state.phi_dot, state.phi_ddot))
 
-    def at(t: float) -> State:
+    def state_at(t: float) -> State:
         theta, rate = V[3:] * t + V_dot[3:] * t * t / 2, V[3:] + V_dot[3:] * t
         C = C0 @ Rotation.from_rotvec(theta).as_matrix()
         moved = replace(
@@ -76,7 +83,7 @@ def motion(stand: Stand, state: State) -> Callable[[float], State]:
         )
         return with_rotation(moved, C)
 
-    return at
+    return state_at
 
 
 def rate(function: Callable[[float], Any], h: float) -> Any:

@@ -1,4 +1,4 @@
-"""What all properties share: settings, cases, differences over the natural scale.
+"""Common parts of all properties: settings, cases, differences over the natural scale.
 
 Cases are drawn by `strategies`, so that they shrink; each test gives its case to `shown`, which writes the stand file.
 """
@@ -15,7 +15,9 @@ from hypothesis import strategies as st
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.scales import scales
+from physics.general import AnyBody, rows
 from physics.motions import vec
 from strategies import stands, states
 
@@ -27,17 +29,17 @@ PROPERTY = settings(
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
 ROUNDING = 1e-11
-"""Of the natural scale: some hundred operations on either side of an identity."""
+"""Accepted difference over the natural scale: some hundred operations on either side of an identity."""
 
 
 @st.composite
-def cases(draw: st.DrawFn, low: int = 0, high: int = 5, **has: Any) -> tuple[Stand, State]:
+def cases(draw: st.DrawFn, /, low: int = 0, high: int = 5, **has: Any) -> tuple[Stand, State]:
     """A stand and an ordinary state of it."""
     stand = draw(stands(low, high, **has))
     return stand, draw(states(stand))
 
 
-def near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
+def assert_near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
     """Within rounding of the scale, element by element."""
     off = np.abs(np.asarray(found, dtype=float) - np.asarray(expected, dtype=float))
     allowed = times * ROUNDING * np.maximum(np.asarray(scale, dtype=float), 1e-280)
@@ -45,10 +47,12 @@ def near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
 
 
 def scale(stand: Stand, state: State, want: str) -> Any:
+    """Natural scales of the quantities of a want, by name."""
     return scales(stand, state, pieces(stand, state), want)
 
 
 def value(stand: Stand, state: State, want: str, name: str) -> Any:
+    """One quantity of a want by the reference."""
     return evaluate(stand, state, [want])[name]
 
 
@@ -56,3 +60,16 @@ def of_a_motion(stand: Stand, state: State) -> State:
     """The state with V* by (8) and tau of it."""
     state = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
     return replace(state, tau=vec(value(stand, state, "torque", "tau")))
+
+
+def balance(stand: Stand, state: State) -> Array:
+    """K V* + M V + sum (I phi'' + J phi') - F of (8) for given V*, phi''."""
+    at = evaluate(stand, state, ["matrices"])
+    V, V_dot, phi_dot, phi_ddot = map(np.array, (state.V, state.V_dot, state.phi_dot, state.phi_ddot))
+    return np.asarray(at["K"] @ V_dot + at["M"] @ V + at["I"] @ phi_ddot + at["J"] @ phi_dot - at["F"])
+
+
+def with_inertia(body: AnyBody, mass: float, mu: Array, J: Array) -> AnyBody:
+    """The body with this mass, first moment and moments of inertia about its origin."""
+    rc = np.zeros(3) if mass == 0 else np.array(mu) / mass
+    return replace(body, mass=mass, center_of_mass=vec(rc), inertia=rows(J), inertia_about="origin")

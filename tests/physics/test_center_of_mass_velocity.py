@@ -9,15 +9,17 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.array import Array
 from physics.general import draw
 from physics.motions import motion, rate, rotation
 
 STEP = 1e-3
 
 
-def place(stand: Stand, state: State):
+def place(stand: Stand, state: State) -> Array:
     """The mass centre in E0."""
-    return np.array(state.position) + rotation(stand, state) @ evaluate(stand, state, ["momentum"])["center_of_mass"]
+    in_E1 = evaluate(stand, state, ["momentum"])["center_of_mass"]
+    return np.asarray(np.array(state.position) + rotation(stand, state) @ in_E1)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -1,5 +1,6 @@
 """Free motion in time, integrated by SciPy's DOP853: what must stay, stays."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +12,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.array import Array
 from physics.general import draw, isolated, without_wrench
 from physics.motions import rotation, vec
 
@@ -18,13 +20,18 @@ from physics.motions import rotation, vec
 DRIFT = 2e-9
 SECONDS = 0.5
 
+Acceleration = Callable[[float, State], tuple[Array, Array]]
+"""V* (6) and phi'' (N) at a time and a state."""
 
-def pack(state: State, C: np.ndarray):
+
+def pack(state: State, C: Array) -> Array:
+    """The state as one vector, its attitude as a quaternion."""
     quaternion = Rotation.from_matrix(C).as_quat(scalar_first=True)
     return np.array([*state.position, *quaternion, *state.V, *state.phi, *state.phi_dot])
 
 
-def unpack(state: State, y):
+def unpack(state: State, y: Array) -> State:
+    """The state of a vector; what the vector does not hold is that of `state`."""
     N = len(state.phi)
     position, quaternion, V, phi, phi_dot = np.split(y, [3, 7, 13, 13 + N])
     quaternion = quaternion / np.linalg.norm(quaternion)
@@ -39,10 +46,10 @@ def unpack(state: State, y):
     )
 
 
-def integrate(stand: Stand, state: State, acceleration, seconds=SECONDS):
+def integrate(stand: Stand, state: State, acceleration: Acceleration, seconds: float = SECONDS) -> list[State]:
     """States at five times; acceleration(t, state) gives V* and phi''."""
 
-    def rates(t: float, y):
+    def rates(t: float, y: Array) -> Array:
         now = unpack(state, y)
         V_dot, phi_ddot = acceleration(t, now)
         w, x = y[3], y[4:7]
@@ -65,29 +72,12 @@ def integrate(stand: Stand, state: State, acceleration, seconds=SECONDS):
     return [unpack(state, y) for y in solution.y.T]
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_free_flywheels_keep_momentum_in_E0_and_energy(seed: int) -> None:
-    stand, state = draw(seed, 3)
-    stand, state = isolated(stand), replace(without_wrench(state), tau=(0.0, 0.0, 0.0))
-
-    def free(t: float, now):
-        values = evaluate(stand, now, ["coupled"])
-        return values["V_dot"], values["phi_ddot"]
-
-    at = [evaluate(stand, now, ["momentum"]) for now in integrate(stand, state, free)]
-    scale = np.abs(at[0]["Z0"]).max()
-    for later in at[1:]:
-        np.testing.assert_allclose(later["Z0"], at[0]["Z0"], rtol=0, atol=DRIFT * scale)
-        assert later["energy"] == pytest.approx(at[0]["energy"], rel=DRIFT)
-    assert max(abs(later["Z"] - at[0]["Z"]).max() for later in at) > 1e-3 * scale  # in E1 it does change
-
-
 def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work() -> None:
     stand, state = draw(7, 3)
     stand, state = isolated(stand), without_wrench(state)
     amplitude, frequency, mean = np.array([3.0, 5.0, 2.0]), np.array([4.0, 7.0, 11.0]), np.array(state.phi)
 
-    def programme(t: float):
+    def programme(t: float) -> tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
         angle = frequency * t
         return (
             vec(mean + amplitude * np.sin(angle)),
@@ -95,11 +85,11 @@ def test_driven_flywheels_keep_momentum_in_E0_while_energy_takes_their_work() ->
             vec(-amplitude * frequency**2 * np.sin(angle)),
         )
 
-    def on_programme(t: float, now):
+    def on_programme(t: float, now: State) -> State:
         phi, phi_dot, phi_ddot = programme(t)
         return replace(now, phi=phi, phi_dot=phi_dot, phi_ddot=phi_ddot)
 
-    def driven(t: float, now):
+    def driven(t: float, now: State) -> tuple[Array, Array]:
         now = on_programme(t, now)
         values = evaluate(stand, now, ["forward"])
         return values["V_dot"], np.array(now.phi_ddot)
@@ -121,11 +111,11 @@ def test_undamped_legs_and_weight_keep_total_energy(seed: int) -> None:
     stand = replace(isolated(stand), gravity=stand.gravity, laws=(Legs(legs),))
     state = replace(without_wrench(state), tau=(0.0, 0.0))
 
-    def free(t: float, now):
+    def free(t: float, now: State) -> tuple[Array, Array]:
         values = evaluate(stand, now, ["coupled"])
         return values["V_dot"], values["phi_ddot"]
 
-    def total_energy(now):
+    def total_energy(now: State) -> tuple[float, float]:
         values = evaluate(stand, now, ["momentum"])
         C, O1 = rotation(stand, now), np.array(now.position)
         mass = sum(body.mass for body in stand.bodies)

@@ -10,30 +10,31 @@ from hypothesis import given, settings
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.array import Array
 from physics.conftest import Shown
 from physics.general import isolated, without_wrench
 from physics.motions import motion, rate, vec
-from physics.properties import PROPERTY, cases, near, of_a_motion, scale
+from physics.properties import PROPERTY, assert_near, cases, of_a_motion, scale
 from physics.test_free_motion import DRIFT, integrate
 
 TURN = 0.03
 """rad by the fastest in a step of the differences: its ninth power is far below the rounding of a sum."""
 
 
-def fastest(state: State):
-    """rad/s: of anything that turns, accelerations by the time in which they turn as far."""
+def fastest(state: State) -> float:
+    """Largest speed in rad/s of anything that turns; an acceleration counts by its square root."""
     accelerations = [*state.V_dot[3:], *state.phi_ddot]
-    return max(1.0, *map(abs, (*state.V[3:], *state.phi_dot)), *np.sqrt(np.abs(accelerations)))
+    return float(max(1.0, *map(abs, (*state.V[3:], *state.phi_dot)), *np.sqrt(np.abs(accelerations))))
 
 
-def free(case: tuple[Stand, State]):
+def free(case: tuple[Stand, State]) -> tuple[Stand, State]:
     """The case without any external wrench, moved by (8)."""
     stand, state = case
     return isolated(stand), of_a_motion(isolated(stand), without_wrench(state))
 
 
-def changes(stand: Stand, state: State):
-    """What Z in E0 and the energy change by in the step of the differences, and that step."""
+def changes(stand: Stand, state: State) -> tuple[Array, float, float]:
+    """Changes of Z in E0 (6) and of the energy over one step of the differences, and that step in s."""
     at, h = motion(stand, state), TURN / fastest(state)
     momentum = rate(lambda t: evaluate(stand, at(t), ["momentum"])["Z0"], h)
     energy = rate(lambda t: evaluate(stand, at(t), ["momentum"])["energy"], h)
@@ -48,9 +49,9 @@ def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[
     stand, state = free(case)
     size = scale(stand, state, "momentum")
     momentum, energy, h = changes(stand, state)
-    near(momentum, np.zeros(6), size["Z0"])
+    assert_near(momentum, np.zeros(6), size["Z0"])
     work = h * np.dot(state.tau, state.phi_dot)
-    near(energy, work, size["energy"] + h * np.abs(state.tau) @ np.abs(state.phi_dot))
+    assert_near(energy, work, size["energy"] + h * np.abs(state.tau) @ np.abs(state.phi_dot))
 
 
 @PROPERTY
@@ -64,8 +65,8 @@ def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stan
     state = replace(state, V_dot=vec(found["V_dot"]), phi_ddot=vec(found["phi_ddot"]))
     size = scale(stand, state, "momentum")
     momentum, energy, _ = changes(stand, state)
-    near(momentum, np.zeros(6), size["Z0"])
-    near(energy, 0.0, size["energy"])
+    assert_near(momentum, np.zeros(6), size["Z0"])
+    assert_near(energy, 0.0, size["energy"])
 
 
 @settings(PROPERTY, max_examples=5)
@@ -76,7 +77,7 @@ def test_free_flywheels_keep_momentum_and_energy_in_time(case: tuple[Stand, Stat
     stand, state = isolated(case[0]), without_wrench(case[1])
     state = replace(state, tau=(0.0,) * len(state.phi))
 
-    def coupled(t: float, now):
+    def coupled(t: float, now: State) -> tuple[Array, Array]:
         values = evaluate(stand, now, ["coupled"])
         return values["V_dot"], values["phi_ddot"]
 

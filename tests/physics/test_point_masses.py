@@ -10,13 +10,20 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import MountingAxes, Stand
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate
-from physics.general import draw, rows, without_added_mass
+from mahovik.proof.reference.array import Array
+from physics.general import AnyBody, draw, rows, without_added_mass
 from physics.motions import motion, rotation, second_rate, vec
+
+Clouds = dict[str, tuple[Array, Array]]
+"""Masses (N) and places (Nx3) of the points of each body, by its name."""
+
+Frame = tuple[Array, Array]
+"""Origin (3) and axes (3x3) of a frame."""
 
 SEEDS = range(6)
 POINTS = 7  # enough for a general tensor of inertia
@@ -24,12 +31,13 @@ STEP = 5e-3  # times 20 rad/s is 0.1: 0.1^8 / 3150 and 1e-16 / STEP^2 are both b
 DIFFERENCES = 1e-9  # of the largest force: some ten points, largest m r'' 1e2
 
 
-def clouds(stand: Stand, seed: int):
+def clouds(stand: Stand, seed: int) -> tuple[Stand, Clouds]:
     """The stand with each body's mass data made of a cloud of points; the clouds by body name: masses, places."""
     rng = np.random.default_rng(seed)
-    made, stand = {}, without_added_mass(stand)
+    made: Clouds = {}
+    stand = without_added_mass(stand)
 
-    def body(b, size):
+    def body(b: AnyBody, size: float) -> AnyBody:
         m, x = rng.uniform(0.05, 0.2, POINTS), rng.normal(size=(POINTS, 3)) * size
         made[b.name] = (m, x)
         J = sum(mi * (xi @ xi * np.eye(3) - np.outer(xi, xi)) for mi, xi in zip(m, x, strict=True))
@@ -39,8 +47,7 @@ def clouds(stand: Stand, seed: int):
             center_of_mass=vec(m @ x / m.sum()),
             inertia=rows(J),
             inertia_about="origin",
-            buoyancy=None,
-            damping=None,
+            laws=(),
         )
 
     stand = replace(
@@ -52,7 +59,7 @@ def clouds(stand: Stand, seed: int):
     return stand, made
 
 
-def frame_in(stand: Stand, name: str, position: np.ndarray, matrix: np.ndarray):
+def frame_in(stand: Stand, name: str, position: Vec3, matrix: Array) -> Frame:
     """A frame given in its mount (name), carried to E1: origin, axes."""
     if name == "carrier":
         return np.array(position), matrix
@@ -61,7 +68,7 @@ def frame_in(stand: Stand, name: str, position: np.ndarray, matrix: np.ndarray):
     return np.array(p.position) + C @ np.array(position), C @ matrix
 
 
-def flywheel_frame(stand: Stand, s, phi):
+def flywheel_frame(stand: Stand, s: Flywheel, phi: float) -> Frame:
     """Origin and axes of a flywheel in E1, by SciPy."""
     m = s.mounting
     if isinstance(m, MountingAxes):
@@ -74,30 +81,37 @@ def flywheel_frame(stand: Stand, s, phi):
     return frame_in(stand, s.mount, s.position, C)
 
 
-def frames_in_E0(stand: Stand, state: State):
+def frames_in_E0(stand: Stand, state: State) -> dict[str, Frame]:
     """Origin and axes in E0 of every body by name."""
     C, O1 = rotation(stand, state), np.array(state.position)
     frames = {"carrier": (np.zeros(3), np.eye(3))}
     for p in stand.instruments:
-        frames[p.name] = frame_in(stand, p.name, np.zeros(3), np.eye(3))
+        frames[p.name] = frame_in(stand, p.name, (0.0, 0.0, 0.0), np.eye(3))
     for s, phi in zip(stand.flywheels, state.phi, strict=True):
         frames[s.name] = flywheel_frame(stand, s, phi)
     return {name: (O1 + C @ O, C @ R) for name, (O, R) in frames.items()}
 
 
-def places(stand: Stand, made, state: State):
+def places(stand: Stand, made: Clouds, state: State) -> dict[str, Array]:
     """All points in E0 by body name, Nx3."""
     return {name: O + made[name][1] @ R.T for name, (O, R) in frames_in_E0(stand, state).items()}
 
 
-def newton(stand: Stand, made, state: State, step=STEP):
-    """m r'' - m g of every point in E0, by body name: what the rest of the world must exert on it."""
+def newton(stand: Stand, made: Clouds, state: State, step: float = STEP) -> dict[str, Array]:
+    """m r'' - m g of every point in E0, Nx3 by body name: the force that all else must exert on it."""
     at = motion(stand, state)
-    accelerations = {name: second_rate(lambda t, name=name: places(stand, made, at(t))[name], step) for name in made}
-    return {name: made[name][0][:, None] * (a - np.array(stand.gravity)) for name, a in accelerations.items()}
+    found = {}
+    for name, (m, _) in made.items():
+
+        def cloud(t: float, name: str = name) -> Array:
+            return places(stand, made, at(t))[name]
+
+        found[name] = m[:, None] * (second_rate(cloud, step) - np.array(stand.gravity))
+    return found
 
 
-def drawn(seed: int):
+def random_clouds(seed: int) -> tuple[Stand, Clouds, State]:
+    """A stand of clouds, the clouds, and a state with V* by (8)."""
     stand, state = draw(seed, 3, instruments=1)
     stand, made = clouds(stand.without_laws(), seed)
     state = replace(state, V_dot=vec(evaluate(stand, state, ["forward"])["V_dot"]))
@@ -107,7 +121,7 @@ def drawn(seed: int):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_forward_gives_every_point_its_newtonian_acceleration(seed: int) -> None:
     """Force and moment about the origin of E0, all points, against the run-time wrenches carried there by hand."""
-    stand, made, state = drawn(seed)
+    stand, made, state = random_clouds(seed)
     r, needed = places(stand, made, state), newton(stand, made, state)
     force, moment = np.zeros(3), np.zeros(3)
     for name, (O, R) in frames_in_E0(stand, state).items():
@@ -124,7 +138,7 @@ def test_forward_gives_every_point_its_newtonian_acceleration(seed: int) -> None
 @pytest.mark.parametrize("seed", SEEDS)
 def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed: int) -> None:
     """About Os, in the flywheel's axes at phi_s = 0; the run-time wrench turns with phi_s."""
-    stand, made, state = drawn(seed)
+    stand, made, state = random_clouds(seed)
     r, needed, frames = places(stand, made, state), newton(stand, made, state), frames_in_E0(stand, state)
     at_zero = frames_in_E0(stand, replace(state, phi=(0.0,) * len(state.phi)))
     values = evaluate(stand, state, ["mounts", "torque"])
@@ -141,7 +155,7 @@ def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed: in
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_momentum_and_energy_are_sums_over_points(seed: int) -> None:
-    stand, made, state = drawn(seed)
+    stand, made, state = random_clouds(seed)
     at = motion(stand, state)
     r = places(stand, made, state)
     weights, h = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}, 2e-3
@@ -165,7 +179,7 @@ def test_momentum_and_energy_are_sums_over_points(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_suspension_and_legs_hold_the_points_up(seed: int) -> None:
     """At rest: the motion that (8) gives is that of the points under springs written out by hand."""
-    stand, made, state = drawn(seed)
+    stand, made, state = random_clouds(seed)
     full, _ = draw(seed, 3, instruments=1)
     k = 40.0
     spring = Suspension(

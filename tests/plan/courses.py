@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import State
@@ -20,7 +21,7 @@ from mahovik.use.plan.residual import Mechanics
 Array = NDArray[np.float64]
 
 
-class Drawn(NamedTuple):
+class RandomCourse(NamedTuple):
     """Motion of the carrier (M, 6 each) and of the flywheels (M, N each) at unrelated times."""
 
     q: Array
@@ -30,17 +31,22 @@ class Drawn(NamedTuple):
     phi_dot: Array
     phi_ddot: Array
 
+    @property
+    def course(self) -> Course:
+        """The motion of the carrier alone."""
+        return Course(self.q, self.q_dot, self.q_ddot)
 
-def drawn(seed: int, N: int, features: Features, M: int = 4) -> tuple[Stand, Mechanics, Drawn]:
+
+def random_course(seed: int, N: int, features: Features, M: int = 4) -> tuple[Stand, Mechanics, RandomCourse]:
     """A random stand and motions of its bodies."""
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, N, features)
     carrier = [rng.normal(size=(M, 6)) * size for size in (0.6, 2.0, 20.0)]
     wheels = [rng.normal(size=(M, N)) * size for size in (3.0, 60.0, 900.0)]
-    return stand, Mechanics.of(stand), Drawn(*carrier, *wheels)
+    return stand, Mechanics.of(stand), RandomCourse(*carrier, *wheels)
 
 
-def literal(stand: Stand, motion: Drawn, m: int) -> tuple[Array, Array, float, float]:
+def literal(stand: Stand, motion: RandomCourse, m: int) -> tuple[Array, Array, float, float]:
     """R (6) of (12) and tau (N) by the literal reference at time m, and the sizes of what they are sums of."""
     q, q_dot, q_ddot = (x[m] for x in motion[:3])
     A = kinematic_matrix(stand.angles, q[3:])
@@ -54,13 +60,13 @@ def literal(stand: Stand, motion: Drawn, m: int) -> tuple[Array, Array, float, f
     at = pieces(stand, state)
     wanted = demand(at, V_dot)
     R = wanted - at.I @ motion.phi_ddot[m]
-    assert generalized(at, stand.angles, state).q_dot == _near(q_dot)
+    assert generalized(at, stand.angles, state).q_dot == _approximately(q_dot)
     tau = torque(at, V_dot, motion.phi_ddot[m])
     size = max(abs(at.F).max(), abs(at.K @ V_dot).max(), abs(wanted).max(), abs(at.I * motion.phi_ddot[m]).max())
     return R, tau, float(size), float(abs(tau).max())
 
 
-def _near(x: Array) -> object:
+def _approximately(x: Array) -> object:
     import pytest
 
     return pytest.approx(x, rel=1e-9, abs=1e-9)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import mahovik.stands
 from mahovik.core.motion.required import RequiredMotion, load_motion
@@ -22,7 +23,7 @@ def example(stand: str, motion: str | None = None) -> tuple[Stand, RequiredMotio
     return found, load_motion(STANDS / f"{motion or stand}.motion.json", found)
 
 
-def problem(stand: str, motion: str | None = None, **changed: object) -> Problem:
+def problem(stand: str, motion: str | None = None, **changed: Any) -> Problem:
     """The planning problem of an example, with fields of the motion changed."""
     found, required = example(stand, motion)
     return Problem.of(found, replace(required, **changed))

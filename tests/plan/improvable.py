@@ -8,16 +8,15 @@ from functools import cache
 import numpy as np
 
 from mahovik.core.motion.required import Bounds, Objective
+from mahovik.core.motion.required.model import Winding
 from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.choose import Improver
-from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.levenberg import refine_periodic
+from mahovik.use.plan.levenberg import StartBatch, refine_periodic
 from mahovik.use.plan.optimise import Improved, evaluate, finish, improve
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, search
-from mahovik.use.plan.starts import StartBatch
+from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, Improver, search
+from mahovik.use.plan.windings import Kind
 from plan.examples import example
 
 N = 8
@@ -36,29 +35,30 @@ def setting(bounds: Bounds | None = None, **weights: tuple[float, ...]) -> Impro
     return Improver.of(Problem.of(stand, replace(motion, bounds=bounds or Bounds(), objective=Objective(**given))))
 
 
-class Plain:
-    """Takes the first start that the ladder makes exact, as it is."""
+class Plain(Improver):
+    """Takes the first start that the refinement of harmonics makes exact, as it is."""
 
     def __init__(self, improver: Improver) -> None:
-        self.own = improver
+        super().__init__(improver.problem, improver.cost)
 
     def rank(self, batch: StartBatch) -> np.ndarray:
+        """Smallest residual first."""
         return np.argsort(batch.residuals(), kind="stable")
 
-    def polish(self, start: Periodic, kind: str, budget: Budget) -> Candidate | None:
-        exact = refine_periodic(self.own.problem, start, HARMONIC_COUNTS, budget).motion
-        return self.own.candidate(evaluate(self.own.problem, self.own.cost, exact, 0), kind)
+    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+        exact = refine_periodic(self.problem, start, HARMONIC_COUNTS, budget).motion
+        return self.candidate(evaluate(self.problem, self.cost, exact, 0), kind)
 
 
 @cache
-def plain(winding: str) -> Periodic:
+def plain(winding: Winding) -> Periodic:
     """A programme of bench8 that nothing has improved."""
     own = setting()
     problem = replace(own.problem, motion=replace(own.problem.motion, winding=winding))
     return search(problem, Plain(own), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
 
 
-def improved(own: Improver, winding: str) -> Improved:
+def improved(own: Improver, winding: Winding) -> Improved:
     """The plain programme, improved and finished."""
     budget = Budget(UNTIL)
     return finish(own.problem, own.cost, improve(own.problem, own.cost, plain(winding), budget), budget)

@@ -10,8 +10,7 @@ from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
-from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.problem import Periodic, Problem
 
 PERIOD = 0.2
 NONE = Bounds()

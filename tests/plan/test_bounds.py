@@ -7,13 +7,22 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme import Angles
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.bounds import KNEE, RHO, bias_hinges, exceeded_bounds, hinge_rows, utilisation
-from mahovik.use.plan.fourier import Angles, Basis, uniform
+from mahovik.use.plan.objective import (
+    KNEE,
+    RHO,
+    Rows,
+    bias_hinges,
+    exceeded_bounds,
+    gauss_newton_sums,
+    hinge_rows,
+    utilisation,
+)
+from mahovik.use.plan.problem import Basis, uniform
 from mahovik.use.plan.residual import linear, prescribe
-from mahovik.use.plan.rows import Rows, gauss_newton_sums
-from plan.courses import Drawn, drawn
+from plan.courses import RandomCourse, random_course
 from plan.problems import PERIOD, wheels
 
 N = 3
@@ -23,10 +32,10 @@ ALL = Bounds(
 WINDING = np.array([1.0, -1.0, -2.0])
 
 
-def setting() -> tuple[Any, Drawn, Any]:
+def setting() -> tuple[Any, RandomCourse, Any]:
     """A stand and drawn motions, which exceed every bound somewhere and keep it elsewhere."""
-    stand, mechanics, motion = drawn(33, N, EVERYTHING, M=12)
-    return stand, motion, prescribe(mechanics, motion)
+    stand, mechanics, motion = random_course(33, N, EVERYTHING, M=12)
+    return stand, motion, prescribe(mechanics, motion.course)
 
 
 def rows_at(at: Any, angles: tuple[Any, ...], wider: float = 1.0) -> dict[str, Rows]:
@@ -49,7 +58,7 @@ def test_hinges_are_zero_inside_and_rise_outside() -> None:
 
 @pytest.mark.parametrize("kind", ["speed", "speed_min", "acceleration", "torque", "angle"])
 def test_derivatives_are_those_of_differences(kind: str) -> None:
-    """By angle, speed and acceleration; none across the knee in this draw."""
+    """Derivatives by angle, speed and acceleration; no row is at the knee in this draw."""
     _, motion, at = setting()
     found = rows_at(at, motion[3:])[kind]
     assert found.value.any()

@@ -1,4 +1,4 @@
-"""Derivatives of R of (12) and of drive torques by design, against differences of stands that are built anew."""
+"""Derivatives of R of (12) and of drive torques by design, against differences of stands built with changed data."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Flywheel, MountingAxes, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
 from mahovik.use.plan.residual import PARAMETERS, Mechanics, by_design, prescribe, residual, torques
 from mahovik.use.plan.residual.spatial import mount_axes
-from plan.courses import Drawn, drawn
+from plan.courses import RandomCourse, random_course
 
 Array = NDArray[np.float64]
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
@@ -40,7 +40,8 @@ def heavier(wheel: Flywheel, i: int, by: float) -> Flywheel:
     row, column = ENTRIES[i]
     J[row, column] += by
     J[column, row] = J[row, column]
-    return replace(wheel, inertia=tuple(map(tuple, J)))
+    (a, b, c), (d, e, f), (g, h, i_) = J.tolist()
+    return replace(wheel, inertia=((a, b, c), (d, e, f), (g, h, i_)))
 
 
 def changed(wheel: Flywheel, k: int, by: float) -> Flywheel:
@@ -56,17 +57,17 @@ def changed(wheel: Flywheel, k: int, by: float) -> Flywheel:
     return change(k - first)
 
 
-def answers(stand: Stand, motion: Drawn) -> tuple[Array, Array]:
-    """R (M, 6) and tau (M, N) of a stand that is built anew."""
-    at = prescribe(Mechanics.of(stand), motion)
+def answers(stand: Stand, motion: RandomCourse) -> tuple[Array, Array]:
+    """R (M, 6) and tau (M, N) of a stand built with changed data."""
+    at = prescribe(Mechanics.of(stand), motion.course)
     return residual(at, *motion[3:]), torques(at, *motion[3:])
 
 
 @pytest.mark.parametrize("number", range(8))
 def test_derivatives_by_design_are_those_of_differences(number: int) -> None:
     """All parameters of all flywheels of stands of all kinds: central differences of the rebuilt stand."""
-    stand, mechanics, motion = drawn(300 + number, 2, KINDS[number % len(KINDS)], M=3)
-    found = by_design(prescribe(mechanics, motion), motion, 0.0, *motion[3:])
+    stand, mechanics, motion = random_course(300 + number, 2, KINDS[number % len(KINDS)], M=3)
+    found = by_design(prescribe(mechanics, motion.course), motion.course, 0.0, *motion[3:])
     assert found.R.shape == (3, 6, 2, len(PARAMETERS))
     step = 1e-4  # the residual is at most quadratic in all but the turns
     for s, wheel in enumerate(stand.flywheels):

@@ -8,16 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import load_programme, save_programme
+from mahovik.core.motion.programme import Angles, load_programme, save_programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.required.course import Sampled
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.finite import FiniteProblem, search_finite, table_of
-from mahovik.use.plan.finite.space import Space
-from mahovik.use.plan.fourier import Angles
+from mahovik.use.plan.finite import FiniteProblem, SplineSpace, search_finite, table_of
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from plan.examples import example
@@ -38,7 +36,7 @@ def move() -> tuple[Stand, RequiredMotion]:
 @pytest.mark.parametrize("pinned", [False, True])
 def test_modes_are_smooth_and_start_at_rest(pinned: bool) -> None:
     """Slope 0 at 0, and value where it is pinned; the first is 1; each equals its own derivatives by differences."""
-    space = Space(SPAN, np.linspace(0.0, SPAN, 6), 7, pinned)
+    space = SplineSpace(SPAN, np.linspace(0.0, SPAN, 6), 7, pinned)
     start = space.modes(np.zeros(1))
     assert np.abs(start.first).max() <= 1e-9 * np.abs(space.modes(np.linspace(0, SPAN, 99)).first).max()
     assert space.modes(np.linspace(0, SPAN, 9)).value[:, 0] == pytest.approx(1.0, abs=1e-14)
@@ -52,7 +50,7 @@ def test_modes_are_smooth_and_start_at_rest(pinned: bool) -> None:
 
 def test_a_higher_degree_takes_over_all() -> None:
     """Spaces of one set of breaks are nested."""
-    low, high = (Space(SPAN, np.linspace(0.0, SPAN, 6), degree, False) for degree in (5, 9))
+    low, high = (SplineSpace(SPAN, np.linspace(0.0, SPAN, 6), degree, False) for degree in (5, 9))
     waves = np.random.default_rng(0).normal(size=(3, low.size))
     t = np.linspace(0.0, SPAN, 50)
     expected = low.modes(t).value @ waves.T

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.core.stand.state import State
@@ -16,27 +17,28 @@ from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, acceleration_rates, course, drive, equilibrium, linearise, linearise_along
-from mahovik.use.plan.forward.collocation import Eliminated, integrate, split_blocks
+from mahovik.use.plan.forward import (
+    Chart,
+    Eliminated,
+    acceleration_rates,
+    course,
+    drive,
+    equilibrium,
+    integrate,
+    linearise,
+    linearise_along,
+    split_blocks,
+)
 from mahovik.use.plan.residual import Mechanics
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
 HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
 
 
-@dataclass(frozen=True, eq=False)
-class Pose:
-    """One pose at rest."""
-
-    q: Array
-    q_dot: Array
-    q_ddot: Array
-
-
 def chart_of(stand: Stand, rng: np.random.Generator) -> Chart:
     """About a random pose."""
     zero = np.zeros((1, 6))
-    return Chart.about(Mechanics.of(stand), Pose(rng.normal(size=(1, 6)) * 0.3, zero, zero))
+    return Chart.about(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
 
 
 def literal(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
@@ -88,7 +90,7 @@ def test_twist_and_pose_of_coordinates() -> None:
     """The chart of prescribed coordinates holds the same attitude, place and V."""
     rng = np.random.default_rng(4)
     chart = chart_of(random_stand(rng, 1, EVERYTHING), rng)
-    course_of = Pose(*(rng.normal(size=(2, 6)) * 0.4 for _ in range(3)))
+    course_of = Course(*(rng.normal(size=(2, 6)) * 0.4 for _ in range(3)))
     from mahovik.use.plan.residual.kinematics import twists
 
     expected, found = twists(chart.mechanics.stand, course_of), chart.twists(chart.of(course_of))
@@ -154,7 +156,7 @@ def test_collocation_is_of_order_six() -> None:
 
 
 def test_derivatives_of_a_course_are_those_of_differences() -> None:
-    """By the start and by the flywheels' motion, at the end."""
+    """Derivatives at the end by the start and by the flywheels' motion."""
     rng = np.random.default_rng(9)
     chart = chart_of(random_stand(rng, 2, EVERYTHING), rng)
     start, until, nodes = rng.normal(size=12) * 0.3, 0.1, 40
@@ -185,7 +187,7 @@ def test_a_carrier_thrown_about_is_said_so() -> None:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_rest_is_rest_and_moves_with_the_angles(seed: int) -> None:
-    """By the reference nothing accelerates there; its derivative is that of differences."""
+    """Nothing accelerates there by the reference; its derivative is that of differences."""
     rng = np.random.default_rng(seed)
     chart = chart_of(random_stand(rng, 3, HELD), rng)
     phi = rng.normal(size=3)

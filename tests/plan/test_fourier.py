@@ -6,20 +6,21 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.fourier import Basis, Periodic, uniform
+from mahovik.use.plan.problem import Basis, Periodic, uniform
 from mahovik.use.plan.residual import linear, prescribe, residual
-from plan.courses import drawn
+from plan.courses import random_course
 
 T = 0.4
 
 
 def some(N: int = 3, H: int = 4) -> Periodic:
+    """A random motion of N flywheels with H harmonics."""
     rng = np.random.default_rng(3)
-    return Periodic(T, np.arange(N) - 1.0, rng.normal(size=(N, 2 * H + 1)), rng.normal(size=6) * 1e-2)
+    return Periodic(T, np.arange(N, dtype=float) - 1.0, rng.normal(size=(N, 2 * H + 1)), rng.normal(size=6) * 1e-2)
 
 
 def test_angles_are_the_series_and_its_derivatives() -> None:
-    """As the programme file defines them; a winding number more is a turn more a period."""
+    """The series is that of the programme file; one winding number more is one more turn per period."""
     motion, t = some(), np.array([0.013, 0.2])
     found = motion.at(Basis.of(T, 4, t))
     k = 2 * np.pi / T * np.arange(1, 5)
@@ -47,10 +48,10 @@ def test_more_harmonics_change_nothing_and_fewer_cut() -> None:
 
 def test_chain_rule_is_that_of_differences() -> None:
     """dR by every Fourier coefficient."""
-    _, mechanics, course = drawn(5, 3, EVERYTHING, M=6)
+    _, mechanics, given = random_course(5, 3, EVERYTHING, M=6)
     motion = some()
     basis = Basis.of(T, 4, np.sort(np.random.default_rng(1).uniform(0, T, 6)))
-    at = prescribe(mechanics, course)
+    at = prescribe(mechanics, given.course)
     found = linear(at, *motion.at(basis))
     exact = basis.chain(found.by_phi, found.by_phi_dot, found.by_phi_ddot)
     for column in range(motion.waves.size):

@@ -1,4 +1,4 @@
-"""What the optimiser makes least and keeps at zero: harmonics of the residual, and all derivatives by the unknowns."""
+"""Quantities that the optimiser minimises and keeps at zero: harmonics of the residual, and all their derivatives."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING, Features
-from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise.galerkin import coefficients
 from mahovik.use.plan.optimise.improve import make_stage
-from mahovik.use.plan.optimise.merit import Stage
+from mahovik.use.plan.optimise.merit import Stage, harmonic_coefficients
+from mahovik.use.plan.problem import Periodic
 from plan.problems import problem, wheels
 
 N, H = 3, 4
@@ -37,23 +36,23 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
 
 
 def test_coefficients_hold_the_mean_square() -> None:
-    """Of a signal with harmonics 0..9, split at 4: squares of both parts add to the mean square."""
+    """A signal with harmonics 0..9 is split at 4: squares of both parts add to the mean square."""
     rng = np.random.default_rng(0)
     t = np.arange(40) / 40
     wave = [np.cos(2 * np.pi * k * t)[:, None] * rng.normal(size=6) for k in range(10)]
     R = np.sum(wave, axis=0)
-    low, high = coefficients(R, 0, 4), coefficients(R, 5, 9)
+    low, high = harmonic_coefficients(R, 0, 4), harmonic_coefficients(R, 5, 9)
     assert low @ low + high @ high == pytest.approx(np.mean(np.sum(R**2, axis=1)), rel=1e-12)
-    assert low == pytest.approx(coefficients(np.sum(wave[:5], axis=0), 0, 4), abs=1e-12)
+    assert low == pytest.approx(harmonic_coefficients(np.sum(wave[:5], axis=0), 0, 4), abs=1e-12)
     assert len(low) == 6 * 9 and len(high) == 6 * 10
 
 
 @pytest.mark.parametrize("free", [(True,) * 6, (True, False, True, False, False, True)])
 def test_derivatives_are_those_of_differences(free: tuple[bool, ...]) -> None:
-    """Of the constraints and of the value, by every wave of every flywheel and every free component of the bias."""
+    """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
     here, motion = stage(free)
     point = here.at(motion)
-    model = point.model(here.around(motion.bias))
+    model = point.model(here.problem.around(here.grid.course, motion.bias))
     unknowns = motion.waves.size + sum(free)
     assert model.A.shape == (6 * (2 * H + 1), unknowns)
     step = 1e-6
@@ -75,12 +74,14 @@ def test_curvature_is_positive_and_makes_the_quadratic_model() -> None:
     cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
     here, motion = make_stage(found, cost, H, 0.0), wheels(N, H)
     point = here.at(motion)
-    model = point.model(here.around(motion.bias))
+    model = point.model(here.problem.around(here.grid.course, motion.bias))
     d = np.random.default_rng(4).normal(size=len(model.gradient)) * 0.1
     there = here.at(motion.moved(d, found.free))
     expected = point.value + model.gradient @ d + d @ model.curvature @ d / 2
     assert there.value == pytest.approx(expected, rel=1e-10)
     all_rows, wheel_motion = stage()
-    curvature = all_rows.at(wheel_motion).model(all_rows.around(wheel_motion.bias)).curvature
+    curvature = (
+        all_rows.at(wheel_motion).model(all_rows.problem.around(all_rows.grid.course, wheel_motion.bias)).curvature
+    )
     assert np.linalg.eigvalsh(curvature).min() >= -1e-9 * np.linalg.norm(curvature)
     assert curvature == pytest.approx(curvature.T, rel=1e-12)

@@ -1,11 +1,11 @@
-"""Shortest solutions and null spaces, where the matrix has full rank, where it has not, and where it is too tall."""
+"""Shortest solutions and null spaces of matrices with full rank, without it, and with too many rows."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from mahovik.use.plan.optimise.nullspace import Range
+from mahovik.use.plan.optimise.step import Range
 
 
 @pytest.mark.parametrize("shape, rank", [((6, 10), 6), ((6, 10), 4), ((10, 6), 6), ((8, 8), 5), ((5, 5), 5)])

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme import Angles
 from mahovik.core.motion.required import Course
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
-from mahovik.use.plan.fourier import Angles
-from mahovik.use.plan.objective import KINDS, Cost
+from mahovik.use.plan.objective import KINDS, Cost, Rows
 from mahovik.use.plan.residual import Prescribed, linear, prescribe
-from mahovik.use.plan.rows import Rows
-from plan.courses import Drawn, drawn
+from plan.courses import RandomCourse, random_course
 from plan.problems import required
 
 OMEGA = 30.0
@@ -22,10 +22,11 @@ N = 3
 WEIGHTS = (0.5, 2.0, 1.0)
 
 
-def setting(kind: str) -> tuple[Cost, Drawn, Prescribed]:
+def setting(kind: str) -> tuple[Cost, RandomCourse, Prescribed]:
     """A cost with one kind weighted, on a stand with motors, and a drawn motion."""
-    _, mechanics, motion = drawn(21, N, replace(EVERYTHING, motors=True))
-    cost = Cost.of(mechanics, required(N, **{kind: WEIGHTS}).objective, OMEGA)
+    _, mechanics, motion = random_course(21, N, replace(EVERYTHING, motors=True))
+    weights: dict[str, Any] = {kind: WEIGHTS}
+    cost = Cost.of(mechanics, required(N, **weights).objective, OMEGA)
     return cost, motion, prescribe(mechanics, Course(*motion[:3]))
 
 
@@ -65,7 +66,7 @@ def test_rows_are_what_they_say(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_derivatives_are_those_of_differences(kind: str) -> None:
-    """By angle, speed and acceleration of the flywheel itself."""
+    """Derivatives by angle, speed and acceleration of the flywheel itself."""
     cost, motion, at = setting(kind)
     found = rows_at(cost, at, Angles(*motion[3:]))
     exact = (found.by_phi, found.by_phi_dot, found.by_phi_ddot)
@@ -77,7 +78,7 @@ def test_derivatives_are_those_of_differences(kind: str) -> None:
 
 
 def test_value_is_the_sum_of_weighted_mean_squares() -> None:
-    """Of constant accelerations: weight times square, summed over flywheels."""
+    """Constant accelerations cost weight times square, summed over flywheels."""
     cost, motion, at = setting("acceleration")
     angles = Angles(motion.phi, motion.phi_dot, np.full_like(motion.phi, 2.0 * OMEGA**2))
     torque = Rows.torque(linear(at, *angles))
@@ -86,7 +87,7 @@ def test_value_is_the_sum_of_weighted_mean_squares() -> None:
 
 def test_power_without_motor_constants_is_refused() -> None:
     """One line names all flywheels that have a weight, and none without."""
-    _, mechanics, _ = drawn(21, N, replace(EVERYTHING, motors=False))
+    _, mechanics, _ = random_course(21, N, replace(EVERYTHING, motors=False))
     with pytest.raises(MotionError) as refused:
         Cost.of(mechanics, required(N, power=(1.0, 0.0, 2.0)).objective, OMEGA)
     (words,) = refused.value.problems

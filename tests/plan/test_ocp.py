@@ -7,19 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme import Angles
 from mahovik.errors import UsageError
 from mahovik.use.plan import PlanOptions, plan_motion
-from mahovik.use.plan.fourier import Angles
-from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp import partition as partition_module
-from mahovik.use.plan.ocp.coefficients import Scaled
-from mahovik.use.plan.ocp.mesh import Mesh
-from mahovik.use.plan.ocp.node import node_functions
-from mahovik.use.plan.ocp.partition import Along, best_partition, order_of, partition_of
-from mahovik.use.plan.ocp.structure import Formulation, Structure
-from mahovik.use.plan.ocp.transcription import transcription
+from mahovik.use.plan.ocp.partition import PartitionCourse, best_partition, order_of, partition_of
+from mahovik.use.plan.ocp.solve import Scaled
+from mahovik.use.plan.ocp.structure import Formulation, Mesh, Structure
+from mahovik.use.plan.ocp.transcription import node_functions, transcription
 from mahovik.use.plan.residual import prescribe, residual, torques
-from mahovik.use.plan.rows import Rows
 from plan.examples import example
 from plan.examples import problem as example_problem
 
@@ -122,14 +119,14 @@ def test_derivatives_of_the_programme_are_those_of_its_rows(formulation: Formula
 
 
 def test_partitions_are_judged_by_their_least_singular_value() -> None:
-    """The best is no worse than any other; flywheels that turn through det I+ = 0 are told with the times."""
+    """The best is no worse than any other; flywheels that turn through det I+ = 0 are reported with the times."""
     own = example_problem("bench8").mechanics
     t = np.linspace(0.0, 0.1, 201)
     still = np.random.default_rng(2).uniform(-np.pi, np.pi, N) + 0.01 * np.sin(t * 62.8)[:, None]
     best = best_partition(own, t, still)
-    others = [Along.of(own, t, still, plus).least for plus in ((0, 1, 2, 3, 4, 5), (2, 3, 4, 5, 6, 7), PLUS)]
+    others = [PartitionCourse.of(own, t, still, plus).least for plus in ((0, 1, 2, 3, 4, 5), (2, 3, 4, 5, 6, 7), PLUS)]
     assert best.least > 0.0 and best.least >= max(others)
-    turning = Along.of(own, t, still + 2.0 * np.pi * t[:, None] / 0.1, (0, 1, 2, 3, 4, 5))
+    turning = PartitionCourse.of(own, t, still + 2.0 * np.pi * t[:, None] / 0.1, (0, 1, 2, 3, 4, 5))
     assert turning.crossings.size and turning.least == 0.0
     for time in turning.crossings:
         k = np.searchsorted(t, time)
@@ -158,7 +155,7 @@ def test_what_means_nothing_is_refused_before_the_search(stand: str, options: Pl
 
 
 def test_without_casadi_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And the Fourier method is not asked for it."""
+    """The Fourier method is not asked for it."""
     monkeypatch.setattr(partition_module, "find_spec", lambda _: None)
     stand, _ = example("bench8")
     with pytest.raises(UsageError, match="pip install casadi"):

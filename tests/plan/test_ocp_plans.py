@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
-from mahovik.use.plan.ocp.watch import Seen
+from mahovik.use.plan.ocp.transcription import RunRecord
 from plan.examples import example
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
@@ -64,7 +64,7 @@ def test_ctrl_c_gives_the_best_so_far() -> None:
     """At IPOPT's second iteration: a verified programme, and it is said."""
 
     def tell(state: Any) -> None:
-        if isinstance(state, Seen) and state.iterations == 1:
+        if isinstance(state, RunRecord) and state.iterations == 1:
             os.kill(os.getpid(), signal.SIGINT)
 
     found = rocking("ocp", tell)

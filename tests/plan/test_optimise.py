@@ -9,9 +9,10 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.figures import figures
+from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.optimise import Improved, evaluate, exceeded_by, improve
-from mahovik.use.plan.optimise.merit import BiasPerturbations, Model, Point
+from mahovik.use.plan.optimise.merit import Model, Point
+from mahovik.use.plan.problem import BiasPerturbations
 from plan.improvable import UNTIL, N, improved, plain, setting
 
 
@@ -21,7 +22,7 @@ def tight() -> Bounds:
     own, motion = setting().problem, plain("rock")
     peaks = figures(own, motion)
     swing = own.grid(997, motion.H).basis.value[:, 1:] @ motion.waves[:, 1:].T
-    most = (peaks.acceleration, peaks.torque, peaks.speed, np.abs(swing))
+    most = (*(peaks[f"peak_{kind}"] for kind in ("acceleration", "torque", "speed")), np.abs(swing))
     acceleration, torque, speed, angle = ((0.85 * float(each.max()),) * N for each in most)
     return Bounds(acceleration=acceleration, torque=torque, speed=speed, angle=angle)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,8 @@ pytestmark = pytest.mark.slow
 @pytest.mark.parametrize("kind", ["acceleration", "torque", "speed_variation", "power"])
 def test_each_objective_lowers_what_it_weighs(kind: str) -> None:
     """Below the plain programme, and below (or at) what the objective of acceleration leaves of it."""
-    own, by_acceleration = setting(**{kind: (1.0,) * N}), setting()
+    weights: dict[str, Any] = {kind: (1.0,) * N}
+    own, by_acceleration = setting(**weights), setting()
     before = evaluate(own.problem, own.cost, plain("rock"), 0).objective
     after = improved(own, "rock")
     other = evaluate(own.problem, own.cost, improved(by_acceleration, "rock").motion, 0).objective
@@ -26,7 +29,7 @@ def test_each_objective_lowers_what_it_weighs(kind: str) -> None:
 
 
 def test_weights_are_of_each_flywheel() -> None:
-    """What is weighted a hundred times as much accelerates less."""
+    """A flywheel with a hundred times the weight accelerates less."""
     heavy = (100.0, *((1.0,) * (N - 1)))
     rms = []
     for weights in ((1.0,) * N, heavy):

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from mahovik.core.motion.programme.course import Fourier
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics
 from mahovik.use.plan import PlanOptions, plan_motion
-from mahovik.use.plan.period import with_shortest_period
-from mahovik.use.plan.starts import StartBatch
+from mahovik.use.plan.levenberg import StartBatch
+from mahovik.use.plan.windings import with_shortest_period
 from plan.examples import example
 
 QUICK = PlanOptions(verify=False)
@@ -24,6 +26,7 @@ def test_the_best_few_are_kept_and_ordered() -> None:
     assert found.status == "OK"
     first, second = found.programmes
     assert first.report["objective"] <= second.report["objective"]
+    assert isinstance(first.course, Fourier) and isinstance(second.course, Fourier)
     assert not np.array_equal(first.course.mean, second.course.mean)
     assert first.report["residual"] < 1e-6
     assert len(first.report["peak_torque"]) == 8
@@ -47,7 +50,7 @@ def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch
     calls = []
     improve = StartBatch.improve
 
-    def interrupted(self: StartBatch, *arguments: object) -> None:
+    def interrupted(self: StartBatch, *arguments: Any) -> None:
         calls.append(self)
         if self.windings.any():
             raise KeyboardInterrupt
@@ -88,10 +91,9 @@ def test_a_singular_attitude_is_told() -> None:
 def test_preflight_refuses_what_no_search_finds(seed: int) -> None:
     """Beyond the first-moment limit by 1 to 30 %: refused, and a search without preflight finds nothing."""
     from mahovik.use.plan.budget import Budget
-    from mahovik.use.plan.choose import Improver
     from mahovik.use.plan.preflight import preflight
     from mahovik.use.plan.problem import Problem
-    from mahovik.use.plan.search import search
+    from mahovik.use.plan.search import Improver, search
 
     stand, motion = example("bench8")
     rng = np.random.default_rng(seed)
@@ -110,6 +112,7 @@ def test_a_motion_that_repeats_itself_is_planned_once() -> None:
     """Harmonic 7 of 0.7 s is harmonic 1 of 0.1 s: the same programme, told over seven periods."""
     stand, motion = example("bench8")
     own = replace(motion, winding="spin", bounds=Bounds())
+    assert isinstance(motion.course, Harmonics)
     seven = replace(own, span=0.7, course=replace(motion.course, period=0.7, k=(7,)))
     (short,), (long,) = (plan_motion(stand, each, QUICK).programmes for each in (own, seven))
     assert long.span == 0.7

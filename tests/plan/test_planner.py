@@ -43,7 +43,7 @@ def test_a_bound_that_cannot_be_kept() -> None:
 
 @pytest.mark.slow
 def test_several_are_kept_best_first_and_the_same_seed_gives_the_same() -> None:
-    """Objectives rise; the spread is told; twice the same bits."""
+    """Objectives rise; the spread is reported; twice the same bits."""
     several = replace(QUICK, keep=2, seed=5)
     first, second = (planned(several, bounds=Bounds(acceleration=(2500.0,) * N)) for _ in range(2))
     assert first.status == "OK" and first.words == ()
@@ -73,7 +73,7 @@ def test_power_without_motors_is_refused() -> None:
 
 
 def test_a_bias_of_rounding_is_zero() -> None:
-    """What the search leaves of a component that wants no shift."""
+    """The search leaves a small part of a component that needs no shift."""
     stand, motion = example("bench8")
     none = np.zeros((0, N))
     bias = np.array([-1e-19, 1e-4, -2e-12, 0.0, 3e-17, 1e-3])

@@ -1,4 +1,4 @@
-"""What is refused before any search, and that what can be done is not."""
+"""Motions that are refused before any search, and feasible ones that are not."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_balanced_flywheels_give_no_force() -> None:
     reason, words = refused(preflight(problem("demo3", course=Harmonics(1.0, (1,), cos, 0 * cos))))
     assert reason == "SPAN"
     assert "force along z" in words
-    assert "unbalanced flywheels whose axes are across z" in words
+    assert "unbalanced flywheels whose axes are perpendicular to z" in words
 
 
 def test_weight_needs_something_that_carries_it() -> None:
@@ -61,6 +61,7 @@ def test_weight_needs_something_that_carries_it() -> None:
 def test_unbalance_bounds_the_amplitude() -> None:
     """FIRST_MOMENT: shaker2 reaches 0.577 mm and no more; the words give the share that is within reach."""
     _, motion = example("shaker2", "shaker2_spin")
+    assert isinstance(motion.course, Harmonics)
     for factor, within in ((1.0, True), (1.05, False)):
         course = replace(motion.course, cos=motion.course.cos * factor)
         found = preflight(problem("shaker2", "shaker2_spin", course=course))

@@ -9,7 +9,7 @@ import pytest
 
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
 from mahovik.use.plan.residual import linear, prescribe, residual, torques
-from plan.courses import drawn, literal
+from plan.courses import literal, random_course
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
 
@@ -17,8 +17,8 @@ KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), 
 @pytest.mark.parametrize("number", range(12))
 def test_residual_and_torque_are_those_of_the_reference(number: int) -> None:
     """(12) and the drive torque, on stands of all kinds, to rounding of what they are sums of."""
-    stand, mechanics, motion = drawn(40 + number, 1 + number % 7, KINDS[number % len(KINDS)])
-    at = prescribe(mechanics, motion)
+    stand, mechanics, motion = random_course(40 + number, 1 + number % 7, KINDS[number % len(KINDS)])
+    at = prescribe(mechanics, motion.course)
     R = residual(at, *motion[3:])
     tau = torques(at, *motion[3:])
     for m in range(len(R)):
@@ -29,9 +29,9 @@ def test_residual_and_torque_are_those_of_the_reference(number: int) -> None:
 
 @pytest.mark.parametrize("number", range(6))
 def test_derivatives_are_those_of_differences(number: int) -> None:
-    """By angle, speed and acceleration: central differences, exact but for rounding and the third derivative."""
-    _, mechanics, motion = drawn(70 + number, 3, KINDS[number])
-    at = prescribe(mechanics, motion)
+    """Derivatives by angle, speed and acceleration are central differences up to rounding and the third derivative."""
+    _, mechanics, motion = random_course(70 + number, 3, KINDS[number])
+    at = prescribe(mechanics, motion.course)
     found = linear(at, *motion[3:])
     assert abs(found.R - residual(at, *motion[3:])).max() <= 1e-12 * abs(found.R).max()
     sizes = (1e-5, 1e-3, 1e-1)
@@ -53,9 +53,9 @@ def test_derivatives_are_those_of_differences(number: int) -> None:
 
 def test_bias_shifts_the_carrier() -> None:
     """A bias is added to q, one for all times or one each."""
-    _, mechanics, motion = drawn(90, 2, EVERYTHING)
+    _, mechanics, motion = random_course(90, 2, EVERYTHING)
     bias = np.array([0.01, -0.02, 0.03, 0.1, -0.2, 0.05])
     shifted = motion._replace(q=motion.q + bias)
-    expected = residual(prescribe(mechanics, shifted), *motion[3:])
+    expected = residual(prescribe(mechanics, shifted.course), *motion[3:])
     for given in (bias, np.tile(bias, (len(motion.q), 1))):
-        assert np.array_equal(residual(prescribe(mechanics, motion, given), *motion[3:]), expected)
+        assert np.array_equal(residual(prescribe(mechanics, motion.course, given), *motion[3:]), expected)

@@ -13,9 +13,8 @@ from scipy.integrate import DOP853
 from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, load_programme, save_programme
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.proof.verify.programme.rest import rest_near
-from mahovik.proof.verify.programme.scale import scale_of
-from mahovik.proof.verify.programme.simulation import rate
+from mahovik.proof.verify.programme.mechanics import scale_of
+from mahovik.proof.verify.programme.simulation import rate, rest_near
 from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.runup import shortcomings, solve, with_runup
 from plan.examples import example
@@ -70,8 +69,8 @@ def test_the_carrier_ends_where_it_shall_and_strays_as_is_told(up: bool) -> None
     rest = np.concatenate([rest_near(stand, table.samples.phi[0 if up else -1], mean, scale.K0).q, np.zeros(6)])
     y = simulated(table, rest if up else joint, stand)
     apart = y[-1] - (joint if up else rest)
-    assert scale.of_displacement(apart[:6]) <= 1e-6
-    assert scale.of_twist(apart[6:]) <= 1e-6
+    assert scale.displacement_share(apart[:6]) <= 1e-6
+    assert scale.twist_share(apart[6:]) <= 1e-6
     told = made.report["runup" if up else "rundown"]
     away = np.linalg.norm(y[:, :3] - mean[:3], axis=1)
     assert told["deviation"]["linear"]["largest"] == pytest.approx(away.max(), rel=1e-3)

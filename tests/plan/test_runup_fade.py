@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.use.plan.runup.fade import fade
+from mahovik.use.plan.runup.boundary import fade
 
 T, LASTS = 0.2, 0.73
 

@@ -1,4 +1,4 @@
-"""What is told on the way, and how planning ends early: time and Ctrl-C in run-ups."""
+"""Progress of planning, and how planning ends early: time and Ctrl-C in run-ups."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.plan import PlanOptions, plan_motion, planner
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.outcome import Progress
-from mahovik.use.plan.runup import shortcomings, table, with_runup
-from mahovik.use.plan.search import Search
+from mahovik.use.plan.runup import shortcomings, with_runup
+from mahovik.use.plan.runup import solve as runups
+from mahovik.use.plan.search import Candidate, Search
 from plan.examples import example
 from plan.test_runup import spinning
 
@@ -35,6 +36,7 @@ def test_the_line_says_what_is_done_in_this_order() -> None:
     told: list[tuple[str, int, float]] = []
 
     def tell(state: Progress) -> None:
+        assert isinstance(state, Search)
         told.append((state.doing, state.starts, state.best))
 
     asked = replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds())
@@ -61,9 +63,9 @@ def test_half_of_the_time_is_the_searchs_where_run_ups_follow(
     runup: float | None, share: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Without run-ups all of it."""
-    given = []
+    given: list[Any] = []
 
-    def cut(*asked: Any, on_progress: object) -> Search:
+    def cut(*asked: Any, on_progress: object) -> Search[Candidate]:
         given.extend(each.seconds for each in asked if isinstance(each, Budget))
         return Search(cut=True)
 
@@ -77,14 +79,14 @@ def test_half_of_the_time_is_the_searchs_where_run_ups_follow(
 def test_ctrl_c_in_a_run_up_keeps_the_programme(monkeypatch: pytest.MonkeyPatch) -> None:
     """Interrupted, with the programme; the run-down is not begun."""
 
-    solve = table.solve
+    solve = runups.solve
 
     def first(*given: Any, up: bool, **more: Any) -> Any:
         if up:
             raise KeyboardInterrupt
         return solve(*given, up=up, **more)
 
-    monkeypatch.setattr(table, "solve", first)
+    monkeypatch.setattr(runups, "solve", first)
     stand, motion = example("shaker2", "shaker2_spin")
     found = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), WISHES)
     assert found.interrupted and found.status == "OK_LIMIT"
@@ -113,7 +115,6 @@ def test_ctrl_c_in_the_verification_waits_for_its_end(where: str, monkeypatch: p
     place = "mahovik.use.plan.planner.certify"
     if where == "finite":
         stand, motion = campaign_stand(5000, 8), campaign_move(5000, 8)
-        place = "mahovik.use.plan.finite_planner.certify"
     monkeypatch.setattr(place, pressing(1))
     found = plan_motion(stand, motion)
     assert found.interrupted and found.programmes[0].report["verified"]

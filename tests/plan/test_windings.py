@@ -32,7 +32,7 @@ def motion(bounds: Bounds, winding: Winding = "any") -> RequiredMotion:
 def test_mean_speeds_lie_inside_the_bounds(
     least: float, most: float, spin: tuple[int, ...], rock: tuple[int, ...]
 ) -> None:
-    """Bounds in turns a period: too slow a bound stops the spinning, a least speed the rocking."""
+    """Bounds in turns per period: too slow a bound stops the spinning, a least speed the rocking."""
     own = motion(Bounds(speed=(most * ONE,) * 3, speed_min=(least * ONE,) * 3))
     assert allowed_windings("spin", own, 1) == spin
     assert allowed_windings("rock", own, 1) == rock

@@ -1,4 +1,4 @@
-"""What the builder and the expressions refuse: kinds, structs and lengths that do not fit."""
+"""The builder and the expressions refuse kinds, structs and lengths that do not fit."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,4 +1,4 @@
-"""What the statements and expressions of a program mean."""
+"""Meaning of the statements and expressions of a program."""
 
 import struct
 from collections.abc import Callable

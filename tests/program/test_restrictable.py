@@ -1,4 +1,4 @@
-"""What is called `restrict`: results that no caller lets overlap another argument."""
+"""Pointers called `restrict`: results that no caller lets overlap another argument."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ LET_A = Let(A, real(1))
 USE_A = Set(OUT.place[0], A.place)
 
 
-def of(*body: Statement) -> Program:
+def program_of(*body: Statement) -> Program:
     """A program of one function of x, out with that body."""
     return program(Function("f", "f.", (X, OUT), tuple(body), public=True))
 
@@ -53,12 +53,12 @@ def of(*body: Statement) -> Program:
 )
 def test_refusals(body: list[Statement], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        validate(of(*body))
+        validate(program_of(*body))
 
 
 def test_the_same_name_in_two_blocks_is_good() -> None:
     blocks = [When(X.place < 0, (Let(v, real(1)), Set(OUT.place[0], v.place))) for v in (A, OTHER_A)]
-    validate(of(*blocks, Loop(K, integer(0), integer(2), (Set(OUT.place[K.place], X.place),))))
+    validate(program_of(*blocks, Loop(K, integer(0), integer(2), (Set(OUT.place[K.place], X.place),))))
 
 
 def test_two_things_of_one_name() -> None:

@@ -31,7 +31,7 @@ def status_function(name: str, arguments: Sequence[Argument], write: Callable[..
     return Function(name, f"{name}.", tuple(arguments), body.statements, returns=Kind.STATUS)
 
 
-def within() -> Function:
+def within_function() -> Function:
     """RANGE where a value is above its limit, NOT_FINITE where it is no number."""
 
     def write(body: Body, values: Place, count: int, limit: Place) -> None:
@@ -80,7 +80,7 @@ def run_wide(made: Any, function: Function, inputs: dict[str, Any], count: int) 
 
 def summing() -> list[Function]:
     """out = sum of kinked(x[i]) times scale, after a check of x; RANGE where the sum is negative."""
-    check, kink = within(), kinked()
+    check, kink = within_function(), kinked()
 
     def write(body: Body, x: Place, scale: Place, flag: Place, out: Place) -> None:
         status = body.local("status", (), Kind.STATUS)
@@ -160,7 +160,7 @@ def test_a_call_under_a_condition_that_varies_is_refused() -> None:
 
 
 def test_a_status_must_be_returned_at_once() -> None:
-    check = within()
+    check = within_function()
 
     def write(body: Body, x: Place) -> None:
         status = body.local("status", (), Kind.STATUS)

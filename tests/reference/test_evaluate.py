@@ -7,13 +7,15 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from mahovik.contract.functions import wants_of
+from mahovik.core.stand.model import Instrument, Point
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_stand
 from mahovik.errors import StateError
 from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.array import Array
 from physics.general import draw
 from physics.motions import motion, rate, rotation, second_rate
 
-SHAPES = {
+SHAPES: dict[str, dict[str, tuple[int | str, ...]]] = {
     "matrices": {"K": (6, 6), "K_dot": (6, 6), "M": (6, 6), "I": (6, "N"), "J": (6, "N"), "F": (6,)},
     "momentum": {"Z": (6,), "Z0": (6,), "energy": (), "center_of_mass": (3,)},
     "forward": {"V_dot": (6,)},
@@ -32,7 +34,10 @@ def test_each_want_gives_what_the_contract_names(want: str, flywheels: int) -> N
     stand, state = draw(1, flywheels)
     values = evaluate(stand, state, [want])
     sizes = {"N": flywheels, "n": min(6, flywheels)}
-    expected = {name: tuple(sizes.get(size, size) for size in shape) for name, shape in SHAPES[want].items()}
+    expected = {
+        name: tuple(sizes[size] if isinstance(size, str) else size for size in shape)
+        for name, shape in SHAPES[want].items()
+    }
     assert {name: np.shape(value) for name, value in values.items()} == expected
 
 
@@ -101,23 +106,25 @@ def test_points_are_where_and_as_fast_as_differences_say(seed: int) -> None:
     along, step = motion(stand, state), 4e-3  # rates near 5 rad/s: 0.02^8, and 1e-16 / step^2, below 1e-11
     values = evaluate(stand, state, ["points"])["points"]
     assert list(values) == [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
-    bodies = {p.name: p for p in (*stand.instruments, *stand.points)}
+    bodies: dict[str, Instrument | Point] = {p.name: p for p in stand.instruments}
+    bodies |= {p.name: p for p in stand.points}
     for name, found in values.items():
-        p, mount = bodies[name], bodies.get(getattr(bodies[name], "mount", "carrier"))
+        p = bodies[name]
+        mount = bodies.get(p.mount) if isinstance(p, Point) else None
         r, R = np.array(p.position), Rotation.from_euler("ZYX", p.angles).as_matrix()
         if mount is not None:
             C = Rotation.from_euler("ZYX", mount.angles).as_matrix()
             r, R = np.array(mount.position) + C @ r, C @ R
 
-        def place(t: float, r=r):
+        def place(t: float, r: Array = r) -> Array:
             now = along(t)
             return np.array(now.position) + rotation(stand, now) @ r
 
-        def axes(t: float, R=R):
+        def axes(t: float, R: Array = R) -> Array:
             return rotation(stand, along(t)) @ R
 
-        def omega(t: float, R=R):
-            return R.T @ np.array(along(t).V[3:])
+        def omega(t: float, R: Array = R) -> Array:
+            return np.asarray(R.T @ np.array(along(t).V[3:]))
 
         C = axes(0.0)
         np.testing.assert_allclose(found["position"], place(0.0), rtol=0, atol=1e-14)
@@ -132,7 +139,7 @@ def test_points_are_where_and_as_fast_as_differences_say(seed: int) -> None:
 
 @pytest.mark.parametrize("kind", EXTREMES)
 @pytest.mark.parametrize("flywheels", [0, 3, 8])
-def test_extreme_states_of_the_accepted_range_are_evaluated(kind, flywheels: int) -> None:
+def test_extreme_states_of_the_accepted_range_are_evaluated(kind: str, flywheels: int) -> None:
     rng = np.random.default_rng(flywheels)
     for _ in range(5):
         stand = random_stand(rng, flywheels)

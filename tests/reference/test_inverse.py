@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from mahovik.core.stand.model import MountingAngles
+from mahovik.core.stand.model import MountingAngles, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.inverse import demand, inverse
@@ -71,7 +71,7 @@ def test_stand_without_flywheels_reaches_only_its_own_acceleration() -> None:
     np.testing.assert_array_equal(still["residual"], np.zeros(6))
 
 
-def copies(angle):
+def copies(angle: float) -> Stand:
     """A stand of two equal balanced flywheels at one place, the second turned by `angle` (rad) about z."""
     stand, _ = draw(1, 2, instruments=0)
     stand = isolated(stand)
@@ -94,7 +94,7 @@ def copies(angle):
     ("angle", "rank", "name"),
     [(0.0, 1, "RANK_DEFICIENT"), (1e-7, 2, "NEAR_SINGULAR"), (1e-3, 2, None), (1e-11, 1, "RANK_DEFICIENT")],
 )
-def test_status_tells_parallel_flywheels(angle, rank, name: str) -> None:
+def test_status_tells_parallel_flywheels(angle: float, rank: int, name: str | None) -> None:
     stand = copies(angle)
     values = evaluate(stand, replace(rest_state(stand), V_dot=(0, 0, 0, 1.0, 0, 0)), ["inverse"])
     assert values["rank"] == rank

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.model import About
 from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.array import Array, solve
+from mahovik.proof.reference.bodies import spatial_inertia
 from mahovik.proof.reference.coupled import full_mass_matrix
-from mahovik.proof.reference.inertia import spatial_inertia
-from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.screw import Phi, cross, f, spin, wrench_to_parent
 from mahovik.proof.reference.torque import flywheel_acceleration
 from physics.general import draw, rows
@@ -39,7 +40,7 @@ def test_transfer_keeps_power_and_carries_points_of_a_body() -> None:
 
 
 @pytest.mark.parametrize("about", ["origin", "center_of_mass"])
-def test_spatial_inertia_is_that_of_a_cloud_of_points(about) -> None:
+def test_spatial_inertia_is_that_of_a_cloud_of_points(about: About) -> None:
     rng = np.random.default_rng(1)
     m, x = rng.uniform(1, 2, 9), rng.normal(size=(9, 3))
     rc = m @ x / m.sum()
@@ -71,11 +72,11 @@ def test_rates_of_transfer_K_and_momentum_are_derivatives_along_the_motion(seed:
     stand, state = draw(seed, 4)
     along, at = motion(stand, state), pieces(stand, state)
 
-    def close(found, expected) -> None:
+    def close(found: Array, expected: Array) -> None:
         np.testing.assert_allclose(found, expected, rtol=0, atol=FROM_DIFFERENCES * np.abs(expected).max())
 
-    for number, s in enumerate(at.flywheels):  # Ls* = Ls [<e>] phi_s'
-        L_dot = rate(lambda t, n=number: pieces(stand, along(t)).flywheels[n].L, STEP)
+    transfer_rates = rate(lambda t: np.array([s.L for s in pieces(stand, along(t)).flywheels]), STEP)
+    for s, L_dot in zip(at.flywheels, transfer_rates, strict=True):  # Ls* = Ls [<e>] phi_s'
         close(s.L @ spin * s.phi_dot, L_dot)
     close(at.K_dot, rate(lambda t: pieces(stand, along(t)).K, STEP))  # (6)
 
@@ -94,7 +95,7 @@ def test_acceleration_of_a_flywheel_is_the_derivative_of_its_twist(seed: int) ->
     along, at = motion(stand, state), pieces(stand, state)
     for number, s in enumerate(at.flywheels):
 
-        def twist(t: float, number=number):
+        def twist(t: float, number: int = number) -> Array:
             now = pieces(stand, along(t))
             return now.flywheels[number].twist(now.V)
 
@@ -111,7 +112,7 @@ def test_whole_of_12_is_the_rate_of_momentum_and_forces_that_of_the_first_moment
     along, at = motion(stand, state), pieces(stand, state)
     force = (at.I @ np.array(state.phi_ddot) + at.J @ at.phi_dot)[:3]
 
-    def moment_rate(t: float):  # of the first moment <mu> = lower left of K
+    def moment_rate(t: float) -> Array:  # of the first moment <mu> = lower left of K
         K_dot = pieces(stand, along(t)).K_dot
         return np.array([K_dot[5, 1], K_dot[3, 2], K_dot[4, 0]])
 

@@ -1,21 +1,27 @@
 """Wrenches of (7): by hand, and by the potentials that some of them have."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Damping, DampingTerm, Factor, MountingAngles, Stand
+from mahovik.core.stand.model import Body, MountingAngles, Stand, Vec3
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping.data import Damping, DampingTerm, Factor
+from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
 from mahovik.laws.leg.data import Leg, Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference import evaluate, pieces
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import wrench_to_parent
-from mahovik.proof.reference.wrenches import body_wrench, damping_terms, linear_damping, quadratic_damping
-from physics.general import draw, isolated, rows, without_wrench
+from mahovik.proof.reference.wrenches import body_wrench
+from physics.general import draw, isolated, placed, rows, suspension_of, without_wrench
 from physics.motions import motion, rate, rotation, vec
 
 SEEDS = range(6)
@@ -24,17 +30,17 @@ FROM_DIFFERENCES = 1e-10  # of the largest value: 1e-16 over the step
 ROUNDING = 1e-12
 
 
-def kind_power(at, kind):
+def kind_power(at: Pieces, kind: str) -> float:
     """Power of one kind of wrench over all bodies."""
-    return sum(at.terms[k.body.name][kind] @ k.twist(at.V) for k in (*at.fixed, *at.flywheels))
+    return float(sum(at.terms[k.body.name][kind] @ k.twist(at.V) for k in placed(at)))
 
 
-def centers(stand: Stand, state: State, center):
-    """Places in E0 of a point `center(body)` of each body, by (name -> place)."""
+def centers(stand: Stand, state: State, center: Callable[[Body], Vec3]) -> dict[str, Array]:
+    """Position in E0 of the point `center(body)` of each body, by the name of the body."""
     at = pieces(stand, state)
     O1 = np.array(state.position)
     found = {}
-    for k in (*at.fixed, *at.flywheels):
+    for k in placed(at):
         C, O_cross = k.L[:3, :3], k.L[3:, :3] @ k.L[:3, :3].T
         O = np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]])
         found[k.body.name] = O1 + rotation(stand, state) @ (O + C @ np.array(center(k.body)))
@@ -43,19 +49,23 @@ def centers(stand: Stand, state: State, center):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", ["weight", "buoyancy"])
-def test_weight_and_buoyancy_have_potentials(seed: int, kind) -> None:
+def test_weight_and_buoyancy_have_potentials(seed: int, kind: str) -> None:
     """Flywheels too: the line of action moves with phi_s, and the drive torque feels it."""
     stand, state = draw(seed, 4)
 
-    def potential(t: float):
+    def center_of_buoyancy(body: Body) -> Vec3:
+        buoyancy = body.law(Buoyancy)
+        return buoyancy.center if buoyancy is not None else (0.0, 0.0, 0.0)
+
+    def potential(t: float) -> float:
         now = motion(stand, state)(t)
         g = np.array(stand.gravity)
         if kind == "weight":
             places = centers(stand, now, lambda body: body.center_of_mass)
-            return -sum(body.mass * g @ places[body.name] for body in stand.bodies)
-        floating = {body.name: body.buoyancy for body in stand.bodies if body.buoyancy is not None}
-        places = centers(stand, now, lambda body: (body.buoyancy or stand.carrier.buoyancy).center)
-        return sum(b.displaced_mass * g @ places[name] for name, b in floating.items())
+            return -float(sum(body.mass * g @ places[body.name] for body in stand.bodies))
+        floating = {body.name: own for body in stand.bodies if (own := body.law(Buoyancy)) is not None}
+        places = centers(stand, now, center_of_buoyancy)
+        return float(sum(b.displaced_mass * g @ places[name] for name, b in floating.items()))
 
     scale = abs(potential(0.0)) * 10
     assert kind_power(pieces(stand, state), kind) == pytest.approx(-rate(potential, STEP), abs=FROM_DIFFERENCES * scale)
@@ -105,10 +115,11 @@ def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed: in
     u = rotation(stand, state).T @ np.array(stand.stream)
     V_r = np.array(state.V) - [*u, 0, 0, 0]
     # V_s of a flywheel includes f phi_s'
-    twists = {k.body: k.L.T @ V_r for k in at.fixed}
+    twists: dict[Body, Array] = {k.body: k.L.T @ V_r for k in at.fixed}
     twists |= {s.body: s.L.T @ V_r + np.array([0, 0, 0, s.phi_dot, 0, 0]) for s in at.flywheels}
     for body, twist in twists.items():
-        if body.damping is None:
+        damping = body.law(Damping)
+        if damping is None:
             assert set(at.terms[body.name]) <= {"weight", "buoyancy", "run-time"}
             continue
         laws = {
@@ -117,7 +128,7 @@ def test_damping_of_each_body_takes_its_own_twist_relative_to_the_fluid(seed: in
             "damping terms": damping_terms,
         }
         for kind, law in laws.items():
-            np.testing.assert_allclose(at.terms[body.name][kind], law(body.damping, twist), rtol=1e-9, atol=1e-9)
+            np.testing.assert_allclose(at.terms[body.name][kind], law(damping, twist), rtol=1e-9, atol=1e-9)
 
 
 def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping() -> None:
@@ -134,7 +145,7 @@ def test_fluid_at_rest_relative_to_the_carrier_exerts_no_damping() -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_suspension_by_hand(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)
-    suspension = stand.law(Suspension)
+    suspension = suspension_of(stand)
     C = rotation(stand, state)
     C_eq = rotation(stand, replace(state, angles=suspension.angles, quaternion=None))
     shift = C.T @ (np.array(state.position) - np.array(suspension.position))
@@ -145,7 +156,7 @@ def test_suspension_by_hand(seed: int) -> None:
 
 def test_suspension_at_its_equilibrium_exerts_nothing() -> None:
     stand, state = draw(1, 1)
-    s = stand.law(Suspension)
+    s = suspension_of(stand)
     still = replace(state, position=s.position, angles=s.angles, V=(0.0,) * 6)
     found = pieces(stand, still).terms["carrier"]["suspension"]
     np.testing.assert_allclose(found, 0, rtol=0, atol=1e-13)  # rounding of C_eq^T C times the stiffness
@@ -166,7 +177,7 @@ def test_isotropic_suspension_acts_about_the_axis_of_rotation() -> None:
 def test_legs_store_energy_in_springs_and_lose_it_along_themselves(seed: int) -> None:
     stand, state = draw(seed, 1, stream=True)  # legs stand in E0: they feel V, not V_r
 
-    def lengths(t: float):
+    def lengths(t: float) -> Array:
         now = motion(stand, state)(t)
         ends = [np.array(now.position) + rotation(stand, now) @ np.array(leg.carrier) for leg in legs_of(stand)]
         return np.array([np.linalg.norm(e - leg.ground) for e, leg in zip(ends, legs_of(stand), strict=True)])
@@ -208,7 +219,7 @@ def test_run_time_wrench_of_a_flywheel_turns_with_it(seed: int) -> None:
 def test_F_is_the_sum_of_all_kinds_carried_to_O1(seed: int) -> None:
     stand, state = draw(seed, 3)
     at, total = pieces(stand, state), np.zeros(6)
-    for k in (*at.fixed, *at.flywheels):
+    for k in placed(at):
         C, O_cross = k.L[:3, :3], k.L[3:, :3] @ k.L[:3, :3].T
         L = wrench_to_parent(np.array([O_cross[2, 1], O_cross[0, 2], O_cross[1, 0]]), C)
         for P in at.terms[k.body.name].values():

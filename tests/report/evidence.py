@@ -26,13 +26,13 @@ def piece(name: str, said: Outcome | BaseException, *needs: Need) -> Piece:
     return Piece(name, f"Title of {name}", "shows `that`", "not this", lambda s: f"again {name}", run, lambda _: needs)
 
 
-def passed(**more: object) -> Outcome:
+def passed_outcome(**more: object) -> Outcome:
     """A good outcome."""
     return Outcome(Verdict.PASSED, "a figure", ("gcc 1.2.3",), **more)  # type: ignore[arg-type]  # what a test gives by name is not typed
 
 
 ABSENT = Need("no-such-tool", lambda: False, "apt-get install no-such-tool")
-GOOD = piece("good", passed(files={"output.txt": "fine\n"}, table=Table(("a", "b>"), (("x", "1"),))))
+GOOD = piece("good", passed_outcome(files={"output.txt": "fine\n"}, table=Table(("a", "b>"), (("x", "1"),))))
 BAD = piece("bad", Outcome(Verdict.FAILED, "a difference"))
 ABLE = piece("able", AssertionError("must not run"), ABSENT)
 

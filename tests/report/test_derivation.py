@@ -16,6 +16,7 @@ from mahovik import __version__
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.random import Features, random_stand, random_state
+from mahovik.out.report.derivation.notation import Number
 from mahovik.out.report.derivation.numbers import numbers
 from mahovik.out.report.derivation.page import html, latex, significant
 from mahovik.proof.reference.evaluate import evaluate
@@ -166,7 +167,7 @@ def test_names_are_escaped() -> None:
 )
 def test_six_significant_digits(value: float, shown: tuple[str, int]) -> None:
     """Digits without sign, power of ten apart."""
-    assert significant(value) == shown
+    assert significant(value) == Number(*shown)
 
 
 class AtPhase:

@@ -19,13 +19,13 @@ from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, ToolchainError, UsageError
 from mahovik.out.cli import main
-from mahovik.proof.evidence.collect import chosen, failures
+from mahovik.proof.evidence.collect import select_pieces
 from mahovik.proof.evidence.folder import check
-from mahovik.proof.evidence.page import GENERAL, conclusion
+from mahovik.proof.evidence.page import GENERAL, conclusion, failures
 from mahovik.proof.evidence.piece import Outcome, Subject, Tell, Verdict
-from mahovik.proof.evidence.pieces import equations
+from mahovik.proof.evidence.pieces.source import EQUATIONS
 from mahovik.stands import path
-from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed, piece, refusing
+from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, passed_outcome, piece, refusing
 from toolchain.tools import require
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
@@ -104,7 +104,7 @@ def test_an_interrupted_run_leaves_nothing(tmp_path: Path, stop: BaseException) 
 
 
 def test_own_evidence_is_replaced(tmp_path: Path) -> None:
-    """As a whole: nothing of the old is left."""
+    """The old folder is replaced as a whole: nothing of it is left."""
     collected(tmp_path / "out", [GOOD])
     collected(tmp_path / "out", [BAD])
     assert not (tmp_path / "out" / "raw").exists()
@@ -144,7 +144,7 @@ def test_places_where_it_was_made_are_not_told(tmp_path: Path) -> None:
 
     def run(subject: Subject, tell: Tell) -> Outcome:
         where.append(str(subject.folder))
-        return passed(files={"output.txt": f"in {where[0]}/c/demo3.c\n"})
+        return passed_outcome(files={"output.txt": f"in {where[0]}/c/demo3.c\n"})
 
     collected(tmp_path / "out", [replace(GOOD, run=run)])
     assert (tmp_path / "out" / "raw" / "good" / "output.txt").read_text() == "in c/demo3.c\n"
@@ -173,7 +173,7 @@ class Reader(HTMLParser):
 
 def test_the_page_stands_alone(tmp_path: Path) -> None:
     """Well-formed, no script, every address is a place on it or a file of the folder; no date; markup is escaped."""
-    hostile = piece("hostile", passed(notes=("<script>alert(1)</script> & `<b>`",), files={"a.txt": ""}))
+    hostile = piece("hostile", passed_outcome(notes=("<script>alert(1)</script> & `<b>`",), files={"a.txt": ""}))
     collected(tmp_path / "out", [GOOD, BAD, ABLE, hostile])
     page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
     reader = Reader()
@@ -198,7 +198,7 @@ def test_the_page_stands_alone(tmp_path: Path) -> None:
 
 
 def test_pages_that_are_named_are_there() -> None:
-    """What is shown once for the generator."""
+    """Evidence that is shown once for the generator."""
     assert all((Path(__file__).resolve().parents[2] / where).is_file() for _, where in GENERAL)
 
 
@@ -237,14 +237,14 @@ def test_pieces_are_complete() -> None:
     names = [each.name for each in all_pieces.PIECES]
     assert len(set(names)) == len(names)
     assert all(each.shows.endswith(".") and each.limits.endswith(".") for each in all_pieces.PIECES)
-    assert chosen(all_pieces.PIECES, None, "fuzz") == set(names) - {"fuzz"}
+    assert select_pieces(all_pieces.PIECES, None, "fuzz") == set(names) - {"fuzz"}
     with pytest.raises(UsageError, match='"fuz", did you mean "fuzz"'):
-        chosen(all_pieces.PIECES, "fuz", None)
+        select_pieces(all_pieces.PIECES, "fuz", None)
 
 
 def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
     """Its lines are a definition, from its name to its last brace; (8) is in `forward`."""
-    (found,) = collected(tmp_path / "out", [equations.PIECE])
+    (found,) = collected(tmp_path / "out", [EQUATIONS])
     assert found.outcome.verdict is Verdict.PASSED
     lines = (tmp_path / "out" / "c" / "demo3.c").read_text().splitlines()
     functions = json.loads((tmp_path / "out" / "raw" / "equations" / "functions.json").read_text())

@@ -8,8 +8,6 @@ import pytest
 import sympy as sp
 
 from mahovik.core.derive.document import Formula, Table, Text, sections
-from mahovik.out.report.derivation.expression import notation, symbol
-from mahovik.out.report.derivation.mathml import mathml
 from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,
@@ -21,14 +19,13 @@ from mahovik.out.report.derivation.notation import (
     Row,
     Script,
 )
-from mahovik.out.report.derivation.parse import NotationError, parse
-from mahovik.out.report.derivation.tex import tex
+from mahovik.out.report.derivation.parse import NotationError, notation, parse, symbol
 
 EVERY = [
     section
     for sequence in ("ship", "aircraft", "euler")
     for added in (False, True)
-    for section in sections(sequence, added_mass=added, weight=True, buoyancy=added)
+    for section in sections(sequence, added_mass=added, weight=True, displaces=added)
 ]
 BLOCKS = [block for section in EVERY for block in section.blocks]
 
@@ -99,8 +96,8 @@ def test_all_notation_of_the_documents_is_read_and_printed() -> None:
     assert len(texts) > 100
     for text in set(texts):
         node = parse(text)
-        ET.fromstring(mathml(node, display=True))
-        assert tex(node).isascii()
+        ET.fromstring(node.math(display=True))
+        assert node.tex().isascii()
     assert all(b.text.count("`") % 2 == 0 for b in BLOCKS if isinstance(b, Text))
 
 
@@ -143,7 +140,7 @@ def test_symbols_get_proper_indices(name: str, text: str) -> None:
 )
 def test_latex(text: str, latex: str) -> None:
     """What amsmath is given."""
-    assert tex(parse(text)) == latex
+    assert parse(text).tex() == latex
 
 
 def test_numbers_stay_before_sums() -> None:
@@ -158,12 +155,10 @@ def test_numbers_stay_before_sums() -> None:
 
 def test_mathml() -> None:
     """Presentation elements, zeros marked as such."""
-    assert (
-        mathml(parse("mu_1 = 0")) == "<math><mrow><msub><mi>μ</mi><mn>1</mn></msub><mo>=</mo><mn>0</mn></mrow></math>"
-    )
-    assert mathml(parse("cos phi")).startswith("<math><mrow><mi>cos</mi><mspace")
-    assert 'class="zero"' in mathml(notation(sp.Matrix([[0, 1]])))
-    assert mathml(Grid(((Number("2", -5),),))).count("2·10⁻⁵") == 1
+    assert parse("mu_1 = 0").math() == "<math><mrow><msub><mi>μ</mi><mn>1</mn></msub><mo>=</mo><mn>0</mn></mrow></math>"
+    assert parse("cos phi").math().startswith("<math><mrow><mi>cos</mi><mspace")
+    assert 'class="zero"' in notation(sp.Matrix([[0, 1]])).math()
+    assert Grid(((Number("2", -5),),)).math().count("2·10⁻⁵") == 1
 
 
 @pytest.mark.parametrize("text", ["<a", "{a, b", "a)", "(a", "a ? b", "_a", "dot phi"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -12,16 +13,20 @@ from click.testing import CliRunner, Result
 from mahovik import stands
 from mahovik.core.motion.programme import RunUpTable, Samples, save_programme
 from mahovik.core.motion.required.model import Bounds
+from mahovik.core.stand import load
 from mahovik.out.cli import main
-from mahovik.out.report.plot import following, run
 from mahovik.out.report.plot import response as orders
+from mahovik.out.report.plot import run
 from mahovik.out.report.plot.draw import draw
 from mahovik.out.report.plot.panel import Line, Mark, Panel, border
 from mahovik.out.report.plot.programme import RPM, panels
+from mahovik.out.report.plot.tags import tag_lines
+from mahovik.use.study.response.speeds import read_speeds
+from mahovik.use.study.response.sweep import sweep
 from verify.programme.programmes import shaker
 
 SPIN = next(path for path in stands.motions("shaker2") if "spin" in path.name)
-WITH = ["--stand", str(stands.path("shaker2")), "--motion", str(SPIN)]
+WITH = [str(stands.path("shaker2")), "--motion", str(SPIN)]
 
 
 def plot(*arguments: object) -> Result:
@@ -82,10 +87,10 @@ def test_run_ups_have_a_panel_of_their_own() -> None:
 
 
 def test_the_command_writes_pictures(programme: Path, tmp_path: Path) -> None:
-    assert plot(programme, *WITH, "-o", tmp_path / "a.png").exit_code == 0
+    assert plot(*WITH, "--programme", programme, "-o", tmp_path / "a.png").exit_code == 0
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     for name in ("a.svg", "b.svg"):
-        assert plot(programme, "-o", tmp_path / name).exit_code == 0
+        assert plot("--programme", programme, "-o", tmp_path / name).exit_code == 0
     first = (tmp_path / "a.svg").read_bytes()
     assert first.startswith(b"<?xml") and b"dc:date" not in first
     assert (tmp_path / "b.svg").read_bytes() == first
@@ -100,7 +105,7 @@ def test_a_run_is_drawn(tmp_path: Path) -> None:
     assert by_quantity(shown, "O1").lines[0].y[-1] == pytest.approx(4.0)  # mm
     assert by_quantity(shown, "speed").lines[0].y[-1] == pytest.approx(40.0 * RPM)
     assert {line.name for panel in shown for line in panel.lines} >= {"x", "y", "z", "w1"}
-    assert plot(path, "-o", tmp_path / "run.png").exit_code == 0
+    assert plot("--run", path, "-o", tmp_path / "run.png").exit_code == 0
 
 
 def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> None:
@@ -111,7 +116,7 @@ def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> Non
         columns |= {f"{name} [{unit}]": 1.1 * wave, f"required_{name} [{unit}]": wave}
     shown = run.panels(columns)
     for word in ("O1", "attitude", "carrier", "drive torque"):
-        assert by_quantity(shown, word).lines[0].x[0] == t[-following.SHOWN]
+        assert by_quantity(shown, word).lines[0].x[0] == t[-run.SHOWN]
     error = by_quantity(shown, "error of O1").lines[0]
     assert len(error.x) == 1000 and np.abs(error.y).max() == pytest.approx(0.1, rel=0.01)
 
@@ -127,22 +132,22 @@ def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> Non
 )
 def test_what_is_no_run_is_refused(text: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "run.csv").write_text(text)
-    found = plot(tmp_path / "run.csv", "-o", tmp_path / "run.svg")
+    found = plot("--run", tmp_path / "run.csv", "-o", tmp_path / "run.svg")
     assert found.exit_code == 2 and words in found.output and not (tmp_path / "run.svg").exists()
 
 
 def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
-    other = ["--stand", str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
+    other = [str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
     for arguments, words in (
-        ([programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
-        ([programme, *WITH[:2], "-o", tmp_path / "a.svg"], "give both or neither"),
-        ([tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
-        ([tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
+        (["--programme", programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
+        (["--programme", programme, *WITH[:1], "-o", tmp_path / "a.svg"], "give both or neither"),
+        (["--programme", tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
+        (["--run", tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
     ):
         found = plot(*arguments)
         assert found.exit_code == 2 and words in found.output, found.output
     assert not (tmp_path / "a.svg").exists()
-    found = plot(programme, *other, "-o", tmp_path / "a.svg")
+    found = plot(*other, "--programme", programme, "-o", tmp_path / "a.svg")
     assert found.exit_code == 1 and "programme of another stand" in found.output
     assert not (tmp_path / "a.svg").exists()
 
@@ -188,3 +193,31 @@ def test_readings_of_points_have_panels() -> None:
 def test_long_names_of_orders_are_cut() -> None:
     assert orders._short("1 x w1, w2, w3, w4 = 2 x w5, w6") == "1 x w1 .. w4 = 2 x w5, w6"
     assert orders._first("2 x w1, w2 = 1 x w3") == "2 x w1"
+
+
+def test_tags_of_lines_stay_apart() -> None:
+    """Orders that leave the frame near one another have tags at different places along their lines."""
+    figures = import_module("matplotlib.figure")
+    axes = figures.Figure(figsize=(5.0, 3.0)).add_axes((0.1, 0.1, 0.8, 0.8))
+    axes.set(xlim=(0.0, 600.0), ylim=(0.0, 20.0))
+    x = np.linspace(0.0, 600.0, 61)
+    lines = [Line("", x, k * x / 60.0, None, tag=f"{k} x wheel") for k in (1.0, 1.9, 2.0, 2.1, 2.2)]
+    rooms = tag_lines(axes, lines, "#777777")
+    assert len(rooms) == len(lines)
+    assert not any(a.meets(b) for i, a in enumerate(rooms) for b in rooms[:i])
+
+
+def test_a_map_of_levels_stands_beside_the_waterfall() -> None:
+    """Cells hold the largest amplitude of their speed and frequency; the scale begins at the floor."""
+    stand = load(stands.path("bench8"))
+    asked = read_speeds(stand, ("w1=100..600rpm",))
+    found = sweep(stand, asked, 3, "carrier", quantity="acceleration")
+    shown = orders.panels(found)
+    assert [panel.beside for panel in shown] == [False, True, False, True]
+    waterfall, levels = shown[2], shown[3].levels
+    assert waterfall.abscissa == shown[3].abscissa == "frequency, Hz" and levels is not None
+    assert levels.value.shape == (len(levels.y) - 1, len(levels.x) - 1) == (3, orders.CELLS)
+    for row, step in zip(levels.value, found.steps, strict=True):
+        assert np.nanmax(row) == step.sizes[1:].max()
+    assert np.nanmin(levels.value) > levels.least and levels.quantity == "acceleration, m/s2"
+    assert draw("bench8", shown, ".png").startswith(b"\x89PNG")

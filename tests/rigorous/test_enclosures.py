@@ -19,7 +19,7 @@ from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.ball import column, elements, length, number
 from mahovik.proof.rigorous.evaluate import BITS, MOST_BITS, enclose
-from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_vector, turned
+from mahovik.proof.rigorous.rotation import elementary, of_quaternion, rotation_product, rotation_vector
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.draw import draw
@@ -123,7 +123,7 @@ def test_rotation_vector_turns_by_its_length(axis: list[float], angle: float) ->
 def test_rotation_vector_at_rest_and_at_half_a_turn() -> None:
     with ctx.workprec(BITS):
         assert all(x == 0 for x in elements(rotation_vector(elementary(1, 0.0))))
-        there_and_back = turned((3, 3), (0.3, -0.3))
+        there_and_back = rotation_product((3, 3), (0.3, -0.3))
         assert float(length(rotation_vector(there_and_back)).upper()) < 1e-70
         with pytest.raises(StateError, match="two rotation vectors"):
             rotation_vector(of_quaternion([0.0, 0.6, 0.0, 0.8]))
@@ -171,7 +171,7 @@ def test_what_stays_too_wide_is_an_error() -> None:
 def test_a_singular_mass_matrix_and_a_leg_without_length_are_refused() -> None:
     stand = random_stand(np.random.default_rng(1), 2, EVERYTHING)
     state = random_state(stand, np.random.default_rng(2))
-    bare = replace(stand.carrier, mass=0.0, inertia=((0.0,) * 3,) * 3, added_mass=None, buoyancy=None, damping=None)
+    bare = replace(stand.carrier, mass=0.0, inertia=((0.0,) * 3,) * 3, added_mass=None, laws=())
     empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), laws=())
     still = replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench={})
     with pytest.raises(StateError, match="singular"):

@@ -1,18 +1,18 @@
-"""tools/math_campaign.py and tools/math_proof.py: small campaign, proofs that can fail, and the page they write."""
+"""tools/math_campaign.py and tools/math_proof.py: small campaign, proofs that can fail."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from typing import Any
 
-import math_campaign as campaign
+import math_campaign as page
+import math_judge as campaign
 import math_proof as proof
 import numpy as np
 import pytest
-from campaign import Block
 from flint import arb
 
-from docs.pages import cells
+from docs.pages import ROOT, rows
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.routines import arc_tangent
 from mahovik.core.routines.sincos import POLYNOMIALS as SINCOS
@@ -37,7 +37,7 @@ def test_a_small_campaign_keeps_every_bound() -> None:
 
 
 def test_every_float_from_a_half_to_eight_pi() -> None:
-    """Every binade in which a multiple of pi/2 is taken off; make math-campaign takes the smaller ones as well."""
+    """Every binade in which a multiple of pi/2 is subtracted; make math-campaign takes the smaller ones as well."""
     found = [*campaign.every_float(0.5, campaign.LAST_NEAR), campaign.every_root(1.0, 4.0)]
     assert [row.unit for row in found] == ["ulp", "", "wrong"]
     assert [row for row in found if not row.good] == []
@@ -77,12 +77,12 @@ def test_a_coefficient_that_is_off_is_no_longer_proven(part: str, monkeypatch: p
     spoiled[2] *= 1 + 1e-9
     changed: dict[str, Any] = {part: tuple(spoiled)}
     monkeypatch.setitem(SINCOS, "double", replace(fits, **changed))
-    for cached in (proof.approximation, proof.near, proof.anywhere):
+    for cached in (proof.approximation, proof.small_angle_error, proof.anywhere):
         cached.cache_clear()
     try:
         assert any(not row.good for row in proof.rows())
     finally:
-        for cached in (proof.approximation, proof.near, proof.anywhere):
+        for cached in (proof.approximation, proof.small_angle_error, proof.anywhere):
             cached.cache_clear()
 
 
@@ -97,17 +97,28 @@ def test_no_sample_is_closer_to_a_quarter_turn_than_the_least_that_is_proven(pre
     assert least <= min(distances) < 1.01 * least
 
 
-def lines_of(block: Block) -> list[list[str]]:
-    return [cells(line) for line in block.text().splitlines() if line.startswith("|")]
+def test_the_kept_figures_are_within_their_bounds() -> None:
+    rows = [campaign.Row(**row) for row in page.MEASURED.figures()["rows"]]
+    assert {(row.routine, row.precision) for row in rows} >= {
+        (name, p) for name in ("sin", "sqrt", "atan2") for p in ("double", "float")
+    }
+    assert [row for row in rows if not row.good] == []
+
+
+def test_the_page_promises_what_is_measured() -> None:
+    """The table of docs/proofs.md, against the bounds of the kept figures."""
+    promised = {row[0]: row[1] for row in rows(ROOT / "docs" / "proofs.md", "function") if len(row) == 2}
+    bound = {(r["routine"], r["precision"], r["unit"]): r["bound"] for r in page.MEASURED.figures()["rows"]}
+    assert promised["sine, cosine"].startswith(f"{bound['sin', 'double', 'ulp']:g} ulp for angles up to 8 pi; ")
+    assert (
+        f"{bound['cos', 'double', '']:g} (`float`: {bound['cos', 'float', '']:.0e}".replace("e-0", "e-")
+        in (promised["sine, cosine"])
+    )
+    assert promised["`atan2`"].startswith(f"{bound['atan2', 'double', 'ulp']:g} ulp")
+    assert f"{bound['wrap', 'double', 'rad']:g} rad" in promised["`wrap`"]
 
 
 @pytest.mark.slow
-def test_the_page_has_the_tables_that_the_tool_writes() -> None:
-    head, _, *rows = lines_of(campaign.MEASURED)
-    assert tuple(head) == campaign.MEASURED_HEAD
-    assert {(row[0], row[1]) for row in rows} >= {(n, p) for n in ("sin", "sqrt", "atan2") for p in ("double", "float")}
-    for row in rows:
-        assert float(row[4].split()[0]) <= float(row[6].split()[0]), row
-    head, _, *rows = lines_of(campaign.PROVEN)
-    assert tuple(head) == campaign.PROVEN_HEAD
-    assert rows == [row.cells() for row in proof.rows()]
+def test_the_kept_proofs_are_those_of_today() -> None:
+    kept = [proof.Row(**row) for row in page.PROVEN.figures()["rows"]]
+    assert [row.cells() for row in kept] == [row.cells() for row in proof.rows()]

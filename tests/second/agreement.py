@@ -1,6 +1,7 @@
 """The second derivation against the literal reference, relative to the natural scale of every quantity."""
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.second import Second
 from mahovik.proof.verify.compare import difference
 from mahovik.proof.verify.scales import scales
 
@@ -22,6 +24,15 @@ AGREEMENT = 1e-12
 
 Expected = dict[str, tuple[dict[str, Any], dict[str, Any]] | None]
 """Results and natural scales by want; None: refused."""
+
+
+second_of = lru_cache(maxsize=8)(Second)
+"""The second derivation of a stand; its functions are kept for the last few stands."""
+
+
+def evaluate(stand: Stand, state: State, want: Sequence[str]) -> dict[str, Any]:
+    """Answers of the second derivation."""
+    return second_of(stand).evaluate(state, want)
 
 
 def expectations(stand: Stand, state: State, wants: Sequence[str] = WANTS) -> Expected:

@@ -13,9 +13,9 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, EXTREMES, SEQUENCES, Features, random_stand
 from mahovik.proof import reference
-from mahovik.proof.second import Second, evaluate
+from mahovik.proof.second import Second
 from mahovik.proof.verify.draw import draw
-from second.agreement import AGREEMENT, differences, expectations
+from second.agreement import AGREEMENT, differences, evaluate, expectations
 
 WANTS = wants_of("second")
 

@@ -13,8 +13,9 @@ from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.laws.leg.data import Legs, legs_of
-from mahovik.proof.second import Second, evaluate
+from mahovik.proof.second import Second
 from physics.general import draw
+from second.agreement import evaluate
 
 WANTS = wants_of("second")
 
@@ -121,7 +122,7 @@ def test_a_stand_without_points_has_none() -> None:
 
 
 def test_64_flywheels_are_there_at_once_and_a_state_costs_little() -> None:
-    """Bounds that a slow machine keeps; a function per flywheel, or built anew a state, would not."""
+    """Bounds that a slow machine keeps; a function per flywheel, or one built for each state, would exceed them."""
     rng = np.random.default_rng(1)
     stand, small = random_stand(rng, 64, EVERYTHING), random_stand(rng, 8, EVERYTHING)
     wants = ["momentum", "forward", "torque", "points"]

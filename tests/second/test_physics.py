@@ -8,12 +8,14 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import LawData, Stand
 from mahovik.core.stand.state import State
+from mahovik.laws.damping.data import Damping
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.laws.torquer.data import Torquers
-from mahovik.proof.second import Second, evaluate
+from mahovik.proof.second import Second
 from physics.general import draw, isolated, without_wrench
 from physics.motions import motion, rate, rotation, vec, with_rotation
+from second.agreement import evaluate
 
 SEEDS = range(6)
 STEP = 1e-3  # times 20 rad/s: the eighth power is far below rounding over STEP, 1e-13
@@ -25,9 +27,9 @@ def without_damping(stand: Stand) -> Stand:
     """The stand without damping of its bodies in the fluid."""
     return replace(
         stand,
-        carrier=replace(stand.carrier, damping=None),
-        instruments=tuple(replace(p, damping=None) for p in stand.instruments),
-        flywheels=tuple(replace(s, damping=None) for s in stand.flywheels),
+        carrier=stand.carrier.without_laws(Damping),
+        instruments=tuple(p.without_laws(Damping) for p in stand.instruments),
+        flywheels=tuple(s.without_laws(Damping) for s in stand.flywheels),
     )
 
 

@@ -53,7 +53,7 @@ class Recorder:
         return b"".join(self.calls)
 
     def new(self, kind: str) -> None:
-        """A log that begins anew, with a state at rest and the default table."""
+        """A new log, beginning with a state at rest and the default table."""
         ffi, name = self.ffi, self.name
         self.recorder = ffi.new(f"{name}_recorder *", {"write": self._write})
         self.x = ffi.new(f"{name}_state *", {"attitude": [1.0, 0.0, 0.0, 0.0]})

@@ -113,7 +113,7 @@ ORDERS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ORDERS)
 def test_order_of_the_error_in_dt(name: str) -> None:
-    """Of the step's own order for constant inputs; inputs that vary count as constant in a step, of order two."""
+    """Constant inputs give the step's own order; varying inputs are constant in a step, which gives order two."""
     text, order, expected = ORDERS[name]
     text = text if "schema" in text else f"schema = 1\n{text}\n"
     runs = [simulate(case(free(), text, dt=dt, order=order)).data[-1] for dt in (2e-3, 1e-3, 5e-4)]

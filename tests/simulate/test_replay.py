@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from emit.stands import stand as known_stand
-from mahovik.core.emit.log_format import MAGIC, RESERVED, fnv1a
+from mahovik.core.emit.log_format import MAGIC, RESERVED
 from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.lower.golden import fnv1a
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.simulate.flight_log import Damage, Start, Step, load, records
 from mahovik.use.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
@@ -44,13 +45,13 @@ def machine_of(name: str, real: str) -> CMachine:
 
 
 def steps_of(recorder: Recorder, data: bytes | None = None) -> list[Outcome | Damage]:
-    """What a replay by that C finds."""
+    """Findings of a replay by that C."""
     machine = machine_of(recorder.name, recorder.real)
     return list(replay(machine, records(recorder.log if data is None else data)))
 
 
 def outcomes(found: list[Outcome | Damage]) -> list[Outcome]:
-    """What was found, none of it damage."""
+    """Findings of a replay, none of them damage."""
     replayed = [o for o in found if isinstance(o, Outcome)]
     assert len(replayed) == len(found)
     return replayed
@@ -128,7 +129,7 @@ def test_a_table_that_is_not_the_default_is_in_the_log(flown: Recorder) -> None:
 
 
 def test_a_log_can_be_replayed_from_any_start(bench8: Recorder) -> None:
-    """What a ring buffer keeps: the first records are gone, up to the middle of one."""
+    """Content of a ring buffer: the first records are overwritten, up to the middle of one."""
     bench8.new("recorder")
     bench8.fly(STEPS, every=7)
     second = bench8.log.index(MAGIC, 1)
@@ -144,7 +145,7 @@ def test_a_log_can_be_replayed_from_any_start(bench8: Recorder) -> None:
 
 def test_other_c_is_found_at_its_first_step(tmp_path: Path) -> None:
     """The C that flew had one constant in another bit."""
-    flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * dt", "half = 0.5000000000000001 * dt"))
+    flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * h", "half = 0.5000000000000001 * h"))
     flew.fly(6)
     found = outcomes(steps_of(flew))
     assert len(found) == 1
@@ -267,7 +268,7 @@ def test_a_spoiled_line_is_named(bench8: Recorder, tmp_path: Path) -> None:
 
 
 def test_a_log_of_spoiled_lines_only_is_not_called_empty(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="no log in its @ lines, 2 spoiled: line 1: expected an even number of hex"):
+    with pytest.raises(UsageError, match="no log in its @ lines, 2 damaged: line 1: expected an even number of hex"):
         load(written(tmp_path, b"@894d4\n@535\n"))
 
 
@@ -284,7 +285,7 @@ def test_swapped_bytes_are_recognised(bench8: Recorder, tmp_path: Path, width: i
     [
         (lambda data: data.replace(b"\r\n", b"\n"), "moved as text"),
         (lambda data: data.replace(b"\n", b"\r\n"), "moved as text"),
-        (lambda data: bytes(b & 127 for b in data), "eighth bits"),
+        (lambda data: bytes(b & 127 for b in data), "eighth bit"),
         (lambda data: b"", "is empty"),
         (lambda data: b"{}", "no flight log"),
         (lambda data: data[1:8], "no flight log"),
@@ -308,10 +309,10 @@ def test_no_such_file(tmp_path: Path) -> None:
 def test_a_log_of_another_stand_or_physics_is_refused(bench8: Recorder) -> None:
     start = next(r for r in records(bench8.log) if isinstance(r, Start))
     check_stand(bench8.stand, start, "bench8.toml")
-    with pytest.raises(CheckError, match='stand "demo3", but the log is of "bench8"'):
+    with pytest.raises(CheckError, match='stand "demo3", but the log is from "bench8"'):
         check_stand(known_stand("demo3"), start, "demo3.toml")
     heavier = Start(**{**vars(start), "physics": "00000000"})
-    with pytest.raises(CheckError, match=r"physics .* but the log is of 00000000"):
+    with pytest.raises(CheckError, match=r"physics .* but the log is from 00000000"):
         check_stand(bench8.stand, heavier, "bench8.toml")
 
 
@@ -334,7 +335,7 @@ def test_the_hash_is_fnv() -> None:
 
 
 def test_no_flywheel_takes_a_name_of_the_recorder(flown: Recorder) -> None:
-    """What the header defines in capitals is what generate keeps free."""
+    """The names in capitals in the header are those that `generate` forbids."""
     text = recorder_files(flown.stand, flown.generated)[f"{flown.name}_recorder.h"]
     prefix = f"{flown.name.upper()}_"
     defined = set(re.findall(rf"(?:#define {prefix}|^ +{prefix})(RECORD\w+)", text, re.MULTILINE))

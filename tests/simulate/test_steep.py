@@ -15,8 +15,7 @@ from mahovik.core.stand import Stand, load, rest_state
 from mahovik.core.stand.model import Motor
 from mahovik.errors import UsageError
 from mahovik.use.simulate import Case, Run, simulate
-from mahovik.use.simulate.by_c import CMotion
-from mahovik.use.simulate.steepness import Steepness
+from mahovik.use.simulate.by_c import CMotion, Steepness
 from mahovik.use.study.rest import rest
 
 SHAKER = load(stands.path("shaker2"))
@@ -31,7 +30,7 @@ def run_up(torque: float, **more: float) -> str:
     return f'default = {{ run_up = {{ torque = {torque}, to = "300 rpm"{rest_of_it} }} }}'
 
 
-def apart(a: Run, b: Run, quantity: str) -> float:
+def largest_difference(a: Run, b: Run, quantity: str) -> float:
     assert (a.stopped, b.stopped) == (None, None)
     return float(max(np.abs(a[name] - b[name]).max() for name in a.names if name.startswith(quantity)))
 
@@ -41,9 +40,9 @@ def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
     """The figures of docs/studies.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
     judge = simulate(case(run_up(torque)), "scipy")
     found = simulate(case(run_up(torque)))
-    assert apart(found, judge, "tau") < 1e-4
-    assert apart(found, judge, "phi_dot") < 1e-5
-    assert apart(found, judge, "v_dot") < 1e-4
+    assert largest_difference(found, judge, "tau") < 1e-4
+    assert largest_difference(found, judge, "phi_dot") < 1e-5
+    assert largest_difference(found, judge, "v_dot") < 1e-4
     if torque >= 3.0:
         assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
 
@@ -54,8 +53,8 @@ def test_a_steep_run_up_beside_a_speed_that_varies() -> None:
     text += "[flywheel.right]\nharmonic = { mean = 20, amplitude = 10, frequency = 12 }"
     judge = simulate(case(text), "scipy")
     found = simulate(case(text))
-    assert apart(found, judge, "phi_dot left") < 1e-4
-    assert apart(found, judge, "tau left") < 5e-3  # 16 N m a rad/s
+    assert largest_difference(found, judge, "phi_dot left") < 1e-4
+    assert largest_difference(found, judge, "tau left") < 5e-3  # 16 N m per rad/s
     for name in ("phi right [rad]", "phi_dot right [rad/s]"):
         np.testing.assert_array_equal(found[name], judge[name])
 
@@ -68,12 +67,14 @@ def test_dry_friction_that_sets_in_steeply() -> None:
     text = "default = { torque = 0, initial_speed = 0.05 }"
     judge, found = simulate(case(text, stand), "scipy"), simulate(case(text, stand))
     assert np.abs(judge["phi_dot left [rad/s]"][1:]).max() < 1e-2
-    assert apart(found, judge, "phi_dot") < 1e-5
-    assert apart(found, judge, "tau") < 1e-3
+    assert largest_difference(found, judge, "phi_dot") < 1e-5
+    assert largest_difference(found, judge, "tau") < 1e-3
 
 
 def test_what_is_too_steep_is_refused_before_the_run() -> None:
-    with pytest.raises(UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m a rad/s.* wider `band`"):
+    with pytest.raises(
+        UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m per rad/s.* wider `band`"
+    ):
         simulate(case(run_up(50.0, band=0.01)))
     CMotion(case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
 

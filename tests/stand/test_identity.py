@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
 from random import Random
+from typing import Any
 
+import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mahovik.contract.laws import parts
 from mahovik.core.stand import dumps, identities, load, loads, structure
-from mahovik.core.stand.model import Factor, Stand
+from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.random import EVERYTHING, random_stand
+from mahovik.laws.damping.data import Factor
 from mahovik.stands import names, path
 from strategies import stands
 
@@ -47,6 +54,35 @@ def test_a_number_changes_physics_only() -> None:
     one, other = identities(loads(TEXT)), identities(loads(TEXT.replace("mass = 2", "mass = 2.0000000000000004")))
     assert one.structure == other.structure
     assert one.physics != other.physics
+
+
+def with_one_other(value: Any, place: str) -> Iterator[tuple[str, Any]]:
+    """Data with each of its numbers changed in turn, and the place of the number."""
+    if isinstance(value, float):
+        yield place, 0.5 + 2.0 * value
+    elif is_dataclass(value):
+        for field in fields(value):
+            for where, other in with_one_other(
+                getattr(value, field.name), f"{place} {type(value).__name__}.{field.name}"
+            ):
+                yield where, replace(value, **{field.name: other})  # type: ignore[type-var]
+    elif isinstance(value, tuple):
+        for k, each in enumerate(value):
+            for where, other in with_one_other(each, f"{place}[{k}]"):
+                yield where, (*value[:k], other, *value[k + 1 :])
+
+
+def test_every_number_of_a_stand_changes_its_physics() -> None:
+    """Masses, places, motors, and the data of all laws, of bodies and of the carrier: none is left out."""
+    stand = random_stand(np.random.default_rng(1), 3, EVERYTHING)
+    found = {"as it is": identities(stand).physics}
+    for place, other in with_one_other(stand, ""):
+        found[place] = identities(other).physics
+    laws = {law.SCHEMA.data for law in parts("schema")} | {law.data for law in body_schemas()}
+    assert all(any(f" {law.__name__}." in place for place in found) for law in laws)
+    places: dict[str, str] = {}
+    same = [(place, places[digest]) for place, digest in found.items() if places.setdefault(digest, place) != place]
+    assert same == []
 
 
 def test_names_kinds_and_order_change_both() -> None:
@@ -107,16 +143,16 @@ def test_structure_lists_what_acts_on_which_body() -> None:
     found = structure(stand)
     assert (found.name, found.angles, found.bodies) == ("a", "aircraft", ("carrier", "i", "v", "w"))
     assert (found.flywheel_mounts, found.points, found.point_mounts) == ((1, 0), ("p",), (1,))
-    assert found.weight and found.stream and found.added_mass and found.law("suspension") and found.buoyancy
+    assert found.weight and found.stream and found.added_mass and found.law("suspension") and found.law("buoyancy")
     assert found.law("legs") == 1
-    assert (found.flywheel_buoyancy, found.wrench_inputs) == ((2,), (1,))
-    assert (found.linear_damping, found.quadratic_damping, found.damped) == ((0,), (3,), (0, 3))
-    assert ((3, ((3, (Factor(3, False), Factor(3, True))),)),) == found.damping_terms
+    assert (found.law("flywheel_buoyancy"), found.wrench_inputs) == ((2,), (1,))
+    assert (found.law("linear_damping"), found.law("quadratic_damping")) == ((0,), (3,))
+    assert ((3, ((3, (Factor(3, False), Factor(3, True))),)),) == found.law("damping_terms")
 
 
 def test_without_gravity_nothing_floats() -> None:
     stand = loads(
         'schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\nbuoyancy = { displaced_mass = 1 }\n'
     )
-    assert not structure(stand).buoyancy
+    assert not structure(stand).law("buoyancy")
     assert not structure(stand).weight

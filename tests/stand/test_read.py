@@ -10,15 +10,15 @@ import pytest
 
 from mahovik.core.stand import dumps, load, loads
 from mahovik.core.stand.model import (
-    Buoyancy,
-    DampingTerm,
     Encoder,
-    Factor,
     Motor,
     MountingAngles,
     MountingAxes,
     Point,
 )
+from mahovik.errors import StandError
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping.data import Damping, DampingTerm, Factor
 from mahovik.laws.leg.data import Leg, legs_of
 from mahovik.laws.suspension.data import Suspension
 
@@ -128,17 +128,18 @@ def test_every_key_is_read() -> None:
     assert carrier.inertia == ((0.2, 0.001, 0.002), (0.001, 0.3, 0.003), (0.002, 0.003, 0.4))
     assert carrier.inertia_about == "center_of_mass"
     assert diagonal(3.0, 4.0, 5.0, 0.06, 0.07, 0.08) == carrier.added_mass
-    assert Buoyancy(11.8, (0.0, 0.0, 0.03)) == carrier.buoyancy
+    assert Buoyancy(11.8, (0.0, 0.0, 0.03)) == carrier.law(Buoyancy)
     assert carrier.wrench_input
-    assert carrier.damping is not None
-    assert diagonal(1.0, 2.0, 3.0, 4.0, 5.0, 6.0) == carrier.damping.linear
-    assert carrier.damping.quadratic is not None
-    assert carrier.damping.quadratic[0] == (1.0, 0.0, 0.0, 0.0, 0.0, 7.0)
+    damping = carrier.law(Damping)
+    assert damping is not None
+    assert diagonal(1.0, 2.0, 3.0, 4.0, 5.0, 6.0) == damping.linear
+    assert damping.quadratic is not None
+    assert damping.quadratic[0] == (1.0, 0.0, 0.0, 0.0, 0.0, 7.0)
     terms = (
         DampingTerm(1, (Factor(0, False), Factor(5, False)), -3.1),
         DampingTerm(5, (Factor(5, False), Factor(1, True)), -4.2),
     )
-    assert terms == carrier.damping.terms
+    assert terms == damping.terms
 
     suspension = stand.law(Suspension)
     assert suspension is not None
@@ -151,7 +152,7 @@ def test_every_key_is_read() -> None:
     gyro, mark = stand.instruments
     assert (gyro.name, gyro.position, gyro.mass) == ("gyro", (0.1, 0.0, 0.0), 1.0)
     assert gyro.angles[0] == 0.5235987755982989  # pi/6 rounded once; math.pi / 6 is one bit less
-    assert Buoyancy(0.5, (0.0, 0.0, 0.0)) == gyro.buoyancy
+    assert Buoyancy(0.5, (0.0, 0.0, 0.0)) == gyro.law(Buoyancy)
     assert (0.0, diagonal(0.0, 0.0, 0.0), None, False) == (mark.mass, mark.inertia, mark.added_mass, mark.wrench_input)
 
     w1, w2 = stand.flywheels
@@ -159,10 +160,11 @@ def test_every_key_is_read() -> None:
     assert MountingAngles(0.3, -0.2, math.pi / 4) == w1.mounting
     assert Motor(0.2, 200 * math.pi, 0.03, 0.5, 24.0, 1e-5, 5e-4, 0.1) == w1.motor
     assert Encoder(-4096, 12.5, 5e-5) == w1.encoder
-    assert Buoyancy(0.1, (0.0, 0.0, 0.0)) == w1.buoyancy
-    assert w1.damping is not None
-    assert diagonal(0.0, 0.0, 0.0, 1e-4, 0.0, 0.0) == w1.damping.linear
-    assert (w1.damping.quadratic, w1.damping.terms) == (None, ())
+    assert Buoyancy(0.1, (0.0, 0.0, 0.0)) == w1.law(Buoyancy)
+    damping = w1.law(Damping)
+    assert damping is not None
+    assert diagonal(0.0, 0.0, 0.0, 1e-4, 0.0, 0.0) == damping.linear
+    assert (damping.quadratic, damping.terms) == (None, ())
 
     assert (w2.mount, w2.position) == ("carrier", (0.0, 0.0, 0.0))
     assert MountingAxes((0.0, 0.0, 2.0), (1.0, 0.0, 5.0)) == w2.mounting
@@ -176,7 +178,7 @@ def test_the_least_stand_has_the_documented_defaults() -> None:
     assert (stand.angles, stand.gravity, stand.stream) == ("ship", (0.0, 0.0, 0.0), None)
     assert (stand.laws, stand.instruments, stand.flywheels, stand.points) == ((), (), (), ())
     carrier = stand.carrier
-    assert (carrier.added_mass, carrier.buoyancy, carrier.damping, carrier.wrench_input) == (None, None, None, False)
+    assert (carrier.added_mass, carrier.laws, carrier.wrench_input) == (None, (), False)
 
 
 @pytest.mark.parametrize(
@@ -241,3 +243,15 @@ def test_phase_input_is_read_and_written_back() -> None:
     assert stand.phase_input == "sincos"
     assert loads(text.replace('phase_input = "sincos"\n', "")).phase_input == "angle"
     assert loads(dumps(stand)) == stand
+
+
+@pytest.mark.parametrize("zero", ["0", "0.0", "-0.0"])
+def test_gravity_zero_is_no_gravity(zero: str) -> None:
+    text = 'schema = 1\nname = "s"\ngravity = {}\n[carrier]\nmass = 3\ninertia = [1, 1, 1]\n'
+    assert loads(text.format(zero)) == loads(text.format("[0, 0, 0]"))
+
+
+@pytest.mark.parametrize("raw", ["9.81", "false", '"0"'])
+def test_gravity_of_one_number_has_no_direction(raw: str) -> None:
+    with pytest.raises(StandError, match="gravity: expected 3 numbers"):
+        loads(f'schema = 1\nname = "s"\ngravity = {raw}\n[carrier]\nmass = 3\ninertia = [1, 1, 1]\n')

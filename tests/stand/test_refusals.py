@@ -28,7 +28,7 @@ def refusal(text: str) -> list[str]:
 CASES = {
     # keys and types
     "schema missing": ('name = "s"' + CARRIER, "schema: required, but missing"),
-    "schema 2": (BASE.replace("= 1", "= 2", 1), "schema: 2 is not known, this version reads schema 1"),
+    "schema 2": (BASE.replace("= 1", "= 2", 1), "schema: unknown version 2, this program reads schema 1"),
     "schema 1.0": (BASE.replace("= 1", "= 1.0", 1), "schema: expected a whole number, found 1.0"),
     "schema true": (BASE.replace("= 1", "= true", 1), "schema: expected a whole number, found true"),
     "name missing": ("schema = 1" + CARRIER, "name: required, but missing"),
@@ -123,7 +123,7 @@ CASES = {
     ),
     "one unit for a 6x6": (
         BASE + 'added_mass = { value = [1, 1, 1, 1, 1, 1], unit = "kg" }',
-        "carrier, added_mass: a 6x6 mixes units (metres and radians), so it takes no unit for all: write SI numbers",
+        "carrier, added_mass: a 6x6 mixes units (metres and radians), so one unit cannot be for all: write SI numbers",
     ),
     "unit of another block": (
         BASE + 'added_mass = ["1 kg", "1 kg", "1 kg", "1 kg", 1, 1]',
@@ -181,7 +181,7 @@ CASES = {
     ),
     "no counts": (
         BASE + WHEEL + "encoder = { counts = 0 }",
-        'flywheel "w1", encoder, counts: 0 counts a turn measure nothing',
+        'flywheel "w1", encoder, counts: expected at least 1 count per turn, found 0',
     ),
     "half a count": (
         BASE + WHEEL + "encoder = { counts = 0.5 }",
@@ -270,7 +270,7 @@ CASES = {
     "zero without axis": (BASE + WHEEL + "zero = [1, 0, 0]", 'flywheel "w1", axis: required with zero, but missing'),
     "zero parallel to axis": (
         BASE + WHEEL + "axis = [1, 2, 3]\nzero = [-2, -4, -6]",
-        'flywheel "w1", zero: parallel to axis, expected a direction with a part across it',
+        'flywheel "w1", zero: parallel to axis, expected another direction',
     ),
     "axis of no direction": (
         BASE + WHEEL + "axis = [0, 0, 0]\nzero = [0, 1, 0]",
@@ -386,3 +386,10 @@ def test_a_key_that_cannot_be_read_does_not_hide_what_is_unphysical() -> None:
 def test_where_mass_properties_cannot_be_read_nothing_is_guessed_of_them(key: str) -> None:
     (line,) = refusal(BASE + WHEEL.replace("0.02, 0.01, 0.01", "0.05, 0.01, 0.01") + key + "\n")
     assert key.partition(" ")[0] in line
+
+
+def test_directions_are_parallel_below_an_angle_of_1e_9_rad() -> None:
+    text = BASE + WHEEL + "axis = [3, 0, 0]\nzero = [-2, {}, 0]\n"
+    assert loads(text.format(2 * 1.05e-9)).flywheels
+    (line,) = refusal(text.format(2 * 0.95e-9))
+    assert "zero: parallel to axis" in line

@@ -102,3 +102,47 @@ def test_a_stand_does_not_depend_on_the_unit(x: Decimal, unit: str) -> None:
 def test_nonsense_is_no_unit(unit: str) -> None:
     with pytest.raises(QuantityError):
         number(f"1 {unit}", LENGTH)
+
+
+SHEETS = (
+    ("gcm²", INERTIA, "1e-7"), ("gcm2", INERTIA, "1e-7"), ("gcm^2", INERTIA, "1e-7"), ("g-cm^2", INERTIA, "1e-7"),
+    ("g⋅cm²", INERTIA, "1e-7"), ("kg-m^2", INERTIA, "1"), ("kgm2", INERTIA, "1"), ("kgm²", INERTIA, "1"),
+    ("gmm²", DYNAMIC_UNBALANCE, "1e-9"), ("gmm", STATIC_UNBALANCE, "1e-6"), ("g-mm", STATIC_UNBALANCE, "1e-6"),
+    ("gcm", STATIC_UNBALANCE, "1e-5"), ("mN-m", TORQUE, "0.001"), ("mNm", TORQUE, "0.001"), ("Nmm", TORQUE, "0.001"),
+    ("oz-in", TORQUE, "0.0070615518142260443750"), ("oz in", TORQUE, "0.0070615518142260443750"),
+    ("oz-in/A", TORQUE_CONSTANT, "0.0070615518142260443750"), ("oz-in", STATIC_UNBALANCE, "0.000720077887375"),
+    ("oz-in^2", INERTIA, "0.000018289978339325"), ("oz-in-s^2", INERTIA, "0.0070615518142260443750"),
+    ("lb-in", TORQUE, "0.11298482902761671"), ("µm", LENGTH, "1e-6"), ("μm", LENGTH, "1e-6"),
+    ("kg/m³", Dimension("a density", "kg/m^3"), "1"), ("kg m⁻³", Dimension("a density", "kg/m^3"), "1"),
+    ("1/min", Dimension("a frequency", "Hz"), "1/60"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("unit", "dimension", "factor"), SHEETS)
+def test_units_of_data_sheets(unit: str, dimension: Dimension, factor: str) -> None:
+    assert number(f"7 {unit}", dimension) == float(7 * Fraction(factor))
+    assert number(Decimal(7), dimension, unit) == float(7 * Fraction(factor))
+
+
+@pytest.mark.parametrize("unit", ["1/min", "r/min", "min^-1", "min-1", "min⁻¹"])
+def test_per_minute_is_rpm_where_a_speed_is_asked(unit: str) -> None:
+    assert number(f"3000 {unit}", SPEED) == number("3000 rpm", SPEED)
+
+
+@pytest.mark.parametrize(
+    ("unit", "dimension", "words"),
+    [
+        ("gcm", INERTIA, 'unit "gcm", read as "g cm", does not fit, expected a moment of inertia'),
+        ("gm", MASS, 'did you mean "g" or "g m"?'),
+        ("kg-cm", TORQUE, 'did you mean "kgf cm"?'),
+        ("g cm", TORQUE, 'did you mean "gf cm"?'),
+        ("1/s", SPEED, "write rpm or rad/s"),
+        ("Hz", SPEED, "write rpm or rad/s"),
+        ("oz-in", LENGTH, 'read as "oz in"'),
+        ("foo", MASS, "is not a known unit"),
+    ],
+)
+def test_a_unit_that_does_not_fit_is_refused_with_a_hint(unit: str, dimension: Dimension, words: str) -> None:
+    with pytest.raises(QuantityError) as found:
+        number(f"1 {unit}", dimension)
+    assert words in str(found.value)

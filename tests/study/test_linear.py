@@ -16,18 +16,18 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.second.linear import linear
+from mahovik.proof.second.linear import Matrices, linear
 from mahovik.stands import path
-from mahovik.use.study.linear import linear_model
-from mahovik.use.study.linear.files import rendered
+from mahovik.use.study.linear import LinearModel, linear_model
+from mahovik.use.study.linear.model import rendered
 from mahovik.use.study.rest import rest
 
 AGREEMENT = 1e-10
-"""Of the largest number of its row; the largest seen in a hundred stands is 6e-12, where rows nearly cancel."""
+"""Relative to the largest number of a row; the largest of a hundred stands is 6e-12, where rows nearly cancel."""
 
 
-def disagreement(found: dict[str, Any], expected: dict[str, Any]) -> float:
-    """The largest, of each row's largest number."""
+def disagreement(found: LinearModel, expected: Matrices) -> float:
+    """Largest difference of A, B, C and D, each row relative to its largest number."""
     worst = 0.0
     for name in "ABCD":
         a, b = getattr(found, name), getattr(expected, name)
@@ -38,7 +38,7 @@ def disagreement(found: dict[str, Any], expected: dict[str, Any]) -> float:
     return worst
 
 
-def drawn(seed: int, flywheels: int, **kinds: Any) -> tuple[Stand, State]:
+def random_case(seed: int, flywheels: int, **kinds: Any) -> tuple[Stand, State]:
     """A random stand with all that is named, and a state of it."""
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, flywheels, Features(**kinds))
@@ -63,14 +63,14 @@ def drawn(seed: int, flywheels: int, **kinds: Any) -> tuple[Stand, State]:
     ],
 )
 def test_it_is_the_derivative_of_the_second_derivation(seed: int, kinds: dict[str, Any]) -> None:
-    stand, state = drawn(seed, 3, **kinds)
+    stand, state = random_case(seed, 3, **kinds)
     assert disagreement(linear_model(stand, state), linear(stand, state)) < AGREEMENT
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(60))
 def test_it_is_the_derivative_on_any_stand(seed: int) -> None:
-    stand, state = drawn(1000 + seed, seed % 7)
+    stand, state = random_case(1000 + seed, seed % 7)
     assert disagreement(linear_model(stand, state), linear(stand, state)) < AGREEMENT
 
 
@@ -82,8 +82,8 @@ def test_at_rest_and_with_flywheels_turning_steadily(name: str) -> None:
 
 
 def test_locked_flywheels_are_one_with_the_carrier() -> None:
-    """By the second derivation with the drives' answers: tau that keeps phi'' whatever the carrier does."""
-    stand, state = drawn(5, 2, laws={"suspension": 1}, points=1)
+    """The second derivation answers as the drives do: tau keeps phi'' whatever the carrier does."""
+    stand, state = random_case(5, 2, laws={"suspension": 1}, points=1)
     free, locked = linear_model(stand, state), linear_model(stand, state, locked=True)
     N = len(stand.flywheels)
     keep = np.linalg.solve(free.B[12 + N :, :N], free.A[12 + N :, :12])  # phi'' = 0 = A x + B tau
@@ -94,7 +94,7 @@ def test_locked_flywheels_are_one_with_the_carrier() -> None:
 
 def test_the_state_keeps_its_accelerations() -> None:
     """V* and tau of the state are those that belong to its phi''; those given are not read."""
-    stand, state = drawn(6, 3)
+    stand, state = random_case(6, 3)
     found = linear_model(stand, replace(state, V_dot=(0.0,) * 6, tau=(7.0,) * 3)).state
     assert found.phi_ddot == state.phi_ddot
     assert found.V_dot == linear_model(stand, state).state.V_dot
@@ -120,7 +120,7 @@ def test_what_is_not_finite_is_refused() -> None:
 
 @pytest.mark.parametrize("locked", [False, True])
 def test_both_formats_read_back_to_the_same_bits(locked: bool) -> None:
-    stand, state = drawn(7, 2, points=2, wrench_inputs=True)
+    stand, state = random_case(7, 2, points=2, wrench_inputs=True)
     model = linear_model(stand, state, locked=locked)
     text = json.loads(rendered(model, ".json"))
     mat = loadmat(io.BytesIO(rendered(model, ".mat")), simplify_cells=True)

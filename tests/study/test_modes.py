@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import load, loads
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import MountingAxes, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.stands import path
 from mahovik.use.study.linear import linear_model, modes
@@ -69,7 +69,7 @@ def test_a_spinning_flywheel_makes_it_nod() -> None:
     """Nutation of a gyrostat about its principal axes: H / sqrt(J2 J3), H of a flywheel along the first."""
     stand = load(path("sat4"))
     wheel = replace(stand.flywheels[0], position=(0.0, 0.0, 0.0))
-    wheel = replace(wheel, mounting=replace(wheel.mounting, axis=(1.0, 0.0, 0.0), zero=(0.0, 1.0, 0.0)))
+    wheel = replace(wheel, mounting=MountingAxes((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
     wheel = replace(
         wheel,
         mass=0.0,

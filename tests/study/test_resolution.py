@@ -1,4 +1,4 @@
-"""What float does not resolve: claims of check against the C in float itself."""
+"""Motions below the resolution of float: claims of `check` against the C in float itself."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.write import dumps
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.draw import rounded
+from mahovik.proof.verify.draw import round_to_float
 from mahovik.stands import names, path
 from mahovik.use.study.resolution import FACTOR, MOTIONS, QUANTITIES, UNIT, balanced_flywheel, shortfalls, states
+from physics.general import rows
 
 SPEED = 300.0
 
@@ -29,7 +30,7 @@ def heavy() -> Stand:
     stand = load(path("shaker2"))
     left = balanced_flywheel(stand.flywheels[0])
     left = replace(left, center_of_mass=(left.center_of_mass[0], 1e-12 / left.mass, 0.0))
-    mass = replace(stand.carrier, mass=5e5, inertia=tuple(tuple(1e5 * x for x in row) for row in stand.carrier.inertia))
+    mass = replace(stand.carrier, mass=5e5, inertia=rows(1e5 * np.array(stand.carrier.inertia)))
     return replace(stand, carrier=mass, flywheels=(left, *stand.flywheels[1:]), gravity=(0.0, 0.0, -9.81))
 
 
@@ -56,7 +57,7 @@ def test_the_c_in_float_does_lose_it() -> None:
     (claim,) = (each for each in shortfalls(stand, [SPEED, SPEED]) if (each.flywheel, each.want) == ("left", "forward"))
     without = replace(stand, flywheels=(balanced_flywheel(stand.flywheels[0]), *stand.flywheels[1:]))
     single, double = CBackend(stand, "float"), CBackend(stand)
-    for state in map(rounded, states(stand, [SPEED, SPEED], claim.motion)):
+    for state in map(round_to_float, states(stand, [SPEED, SPEED], claim.motion)):
         exact = reference.evaluate(stand, state, ["forward"])["V_dot"]
         effect = np.abs(exact - reference.evaluate(without, state, ["forward"])["V_dot"])
         off = np.abs(np.array(single.evaluate(state, ["forward"])["V_dot"]) - exact)
@@ -70,7 +71,7 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
     stand = load(path(name))
     c = CBackend(stand, "float")
     for motion in MOTIONS:
-        for state in map(rounded, states(stand, speeds(stand), motion)):
+        for state in map(round_to_float, states(stand, speeds(stand), motion)):
             at = reference.pieces(stand, state)
             for want, quantity in QUANTITIES.items():
                 expected = reference.evaluate(stand, state, [want], at)[quantity.key]

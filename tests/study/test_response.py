@@ -12,15 +12,13 @@ import pytest
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
-from mahovik.laws.suspension.data import Suspension
 from mahovik.stands import path
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response import Scene, common_period, periodic_response
-from mahovik.use.study.response.collocation import derivative, odd_length, resample
-from mahovik.use.study.response.files import csv_text, json_text
-from mahovik.use.study.response.motion import rms
-from mahovik.use.study.response.speed_plan import read_speeds
-from mahovik.use.study.response.sweep import sweep
+from mahovik.use.study.response.periodic import derivative, odd_length, resample, rms
+from mahovik.use.study.response.speeds import read_speeds
+from mahovik.use.study.response.sweep import csv_text, json_text, sweep
+from physics.general import suspension_of
 
 RPM = math.pi / 30
 
@@ -34,7 +32,8 @@ def unbalanced(stand: Stand, share: float) -> Stand:
     """The stand with a share of the first flywheel's static unbalance, the others without any, all symmetric."""
     wheels = []
     for k, wheel in enumerate(stand.flywheels):
-        c = (wheel.center_of_mass[0], *(share * x for x in wheel.center_of_mass[1:])) if k == 0 else (0.0, 0.0, 0.0)
+        x, y, z = wheel.center_of_mass
+        c = (x, share * y, share * z) if k == 0 else (0.0, 0.0, 0.0)
         J = wheel.inertia[1][1]
         about = ((wheel.inertia[0][0], 0.0, 0.0), (0.0, J, 0.0), (0.0, 0.0, J))
         wheels.append(replace(wheel, center_of_mass=c, inertia=about, inertia_about="center_of_mass"))
@@ -42,7 +41,7 @@ def unbalanced(stand: Stand, share: float) -> Stand:
         stand,
         flywheels=tuple(wheels),
         gravity=(0.0, 0.0, 0.0),
-    ).with_laws(replace(stand.law(Suspension), position=(0.0, 0.0, 0.0)))
+    ).with_laws(replace(suspension_of(stand), position=(0.0, 0.0, 0.0)))
 
 
 def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
@@ -238,18 +237,20 @@ def test_a_sweep_can_be_cut_and_says_so(bench8: Scene) -> None:
 def undamped(share: float) -> Stand:
     """bench8 with an unbalanced flywheel alone, and springs without damping: 1.5 Hz in translation."""
     stand = unbalanced(load(path("bench8")), share)
-    return stand.with_laws(replace(stand.law(Suspension), damping=((0.0,) * 6,) * 6))
+    return stand.with_laws(replace(suspension_of(stand), damping=((0.0,) * 6,) * 6))
 
 
 def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
     stand = undamped(1.0)
     found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
     assert [step.problem is None for step in found.steps] == [True, False, True]
-    assert "an undamped resonance, or the carrier moves too violently" in found.steps[1].problem
+    problem = found.steps[1].problem
+    assert problem is not None
+    assert "an undamped resonance, or the carrier moves too violently" in problem
     assert np.isnan(found.rms()[1]).all()
     text = json.loads(json_text(found))
     assert text["rms"][1] == [None] * 3
-    assert text["steps"][1]["problem"] == found.steps[1].problem
+    assert text["steps"][1]["problem"] == problem
     assert csv_text(found).splitlines()[2].startswith("90,0,0,0,0,0,0,0,,,,,")
     with pytest.raises(CheckError, match="an undamped resonance"):
         sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")

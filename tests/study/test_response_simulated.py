@@ -12,38 +12,44 @@ from mahovik.core import motion
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Point, Stand
 from mahovik.core.stand.random import Features, random_stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array
 from mahovik.stands import path
-from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate import Case, Run, simulate
 from mahovik.use.study.response import periodic_response
+from mahovik.use.study.response.periodic import Periodic
+from physics.motions import vec
 
-POSE_AND_V = ("x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz", "v_x [m/s]", "v_y [m/s]", "v_z [m/s]")
-POSE_AND_V += tuple(f"omega_{a} [rad/s]" for a in "xyz")
+POSE_AND_V = (
+    *("x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz", "v_x [m/s]", "v_y [m/s]", "v_z [m/s]"),
+    *(f"omega_{a} [rad/s]" for a in "xyz"),
+)
 
 
-def begin(found):
+def begin(found: Periodic) -> State:
     """The state of a periodic course at t = 0."""
     chart, y = found.scene.chart, found.y[0]
     C = chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
     q = Rotation.from_matrix(C).as_quat(scalar_first=True)
     return replace(
         found.scene.rest,
-        position=tuple(chart.O1 + chart.C @ y[:3]),
+        position=vec(chart.O1 + chart.C @ y[:3]),
         angles=None,
-        quaternion=tuple(q),
-        V=tuple(y[6:]),
+        quaternion=vec(q),
+        V=vec(y[6:]),
         phi_dot=found.turning.speeds,
     )
 
 
-def returned(found, periods, backend="scipy", **more):
-    """How far the carrier is from where it began, part of its amplitude: pose and V, linear and angular."""
+def returned(found: Periodic, periods: int) -> float:
+    """Distance of the carrier from where it began after some periods, relative to its amplitude."""
     until = periods * found.turning.period
     regime = motion.steady(found.scene.stand, found.turning.speeds)
-    run = simulate(Case(found.scene.stand, regime, begin(found), until, until, **more), backend)
+    run = simulate(Case(found.scene.stand, regime, begin(found), until, until), "scipy")
     data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
     parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
-    return max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts))
+    return float(max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts)))
 
 
 def test_the_reference_comes_back_after_a_period() -> None:
@@ -54,7 +60,7 @@ def test_the_reference_comes_back_after_a_period() -> None:
 @pytest.mark.parametrize(
     ("name", "speeds"), [("bench8", [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]), ("shaker2", [125.0, -125.0])]
 )
-def test_the_reference_comes_back_at_several_speeds(name: str, speeds) -> None:
+def test_the_reference_comes_back_at_several_speeds(name: str, speeds: list[float]) -> None:
     assert returned(periodic_response(load(path(name)), speeds), 1) < 1e-8
 
 
@@ -66,7 +72,7 @@ def test_a_floating_stand_comes_back_after_a_period() -> None:
     assert returned(found, 4) < 1e-6
 
 
-def resting_case(stand: Stand, speeds, until, every):
+def resting_case(stand: Stand, speeds: list[float], until: float, every: float) -> Case:
     """From rest, flywheels at speed at once."""
     from mahovik.use.study.rest import rest
 
@@ -75,7 +81,7 @@ def resting_case(stand: Stand, speeds, until, every):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("speeds", [[9.4] + [0.0] * 7, [62.8] * 8, [20.0, -30.0, 0, 0, 0, 0, 0, 10.0]])
-def test_a_long_simulation_from_rest_ends_there(speeds) -> None:
+def test_a_long_simulation_from_rest_ends_there(speeds: list[float]) -> None:
     """bench8 for the C, from rest, until what it began with has died out; at resonance, fast, and with beats."""
     stand = load(path("bench8"))
     stand = replace(stand, points=(Point("edge", "carrier", (0.2, -0.1, 0.05), (0.3, -0.2, 0.1)),))
@@ -97,10 +103,13 @@ def test_a_long_simulation_from_rest_ends_there(speeds) -> None:
         assert off < 1e-6 * np.ptp(wanted, axis=0).max(), kind
 
 
-def simulated_point(stand: Stand, found, run, rows):
+def simulated_point(stand: Stand, found: Periodic, run: Run, rows: Array) -> dict[str, Array]:
     """Displacement and acceleration of the point from a run's pose, V and V*, by plain kinematics."""
     column = {name: rows[:, i] for i, name in enumerate(run.names)}
-    vector = lambda names: np.stack([column[name] for name in names], axis=1)  # noqa: E731
+
+    def vector(names: list[str]) -> Array:
+        return np.stack([column[name] for name in names], axis=1)
+
     turned = Rotation.from_quat(vector(["qx", "qy", "qz", "qw"]))
     r = np.array(stand.points[0].position)
     omega, rate = (vector([f"omega{dot}_{a} [rad/s{two}]" for a in "xyz"]) for dot, two in (("", ""), ("_dot", "2")))

@@ -24,7 +24,7 @@ def counted(name: str, real: str, folder: Path) -> Counts:
 
 
 def test_the_loop_reads_counters_that_wrap() -> None:
-    """Of 16 bits, as timers are; one that is read as absolute loses its place at the first wrap, right at the start."""
+    """Counters have 16 bits, like timers; read as absolute, one would lose its place at the first wrap."""
     text = control_loop(load(path("bench8")), BENCH8, "double", TICKS)["loop.c"]
     inside = text[text.index("static int tick(") : text.index("static int count_at(")]
     for name in ("accumulate", "phase_of_counts", "speed_of_counts"):

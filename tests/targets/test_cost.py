@@ -13,8 +13,8 @@ from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.errors import UsageError
 from mahovik.proof.cost.check import compare
-from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, asked, measure
-from mahovik.proof.cost.page import accepted, as_json, page
+from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
+from mahovik.proof.cost.page import as_json, page, read_accepted
 from targets.boards import target
 from toolchain.tools import require
 
@@ -46,7 +46,7 @@ LIMITS = [
 def test_promised_limits(
     bench8: dict[tuple[str, str], TargetCost], name: str, real: str, function: str, what: str, limit: int
 ) -> None:
-    """Of bench8 at -O2: firmware for a control loop was planned with these."""
+    """Limits for bench8 at -O2, on which the plan of a control loop's firmware rests."""
     assert 0 < getattr(cost_of(bench8[name, real], function), what) <= limit
 
 
@@ -118,7 +118,7 @@ def costs(**changes: Any) -> Costs:
 
 
 def rises(**changes: object) -> tuple[str, ...]:
-    return compare(costs(**changes), accepted(as_json(costs()), "cost.json")).rises
+    return compare(costs(**changes), read_accepted(as_json(costs()), "cost.json")).rises
 
 
 @pytest.mark.parametrize(("what", "old"), [("instructions", 1000), ("stack", 500), ("code", 3000)])
@@ -138,13 +138,13 @@ def test_whole_file_and_tables_are_compared_too() -> None:
 
 
 def test_another_compiler_is_not_compared() -> None:
-    found = compare(costs(compiler="gcc 9.9.9", text=9999), accepted(as_json(costs()), "cost.json"))
+    found = compare(costs(compiler="gcc 9.9.9", text=9999), read_accepted(as_json(costs()), "cost.json"))
     assert (found.rises, found.compared) == ((), ())
     assert found.other == ("m7, double: accepted figures are of gcc 1.2.3, this is gcc 9.9.9",)
 
 
 def test_the_page_names_what_was_measured() -> None:
-    text = page(costs())
+    text = " ".join(page(costs()).split())
     for words in (
         "Instructions, not cycles",
         "`inverse` costs depends on the state",
@@ -167,8 +167,12 @@ def test_a_function_that_refuses_the_states_is_told() -> None:
 
 def test_usage() -> None:
     with pytest.raises(UsageError, match='unknown "m8"'):
-        asked("m8", None)
-    assert [(t.name, real) for t, real in asked("m3,m4", None)] == [("m3", "double"), ("m3", "float"), ("m4", "float")]
+        parse_targets("m8", None)
+    assert [(t.name, real) for t, real in parse_targets("m3,m4", None)] == [
+        ("m3", "double"),
+        ("m3", "float"),
+        ("m4", "float"),
+    ]
     assert "frames of the stack are known of gcc only" in refused("cost", DEMO3, "--targets", "m7-clang")
     assert "one of them" in refused("cost", DEMO3, "--check", "--accept")
     assert "no such file" in refused("cost", DEMO3, "--check", "-o", "nowhere")

@@ -1,4 +1,4 @@
-"""Code, constants and stack of an object, against C whose figures can be told by hand."""
+"""Code, constants and stack of an object, against C whose figures can be counted by hand."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ __attribute__((noinline)) int top(int n)
 """
 
 
-def made(text: str, folder: Path, name: str = "m7") -> Footprint:
+def measured_footprint(text: str, folder: Path, name: str = "m7") -> Footprint:
     found = target(name)
     (folder / "it.c").write_text(text)
     return footprint(found.compiler[0], compile_one(found, "it.c", folder, "-O2", STACK_FLAGS))
@@ -41,7 +41,7 @@ def made(text: str, folder: Path, name: str = "m7") -> Footprint:
 
 @pytest.mark.parametrize("name", ["m7", "rv32gc", "host"])
 def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
-    found = made(CHAIN, tmp_path, name)
+    found = measured_footprint(CHAIN, tmp_path, name)
     assert found.constants["table"] == 100
     assert found.reached("middle") == {"leaf", "middle"}
     red_zone = 128 if name == "host" else 0  # of x86-64: below the stack pointer, in no frame
@@ -52,7 +52,7 @@ def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
 
 
 def test_routines_of_the_library_are_named(tmp_path: Path) -> None:
-    found = made("double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3")
+    found = measured_footprint("double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3")
     assert found.routines("half") == ["__aeabi_dmul"]
 
 
@@ -65,9 +65,9 @@ __attribute__((noinline)) int f(int n) { return g(n) / 2; }
 
 
 def test_a_stack_without_bound_is_refused(tmp_path: Path) -> None:
-    found = made(RECURSION, tmp_path)
+    found = measured_footprint(RECURSION, tmp_path)
     with pytest.raises(ToolchainError, match="calls itself: its stack has no bound"):
         found.stack_of("f")
     array = "int sum(int n);\nvoid take(char *x);\nint sum(int n) { char x[n]; take(x); return x[0]; }\n"
     with pytest.raises(ToolchainError, match="sum has a stack frame without bound"):
-        made(array, tmp_path)
+        measured_footprint(array, tmp_path)

@@ -27,7 +27,7 @@ def heavier(given: Stand, share: float = 0.01) -> Stand:
 
 
 def ran(board: str, name: str, real: str, samples: int, folder: Path) -> Run:
-    """What a board prints of a run."""
+    """Output of a board for a run."""
     chosen = target(board)
     texts = processor_in_the_loop(stand(), heavier(stand()), exported(name, real), samples)
     place = folder / board

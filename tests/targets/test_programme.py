@@ -18,7 +18,7 @@ PASSED = ["programme_at PASS cases 8 wrong 0", "refusals PASS wrong 0", "clock P
 
 
 def printed(name: str, real: str, programme: str, kind: str, folder: Path) -> list[str]:
-    """What the self-test prints on a target."""
+    """Output of the self-test on a target."""
     made = target(name)
     sources = {n: t for n, t in exported(programme, kind, real).files.items() if n.endswith((".c", ".h"))}
     sources |= {"shaker2.h": stand_files(real)["shaker2.h"], "main.c": MAIN}

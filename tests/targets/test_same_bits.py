@@ -15,8 +15,15 @@ from mahovik.core.stand import load
 from mahovik.core.toolchain import board
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
-from mahovik.proof.verify.targets import QUICK, TargetRow, TargetsReport, asked, verify_targets
-from mahovik.proof.verify.targets_report import as_json, as_junit
+from mahovik.proof.verify.targets import (
+    QUICK,
+    TargetRow,
+    TargetsReport,
+    as_json,
+    as_junit,
+    parse_targets,
+    verify_targets,
+)
 from targets.boards import target
 
 
@@ -25,7 +32,7 @@ def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
     """Every public function, in the element type of the FPU, on golden vectors and a sweep."""
     for name, _ in QUICK:
         target(name)
-    found = verify_targets(load(DEMO3), asked("quick"), sweep=5)
+    found = verify_targets(load(DEMO3), parse_targets("quick"), sweep=5)
     assert [(row.target, row.real, row.verdict, row.reason) for row in found.rows] == [(*p, "ok", "") for p in QUICK]
     assert len({row.functions for row in found.rows}) == 1
     assert found.rows[0].functions >= 18
@@ -64,7 +71,7 @@ def report(*rows: TargetRow) -> TargetsReport:
 
 
 def test_verdicts() -> None:
-    """What is not installed is not passed; what this processor cannot run is no failure, but alone it is nothing."""
+    """Missing tools do not pass; targets that cannot run here do not fail, but alone they are not a result."""
     assert report(row("ok"), row("not here", "no avx")).passed
     assert not report(row("ok"), row("not installed", "no qemu")).passed
     assert not report(row("not here")).passed
@@ -83,11 +90,11 @@ def test_json_and_junit() -> None:
 
 
 def test_names_of_targets() -> None:
-    assert asked("quick") == [(TARGETS[name], real) for name, real in QUICK]
-    assert len(asked("all")) == 2 * len(TARGETS)
-    assert asked("m7, m7,m4", ("float",)) == [(TARGETS["m7"], "float"), (TARGETS["m4"], "float")]
+    assert parse_targets("quick") == [(TARGETS[name], real) for name, real in QUICK]
+    assert len(parse_targets("all")) == 2 * len(TARGETS)
+    assert parse_targets("m7, m7,m4", ("float",)) == [(TARGETS["m7"], "float"), (TARGETS["m4"], "float")]
     with pytest.raises(UsageError, match='unknown "m8", did you mean "m3"'):
-        asked("m7,m8")
+        parse_targets("m7,m8")
 
 
 def test_command_prints_a_table_and_writes_junit(tmp_path: Path) -> None:

@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 
 from emit.stands import generated, stand, write
+from mahovik.core.toolchain import compiler
 from mahovik.core.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
 from mahovik.proof.verify.c_backend import CBackend
+from toolchain import build_cache
 from toolchain.tools import require
 
 GOOD = "int answer(void);\nint answer(void) { return 42; }\n"
@@ -21,6 +23,12 @@ WARNINGS = {
     "declared": "int f(void);\nint f(void) { int x = 1; return g(x); }\n",
     "c11": 'int f(void);\nint f(void) { _Static_assert(1, ""); return 1; }\n',
 }
+
+
+@pytest.fixture(autouse=True)
+def uncached(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The compiler itself runs in these tests."""
+    monkeypatch.setattr(compiler, "_build", build_cache.PLAIN)
 
 
 @pytest.fixture

@@ -43,11 +43,11 @@ def test_programs_of_pools_inside_are_ended() -> None:
 
 
 def test_nothing_is_begun_any_more() -> None:
-    """By the threads of a pool that stops, also after a pool inside has ended; by others it is."""
+    """Threads of a stopping pool start no process, also after an inner pool has ended; other threads may."""
     after: list[str] = []
     running = threading.Event()
 
-    def both() -> None:
+    def wait_inside() -> None:
         inside()
         running.wait(30.0)
         try:
@@ -56,7 +56,7 @@ def test_nothing_is_begun_any_more() -> None:
             after.append(str(error))
 
     with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
-        pool.submit(both)
+        pool.submit(wait_inside)
         until_running(1)
         running.set()
         raise KeyboardInterrupt

@@ -1,4 +1,4 @@
-"""Static checks: a new deviation and a stale one are told; the emitted C has none."""
+"""Static checks: a new deviation and a stale one are reported; the emitted C has none."""
 
 from collections import Counter
 from pathlib import Path

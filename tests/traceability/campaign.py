@@ -38,7 +38,7 @@ from traceability.mutants import MUTANTS, chosen, mutant, planted, sites
 from verify.build import everything, generated
 
 TESTED = 1
-"""Of the mutants that the comparison lets through, how many the tests are run on."""
+"""Number of mutants, of those that the comparison lets through, on which the tests are run."""
 
 LIMIT = 400
 """Seconds of the tests on a mutant: one on which they take longer is not counted."""
@@ -142,7 +142,7 @@ def judged_by() -> dict[str, tuple[Any, Any]]:
 
 
 def compared(name: str, numbers: Sequence[int]) -> list[list[str] | None]:
-    """Of each mutant, quantities that the comparison with the reference finds wrong; None where it could not run."""
+    """Quantities that the comparison with the reference finds wrong, for each mutant; None if it could not run."""
     stand, made = judged_by()[name]
     states = draw(stand, 5, 4, wrenches=stand == with_all_inputs(stand))[1:3]
     return [_quantities(stand, made, states, name, number) for number in numbers]
@@ -160,7 +160,7 @@ def _quantities(stand: Any, made: Any, states: Any, name: str, number: int) -> l
 
 
 class TimeLimit:
-    """Raises TimeoutError after so many seconds."""
+    """Raises TimeoutError after this many seconds."""
 
     def __init__(self, seconds: int) -> None:
         self._seconds = seconds
@@ -273,7 +273,7 @@ def short(node: str) -> str:
 
 
 def described(function: Function, number: int) -> str:
-    """What a mutant changes: the kind, and the lines of C before and after."""
+    """Change of a mutant: the kind, and the lines of C before and after."""
     changed, kind = mutant(function, number)
     names = Names("")
     print_ = Statements(names, Expressions(names, DOUBLE))

@@ -112,7 +112,10 @@ SECOND: dict[str, tuple[Any, ...]] = {
 ROLES: dict[str, tuple[str, ...]] = {
     "drive torque": ("torque", "balance", "carry_twist", "mount_wrench", "mounts", "prepare_mounts"),
     "whole system": ("coupled", "solve_coupled", "eliminate", "solve_schur", "coupled_jacobian"),
-    "motion in time": ("advance", "finish", "rate", "step", "rate_driven", "step_driven"),
+    "motion in time": (
+        *("advance", "finish", "rate", "stages", "step", "rate_driven", "stages_driven", "step_driven"),
+        *("advance_carried", "finish_carried", "step_carried", "step_driven_carried"),
+    ),
     "points": ("sense", "points", "place_point"),
     "mass centre": ("center_of_mass_velocity",),
     "rotations and placement": (
@@ -126,7 +129,7 @@ ROLES: dict[str, tuple[str, ...]] = {
         "check_parameters",
     ),
 }  # fmt: skip
-"""What a function without an equation of the paper is for."""
+"""Purposes of functions without an equation of the paper."""
 
 
 def subjects(function: Function) -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from emit.stands import generated
 from mahovik import stands
-from mahovik.core.emit.spans import spans as emitted
+from mahovik.core.emit.reading import spans as emitted
 from mahovik.core.program.function import Function
 
 GENERATED = Path(__file__).resolve().parents[2] / "generated"
@@ -32,7 +32,7 @@ def functions() -> dict[str, Function]:
 
 @cache
 def spans() -> dict[str, tuple[str, int, int]]:
-    """Of every function in generated/: the first stand that has it, first and last line of its definition."""
+    """First stand that has it, first and last line of its definition, for every function in generated/."""
     found: dict[str, tuple[str, int, int]] = {}
     for name in names():
         text = (GENERATED / name / f"{name}.c").read_text(encoding="ascii")

@@ -61,11 +61,11 @@ def mutant(function: Function, number: int) -> tuple[Function, str]:
 
 
 MUTANTS = 10
-"""Of a function: so many at most."""
+"""Most mutants of one function."""
 
 
 def chosen(count: int, most: int) -> list[int]:
-    """Numbers of at most so many mutants, spread evenly."""
+    """Numbers of at most this many mutants, evenly spread."""
     return sorted({round((i + 0.5) * count / most - 0.5) for i in range(most)}) if count > most else list(range(count))
 
 

@@ -17,7 +17,7 @@ REASONS: dict[tuple[str, str], str] = {
     ("prepare", "term dropped: + (R[4] * parameters->carrier.displaced_center[1]"): "no change: the carrier's axes are "
     "those of E1, so R[5] is zero there",
 }
-"""By function and the beginning of what the mutant does."""
+"""Reasons by function and the beginning of the mutant's description."""
 
 
 def reason(function: str, what: str) -> str:

@@ -6,6 +6,7 @@ import inspect
 import re
 
 import pytest
+import traceability_campaign as written
 
 from emit.stands import generated
 from traceability import page
@@ -43,18 +44,14 @@ def test_every_function_of_every_stand_has_been_examined_or_is_listed() -> None:
     names = set(functions())
     assert {name for of in functions().values() for name in subjects(of)} >= set(EQUATIONS) - {"(13)"}
     assert {name for listed in ROLES.values() for name in listed} - {"balance"} <= names
-    assert {*page.stored(), *page.NOT_YET} == names
-    assert not set(page.stored()) & set(page.NOT_YET)
-    for name, found in page.stored().items():
+    assert {*written.CAMPAIGN.figures()["functions"], *page.NOT_YET} == names
+    assert not set(written.CAMPAIGN.figures()["functions"]) & set(page.NOT_YET)
+    for name, found in written.CAMPAIGN.figures()["functions"].items():
         assert found["subjects"] == subjects(functions()[name])
 
 
-def test_the_page_is_what_was_found_with_the_lines_of_today() -> None:
-    assert page.text() == page.PAGE.read_text(encoding="utf-8"), "make traceability-page"
-
-
 def test_most_mutants_are_noticed_and_the_others_are_explained() -> None:
-    found = page.stored()
+    found = written.CAMPAIGN.figures()["functions"]
     for name, f in found.items():
         assert page.noticed(f) + len(f["survivors"]) == f["mutants"], name
         assert f["mutants"] or not f["sites"], name

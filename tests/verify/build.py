@@ -20,6 +20,8 @@ from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.structure import structure
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping.data import Damping
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
@@ -32,10 +34,10 @@ def everything(angles: Sequence = "ship") -> Stand:
     for seed in range(1000):
         stand = random_stand(np.random.default_rng(seed), 3, features)
         first = stand.flywheels[0]
-        dampings = [body.damping for body in stand.bodies if body.damping is not None]
+        dampings = [damping for body in stand.bodies if (damping := body.law(Damping)) is not None]
         if (
-            first.damping is not None
-            and first.buoyancy is not None
+            first.law(Damping) is not None
+            and first.law(Buoyancy) is not None
             and first.wrench_input
             and first.inertia_about == "center_of_mass"
             and any(wheel.mount != "carrier" for wheel in stand.flywheels)

@@ -1,4 +1,4 @@
-"""Basilisk as a judge: agrees where its wheel is exact, is far off where it is not, and says what it has not."""
+"""Basilisk as a judge: agrees where its wheel is exact, is far off where it is not, and names what it lacks."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.errors import UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges import compare
-from mahovik.proof.verify.judges.basilisk_wheel import hub, unlike, wheels, with_its_wheels
-from mahovik.proof.verify.judges.compare import QUANTITIES, motion_of, verify_by, verify_judges
+from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, hub, unsupported_features, wheels
+from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name, verify_judges
 from mahovik.proof.verify.judges.rigid import missing, stripped
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
@@ -38,15 +38,15 @@ FEATURES = replace(BARE, instruments=2)
 RAW = {name: stripped(load(path(name))) for name in ("bench8", "remus6", "sat4")} | {
     f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (1, 5)
 }
-ITS = {name: with_its_wheels(stand) for name, stand in RAW.items()}
+ITS = {name: basilisk_stand(stand) for name, stand in RAW.items()}
 QUICK, UNTIL = 5, 0.3
 """States of a comparison, the first at rest; s of its motion, about a turn. docs/results/judges.md has more of both."""
-SHORT = motion_of(UNTIL)
+SHORT = motion_name(UNTIL)
 OFFERED = {*(QUANTITIES[key] for key in ("K", "V_dot", "phi_ddot")), SHORT}
 
 
 def judged(stand: Stand, *given: Any) -> Report:
-    return verify_by(stand, [BasiliskJudge(stand, *given)], count=QUICK, until=UNTIL, backend=compiled(stand))
+    return compare_with_judges(stand, [BasiliskJudge(stand, *given)], count=QUICK, until=UNTIL, backend=compiled(stand))
 
 
 @cache
@@ -69,7 +69,7 @@ def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
 
 
 def test_a_stand_without_flywheels() -> None:
-    stand = with_its_wheels(random_stand(np.random.default_rng(0), 0, FEATURES))
+    stand = basilisk_stand(random_stand(np.random.default_rng(0), 0, FEATURES))
     found = judged(stand)
     assert found.passed, conclusion(found)
     assert {row.quantity for row in found.rows} == OFFERED - {QUANTITIES["phi_ddot"]}
@@ -108,8 +108,8 @@ def test_a_wrong_wheel_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_two_transverse_moments_are_refused_and_taken_in_silence_when_asked() -> None:
-    stand = with_its_wheels(RAW["sat4"], asymmetric=True)
-    assert unlike(stand) == ["transverse moments that differ (rw1, rw2, rw3, rw4)"]
+    stand = basilisk_stand(RAW["sat4"], asymmetric=True)
+    assert unsupported_features(stand) == ["transverse moments that differ (rw1, rw2, rw3, rw4)"]
     with pytest.raises(UsageError, match="transverse moments that differ"):
         BasiliskJudge(stand)
     found = worst(judged(stand, "JitterFullyCoupled", True))
@@ -119,7 +119,7 @@ def test_two_transverse_moments_are_refused_and_taken_in_silence_when_asked() ->
 
 def test_what_it_leaves_out_is_the_torque_of_the_difference_about_the_axis() -> None:
     """On a carrier too heavy to be moved, C - Basilisk is (Jt - Jg) omega_2 omega_3 of its manual, over Js + m d^2."""
-    stand = with_its_wheels(RAW["random, 1"], asymmetric=True)
+    stand = basilisk_stand(RAW["random, 1"], asymmetric=True)
     heavy = replace(
         stand,
         instruments=(),
@@ -179,13 +179,13 @@ def test_the_command_compares_or_says_in_a_line_why_not(monkeypatch: pytest.Monk
 
 def test_what_it_has_not_is_named() -> None:
     bench = load(path("bench8"))
-    words = unlike(bench)
+    words = unsupported_features(bench)
     assert words[: len(missing(bench))] == missing(bench)
     assert "gravity that is the same everywhere" in words
     assert any(word.startswith("a product of inertia J23 (w1, w2") for word in words)
     assert any(word.startswith("dynamic unbalance that is not across the static one (w1, w2") for word in words)
     weightless = replace(ITS["sat4"], carrier=replace(ITS["sat4"].carrier, mass=0.0))
-    assert unlike(weightless) == ["a carrier without mass"]
+    assert unsupported_features(weightless) == ["a carrier without mass"]
 
 
 def test_without_it_the_others_judge(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,7 @@ from cli.run import DEMO3, run
 from emit.stands import generated, stand, write
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.proof.verify.batch import QUANTITY, batch_row
+from mahovik.proof.verify.harness import BATCH, check_batch
 
 
 @pytest.fixture(scope="module")
@@ -28,30 +28,33 @@ def folder(made: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(made, tmp_path / "out"))
 
 
-def said(folder: Path, made: object = None) -> str:
+def verdict_and_reason(folder: Path, made: object = None) -> str:
     """Verdict and reason; the C is of double unless it is given."""
-    row = batch_row(stand("demo3"), made or generated("demo3"), folder)  # type: ignore[arg-type]
+    row = check_batch(stand("demo3"), made or generated("demo3"), folder)  # type: ignore[arg-type]
     return "none" if row is None else f"{row.verdict} {row.reason}".strip()
 
 
 def test_no_batch_no_row_and_a_right_one_passes(folder: Path, tmp_path: Path) -> None:
-    assert said(folder) == "ok"
-    assert said(tmp_path) == "none"
+    assert verdict_and_reason(folder) == "ok"
+    assert verdict_and_reason(tmp_path) == "none"
 
 
 @pytest.mark.parametrize("name", ["demo3_batch.c", "demo3_batch.h"])
 def test_a_changed_or_missing_file_fails(name: str, folder: Path) -> None:
     text = (folder / name).read_text()
     (folder / name).write_text(text + "\n")
-    assert said(folder) == f"FAILED {name} is not what this version generates: generate it again with --batch"
+    assert (
+        verdict_and_reason(folder)
+        == f"FAILED {name} is not what this version generates: generate it again with --batch"
+    )
     (folder / name).unlink()
-    assert said(folder) == f"FAILED {name} is missing: generate it again with --batch"
+    assert verdict_and_reason(folder) == f"FAILED {name} is missing: generate it again with --batch"
 
 
 @pytest.mark.slow
 def test_batches_of_another_element_type_and_beside_lanes_fail(folder: Path) -> None:
-    assert "not what this version generates" in said(folder, generate_all(stand("demo3"), "float"))
-    assert "there is none of C with lanes, or fast" in said(folder, generate_all(stand("demo3"), lanes=4))
+    assert "not what this version generates" in verdict_and_reason(folder, generate_all(stand("demo3"), "float"))
+    assert "there is none of C with lanes, or fast" in verdict_and_reason(folder, generate_all(stand("demo3"), lanes=4))
 
 
 def test_verify_fails_by_it(folder: Path) -> None:
@@ -59,4 +62,4 @@ def test_verify_fails_by_it(folder: Path) -> None:
     path.write_text(path.read_text().replace(" + ", " - ", 1))
     result = run("verify", DEMO3, "--against", str(folder), "--states", "1")
     assert result.exit_code == 1
-    assert f"FAILED: {QUANTITY}\n" in result.stdout
+    assert f"FAILED: {BATCH}\n" in result.stdout

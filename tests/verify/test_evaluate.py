@@ -13,7 +13,7 @@ from mahovik.contract.functions import WANTS
 from mahovik.core.stand import State, load, rest_state
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.evaluate import encode, results
+from mahovik.proof.verify.states import encode, evaluate_lines
 from mahovik.stands import path
 
 AUV = load(path("auv6"))
@@ -32,7 +32,7 @@ class Answers:
 
 
 def run(*lines: bytes) -> list[tuple[dict[str, Any], bool]]:
-    found = list(results(AUV, NumpyBackend(AUV), [line + b"\n" for line in lines]))
+    found = list(evaluate_lines(AUV, NumpyBackend(AUV), [line + b"\n" for line in lines]))
     return [(json.loads(line, parse_constant=pytest.fail), good) for line, good in found]
 
 
@@ -83,7 +83,7 @@ def test_floats_have_17_digits_and_stay_floats() -> None:
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), np.array([0.0, np.inf])])
 def test_a_result_that_is_not_finite_is_an_error_line(bad: Any) -> None:
-    ((line, good),) = results(AUV, Answers(V_dot=bad), [b'{"id": 1, "want": ["forward"]}'])
+    ((line, good),) = evaluate_lines(AUV, Answers(V_dot=bad), [b'{"id": 1, "want": ["forward"]}'])
     assert not good
     assert json.loads(line) == {"id": 1, "error": "V_dot: not finite at this state"}
 
@@ -91,5 +91,5 @@ def test_a_result_that_is_not_finite_is_an_error_line(bad: Any) -> None:
 def test_an_id_nested_deep_is_repeated_or_refused_but_never_a_crash() -> None:
     for depth in (10, 300, 900, 50_000):
         given = b"[" * depth + b"]" * depth
-        ((line, _),) = results(AUV, Answers(energy=1.0), [b'{"id": ' + given + b', "want": ["momentum"]}'])
+        ((line, _),) = evaluate_lines(AUV, Answers(energy=1.0), [b'{"id": ' + given + b', "want": ["momentum"]}'])
         assert line.startswith('{"id": [') or '"error"' in line

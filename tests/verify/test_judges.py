@@ -18,8 +18,8 @@ from mahovik.core.stand.random import BARE, random_stand
 from mahovik.errors import UsageError
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.judges import compare
-from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near, verify_judges
-from mahovik.proof.verify.judges.rigid import missing, stripped, tree
+from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near_origin, verify_judges
+from mahovik.proof.verify.judges.rigid import JudgeError, missing, stripped, tree
 from mahovik.proof.verify.report import conclusion
 from mahovik.stands import path
 
@@ -31,7 +31,7 @@ STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus
 
 
 QUICK = ("random, 0", "random, 1")
-"""Those of `make test`; all of them in `make test-slow`."""
+"""Stands tried in `make test`; `make test-slow` tries all of them."""
 
 
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in STANDS])
@@ -85,15 +85,30 @@ def refused_stand(stand: Stand) -> str:
 def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
     real = builtins.__import__
 
-    def without(name: str, *given: Any, **more: Any) -> Any:
+    def import_without(name: str, *given: Any, **more: Any) -> Any:
         if name == "pinocchio":
             raise ModuleNotFoundError("No module named 'pinocchio'", name="pinocchio")
         return real(name, *given, **more)
 
     monkeypatch.delitem(sys.modules, "mahovik.proof.verify.judges.pinocchio_judge", raising=False)
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setattr(builtins, "__import__", import_without)
     (line,) = refused("verify", DEMO3, "--judges").splitlines()
     assert "pip install pin mujoco" in line
+
+
+def test_a_judge_that_refuses_the_stand_is_skipped_with_its_reason() -> None:
+    """A flywheel lighter by a factor of 1e17, in mass and inertia, is nothing to MuJoCo; Pinocchio takes it."""
+    first, *others = DEMO.flywheels
+    inertia: Any = tuple(tuple(1e-17 * x for x in row) for row in first.inertia)
+    light = replace(first, mass=first.mass * 1e-17, inertia=inertia)
+    stand = replace(DEMO, flywheels=(light, *others))
+    with pytest.raises(JudgeError, match="mujoco refuses this stand"):
+        load_judges(stand, ["mujoco"])
+    found = verify_judges(stand, count=2, names=tuple(JUDGES), until=0.0)
+    (row,) = (row for row in found.rows if row.want == "mujoco")
+    assert row.verdict == "not compared"
+    assert "refuses this stand: " in row.reason
+    assert any(row.want == "pinocchio" and row.states for row in found.rows)
 
 
 @pytest.mark.slow
@@ -134,6 +149,6 @@ def test_a_wrong_model_is_caught_by_both(change: str, monkeypatch: pytest.Monkey
 
 def test_only_the_position_of_a_state_is_moved_near() -> None:
     for _, state in draw(DEMO, 1, 27):
-        moved = near(state)
+        moved = near_origin(state)
         assert np.linalg.norm(moved.position) <= 10.0 + 1e-9
         assert replace(moved, position=state.position) == state

@@ -12,9 +12,11 @@ import sympy as sp
 
 from mahovik.core.derive import accumulate, attitude, carrier, carrying, flywheel, order, symbols, wrench
 from mahovik.core.derive.symbols import matrix, vector
-from mahovik.core.lower import forward, laws, values, wrenches
+from mahovik.core.lower import forward, values, wrenches
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.model import MountingAngles, Stand
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.damping import lower as damping_lowering
 from mahovik.laws.leg import derive as leg_formulas
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension import derive as suspension_formulas
@@ -37,11 +39,11 @@ def derivation(module: Any, name: str, changed: Callable[..., Any]) -> Patch:
 def taken_as_a_body(patch: Patch) -> Patch:
     """With a prepare that takes what no body has: the comparison must find the fault by itself."""
 
-    def both(monkeypatch: pytest.MonkeyPatch) -> None:
+    def patch_both(monkeypatch: pytest.MonkeyPatch) -> None:
         patch(monkeypatch)
         monkeypatch.setitem(THRESHOLDS, "double", replace(THRESHOLDS["double"], unphysical=1e6))
 
-    return both
+    return patch_both
 
 
 def zeroed(original: Callable[..., sp.Matrix]) -> Callable[..., sp.Matrix]:
@@ -160,7 +162,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
     "added mass left out of Phi K": (derivation(carrier, "momentum", no_fluid), {"V_dot", "Z"}),
     "J22 - J33 lost": (derivation(flywheel, "spun_inertia", lost_difference), {"K", "K_dot"}),
     "products of inertia with the other sign": (
-        taken_as_a_body(derivation(values.Values, "_body", reversed_signs)),
+        taken_as_a_body(derivation(values._Parameters, "_body", reversed_signs)),
         {"K", "I"},
     ),
     "inertia about the mass centre taken for that about the origin": (
@@ -195,7 +197,10 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
         ),
         {"Z", "V_dot"},
     ),
-    "quadratic damping without |V|": (derivation(laws, "magnitude", lambda original: lambda x: x), {"F", "V_dot"}),
+    "quadratic damping without |V|": (
+        derivation(damping_lowering, "magnitude", lambda original: lambda x: x),
+        {"F", "V_dot"},
+    ),
     "flywheel damping without f phi'": (derivation(wrenches, "_own_damping", no_flywheel_rate), {"F"}),
     "a flywheel's own wrench does not turn": (
         derivation(wrench, "turned_axes", lambda original: lambda: matrix("R")),
@@ -261,8 +266,9 @@ def wheel(stand: Stand, **changes: Any) -> Stand:
 
 def floats_at_mass_centre(stand: Stand) -> Stand:
     first = stand.flywheels[0]
-    assert first.buoyancy is not None
-    return wheel(stand, buoyancy=replace(first.buoyancy, center=first.center_of_mass))
+    buoyancy = first.law(Buoyancy)
+    assert buoyancy is not None
+    return wheel(stand, laws=first.with_laws(replace(buoyancy, center=first.center_of_mass)).laws)
 
 
 def mounted_on_the_carrier(stand: Stand) -> Stand:

@@ -23,7 +23,7 @@ def test_the_counts_that_matter_are_there() -> None:
 
 
 QUICK = 2
-"""So many of the first in `make test`; all of them in `make test-slow`."""
+"""Number of stands tried in `make test`; `make test-slow` tries all of them."""
 
 
 @pytest.mark.parametrize(

@@ -28,11 +28,16 @@ from mahovik.proof import rigorous
 from mahovik.proof.verify.bounds import DOUBLE, FLOAT
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.rounding.error import MISSING, error, narrow, ulp, units
-from mahovik.proof.verify.rounding.exact_program import ExactProgram
-from mahovik.proof.verify.rounding.limits import ULPS
-from mahovik.proof.verify.rounding.measure import RoundingReport, Ruler, measure_rounding
-from mahovik.proof.verify.rounding.report import conclusion, ulp_text
+from mahovik.proof.verify.rounding.error import MISSING, error, is_narrow, ulp, units
+from mahovik.proof.verify.rounding.measure import (
+    ULPS,
+    ExactProgram,
+    RoundingReport,
+    Ruler,
+    conclusion,
+    measure_rounding,
+    ulp_text,
+)
 from mahovik.stands import names, path
 from rigorous.balls import flat
 from verify.build import generated
@@ -238,10 +243,10 @@ def test_relative_errors_are_within_one_unit() -> None:
 
 def test_narrow_is_of_the_unit_of_each_component() -> None:
     unit = units([1.0, 1e-20], 1e-290, 53)
-    assert narrow([arb(1, 1e-25), arb(0, 1e-45)], unit)
-    assert not narrow([arb(1, 1e-25), arb(0, 1e-25)], unit)
-    assert not narrow([arb.nan(), arb(0)], unit)
-    assert narrow([], units(np.zeros(0), 1e-290, 53))
+    assert is_narrow([arb(1, 1e-25), arb(0, 1e-45)], unit)
+    assert not is_narrow([arb(1, 1e-25), arb(0, 1e-25)], unit)
+    assert not is_narrow([arb.nan(), arb(0)], unit)
+    assert is_narrow([], units(np.zeros(0), 1e-290, 53))
 
 
 def test_the_limit_is_promised_in_double() -> None:

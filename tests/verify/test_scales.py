@@ -13,8 +13,10 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.harness import askable
+from mahovik.proof.verify.harness import applicable, judge
 from mahovik.proof.verify.scales import WANT_SCALES, scales
 from strategies import stands
 
@@ -34,7 +36,7 @@ def pairs(found: dict[str, Any], natural: dict[str, Any]) -> list[tuple[str, Any
 def check_bounds(stand: Stand, want: str, seed: int) -> int:
     checked = 0
     for _, state in draw(stand, seed, 8):
-        if not askable(state, want):
+        if not applicable(state, want):
             continue
         try:
             found = reference.evaluate(stand, state, [want])
@@ -86,3 +88,14 @@ def test_scales_are_not_slack() -> None:
             largest[name] = max(largest.get(name, 0.0), float(off.max()))
     for name in ("V_dot", "Z"):
         assert 1e-18 < largest[name] < 1e-14
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_a_stand_that_is_held_by_an_added_mass_of_1e12_is_solved_to_rounding(seed: int) -> None:
+    """Rows of the flywheels are 1e16 times smaller than those of the carrier: the reference loses no digits to that."""
+    rng = np.random.default_rng(seed)
+    free = random_stand(rng, 2, EVERYTHING)
+    held = tuple(tuple(1e12 if i == j else 0.0 for j in range(6)) for i in range(6))
+    stand = replace(free, carrier=replace(free.carrier, added_mass=held))  # type: ignore[arg-type]  # 6 rows of 6
+    rows = judge(stand, NumpyBackend(stand), draw(stand, seed, 12), ["forward", "coupled"], second=Second(stand))
+    assert [(row.quantity, row.second) for row in rows if row.failed or (row.second or 0.0) > 1e-13] == []

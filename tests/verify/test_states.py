@@ -12,8 +12,7 @@ import pytest
 from mahovik.core.stand import load
 from mahovik.core.stand.random import EXTREMES, extreme_state
 from mahovik.errors import StateError
-from mahovik.proof.verify.evaluate import state_line
-from mahovik.proof.verify.states import Request, read_line
+from mahovik.proof.verify.states import Request, read_line, state_line
 from mahovik.stands import path
 
 AUV = load(path("auv6"))
@@ -140,10 +139,10 @@ def test_numbers_that_are_not_finite(number: str) -> None:
         ("[1]", "expected an object, found [1]"),
         ("3", "expected an object, found 3"),
         ('{"want": ["forward"]} x', "not JSON"),
-        ('{"want": ["forward"], "V": [0,0,0,0,0,0], "V": [1,0,0,0,0,0]}', 'key "V" is there twice'),
+        ('{"want": ["forward"], "V": [0,0,0,0,0,0], "V": [1,0,0,0,0,0]}', 'key "V" appears twice'),
         (
             '{"want": ["forward"], "wrench": {"w1": [0,0,0,0,0,0], "w1": [0,0,0,0,0,0]}}',
-            'wrench: key "w1" is there twice',
+            'wrench: key "w1" appears twice',
         ),
         ("[" * 100_000, "nested too deeply"),
         ('{"a":' * 100_000, "nested too deeply"),

@@ -1,4 +1,4 @@
-"""Of three that evaluate a state, the one that stands alone is named: whichever it is, and when there is none."""
+"""Three evaluate a state: the one that differs from the other two is named, whichever it is, or none."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
-from mahovik.proof.verify.compare import Row, Three
+from mahovik.proof.verify.compare import Differences, Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report
 from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
@@ -26,7 +26,7 @@ from mahovik.stands import path
 DEMO = load(path("demo3"))
 
 
-def off(values: dict[str, Any], by: float) -> dict[str, Any]:
+def wrong_by(values: dict[str, Any], by: float) -> dict[str, Any]:
     """V_dot wrong by a part."""
     return values | ({"V_dot": np.asarray(values["V_dot"]) * (1 + by)} if "V_dot" in values else {})
 
@@ -41,7 +41,7 @@ class Judged(NumpyBackend):
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         if math.isnan(self._by):
             raise StateError("too fast")
-        return off(self._real(DEMO, state, want), self._by)
+        return wrong_by(self._real(DEMO, state, want), self._by)
 
 
 class Other(Second):
@@ -54,7 +54,7 @@ class Other(Second):
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         if math.isnan(self._by):
             raise StateError("no such sum")
-        return off(super().evaluate(state, want), self._by)
+        return wrong_by(super().evaluate(state, want), self._by)
 
 
 def rows(judged: float = 0.0, second: float = 0.0) -> dict[str, Row]:
@@ -88,7 +88,7 @@ def test_second_alone() -> None:
 
 def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     backend, right = Judged(), reference.evaluate
-    monkeypatch.setattr(reference, "evaluate", lambda *given: off(right(*given), 1e-6))
+    monkeypatch.setattr(reference, "evaluate", lambda *given: wrong_by(right(*given), 1e-6))
     (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
     assert row.failed
     assert row.disagreement == "C and second agree, reference differs"
@@ -112,8 +112,8 @@ def test_refusals_of_one_or_two() -> None:
 
 
 def test_the_nearest_pair_is_taken_to_agree() -> None:
-    assert Three(3e-12, 2e-12, 1e-13).alone(1e-12, 1e-12, "C") == "C and second agree, reference differs"
-    assert Three(3e-12, 2e-12, 2e-12).alone(1e-12, 1e-12, "C") == "no two agree"
+    assert Differences(3e-12, 2e-12, 1e-13).odd_one(1e-12, 1e-12, "C") == "C and second agree, reference differs"
+    assert Differences(3e-12, 2e-12, 2e-12).odd_one(1e-12, 1e-12, "C") == "no two agree"
 
 
 def test_the_verdict_is_in_every_report() -> None:

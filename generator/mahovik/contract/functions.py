@@ -13,32 +13,33 @@ JUDGES = {
     "second": "the second derivation, by Lagrange's equations, in CasADi",
     "rigorous": "enclosures of the exact answer, in ball arithmetic",
     "trajectory": "an integrator of high order over the literal reference",
-    "differences": "difference quotients of the function that is differentiated",
-    "inverse": "the answer of `inverse` to the same state",
+    "derivatives": "automatic differentiation of the second derivation",
+    "allocation": "least squares with weights and damping, literally, and SciPy's with limits",
     "exact": "exact integers and many digits",
-    "table": "the table that the generator makes of the same stand",
+    "parameters": "the literal reference on stands with other masses, inertias and mountings",
 }
-"""What a function is held to, by name."""
+"""Independent checks of a function, by name."""
 
 REFEREES = ("reference", "second", "rigorous")
-"""Judges that answer a want."""
+"""Judges that can answer a want of `eval`."""
 
 
 @dataclass(frozen=True)
 class PublicFunction:
-    """A row of the contract. A want has the name of its function.
+    """A row of the contract: one public function.
 
     equation  numbers of the paper
-    takes     arguments in order; a stand that has no use for one leaves it out
-    gives     results by the names of the contract
-    want      whether `eval` answers it, under the name of the function
-    needs     what a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), or nothing
+    takes     arguments in order; those that a stand does not need are left out
+    gives     results, by name
+    want      whether `eval` answers it, by the name of the function
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), or nothing
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batched   whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
-    judges    what holds it, by name of JUDGES
+    judges    its independent checks, by name of JUDGES
+    ignores   arguments, or members of them, that it does not look at
     """
 
     name: str
@@ -53,6 +54,7 @@ class PublicFunction:
     python: bool = True
     claimed: tuple[str, ...] = ()
     unread: str = ""
+    ignores: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Raises ValueError for a want without a referee, and for a judge that is unknown."""
@@ -133,7 +135,6 @@ _ROWS = (
         ("phi_ddot", "residual", "sigma", "rank", "status", "damped_by", "limited", "hardest"),
         ("reference",),
         want=True,
-        needs="flywheels",
         unread="infinity, which is no limit at all",
     ),
     PublicFunction(
@@ -144,6 +145,7 @@ _ROWS = (
         ("reference", "second"),
         want=True,
         unread="the attitude of its state",
+        ignores=("attitude",),
     ),
     PublicFunction(
         "points",
@@ -172,18 +174,19 @@ _ROWS = (
         "(12)",
         (*_STATE, "V_dot", "options", "wrench"),
         ("phi_ddot",),
-        ("inverse",),
+        ("allocation",),
         needs="flywheels",
         sines=True,
         python=False,
         unread="near and limits",
+        ignores=("near", "limit"),
     ),
     PublicFunction(
         "forward_jacobian",
         "(8)",
         (*_STATE, "phi_ddot", "wrench"),
         ("V_dot_V", "V_dot_phi", "V_dot_phi_dot", "V_dot_phi_ddot"),
-        ("differences",),
+        ("derivatives",),
     ),
     PublicFunction(
         "coupled_jacobian",
@@ -199,7 +202,7 @@ _ROWS = (
             "phi_ddot_phi_dot",
             "phi_ddot_tau",
         ),
-        ("differences",),
+        ("derivatives",),
         needs="flywheels",
     ),
     PublicFunction("quaternion", "", ("angles",), ("attitude",), ("reference",)),
@@ -211,6 +214,7 @@ _ROWS = (
         ("reference",),
         python=False,
         unread="what its state holds before",
+        ignores=("x",),
     ),
     PublicFunction(
         "wrap",
@@ -241,15 +245,34 @@ _ROWS = (
         "prepare",
         "(2)",
         ("parameters", "table"),
-        ("table",),
-        ("table",),
+        ("parameters",),
+        ("parameters",),
         python=False,
         claimed=(NORMAL, BITS),
     ),
-    PublicFunction("prepare_mounts", "", ("parameters",), ("mounting",), ("table",), needs="flywheels", python=False),
+    PublicFunction(
+        "prepare_mounts", "", ("parameters",), ("mounting",), ("parameters",), needs="flywheels", python=False
+    ),
+    PublicFunction(
+        "step_carried",
+        "",
+        (*_STATE, "tau", "locked", "wrench", "dt", "order", "carry"),
+        ("carry", "next"),
+        ("trajectory",),
+        needs="flywheels",
+        python=False,
+    ),
+    PublicFunction(
+        "step_driven_carried",
+        "",
+        (*_STATE, "phi_ddot", "wrench", "dt", "order", "carry"),
+        ("carry", "next"),
+        ("trajectory",),
+        python=False,
+    ),
 )
-"""Far out, numbers inside `step` and `prepare` may overflow, to be refused later: there Eva's claim is for bits, where
-that is no alarm. Over the stages of a step intervals grow too wide to show more of most stands."""
+"""At extreme inputs, numbers inside `step` and `prepare` may overflow and are then refused: Eva's claim is for `bits`,
+where this is no alarm. Intervals grow over the stages of a step, too wide to show more for most stands."""
 
 
 def _forms() -> Iterator[PublicFunction]:
@@ -271,13 +294,13 @@ def _forms() -> Iterator[PublicFunction]:
 
 
 FUNCTIONS = {row.name: row for row in _forms()}
-"""All rows by name, forms of given sines and cosines among them; a program has those that its stand has a use for."""
+"""All rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
 
 WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
 """Every want of `eval`, in the order of the evaluation contract."""
 
 BATCHED = tuple(row.name for row in FUNCTIONS.values() if row.batched)
-"""Functions that have a batch."""
+"""Functions with a batch form."""
 
 CONFLICTS = tuple(
     (first, second, name)
@@ -290,5 +313,5 @@ CONFLICTS = tuple(
 
 
 def wants_of(referee: str) -> tuple[str, ...]:
-    """Wants that a referee answers, in the order of the evaluation contract."""
+    """Wants that a referee can answer, in the order of the evaluation contract."""
     return tuple(name for name in WANTS if referee in FUNCTIONS[name].judges)

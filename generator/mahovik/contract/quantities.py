@@ -1,4 +1,4 @@
-"""Quantities that functions take and give: symbol, unit, axes, accepted range, ordinary range, how tests draw them."""
+"""Arguments and results of functions: symbol, unit, axes, accepted range, ordinary range, how tests draw them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ BOUNDS = {
         Bound("MAX_WRENCH", 1e9, "N, N m", "each component of a run-time wrench"),
         Bound("MAX_STEP", 10.0, "s", "a time step"),
         Bound("MAX_PARAMETER", 1e15, "SI", "each mass, length and moment of inertia"),
-        Bound("MAX_WEIGHT", 1e6, "", "the weight of a flywheel in inverse"),
+        Bound("MAX_WEIGHT", 1e6, "", "the weight of a flywheel in inverse; at least its inverse"),
+        Bound("MAX_ROUNDING", 1.0, "SI", "each number of a carry"),
+        Bound("MAX_TURN_4", 1.0, "rad", "turn in a step of order 4; beyond: COARSE"),
+        Bound("MAX_TURN_2", 0.1, "rad", "turn in a step of order 2; beyond: COARSE"),
     )
 }
 """Bounds by name. Phases in float: it has no digits left for large angles, wrap them first."""
@@ -67,7 +70,9 @@ class Quantity:
     integers  least and largest ordinary integer, for proofs by intervals
     whole     lowest integer that the self-test draws, and how many there are from it
     shared    whether all states of a batch have it in common; otherwise each state has its own
-    input     whether a line of `eval` may give it
+    input     whether a line of `eval` may contain it
+    refused   values within the bounds, or without any, that are refused nevertheless, with the status
+    infinite  whether infinity is a value, "no limit"
     struct    the struct type of a table of numbers of the stand, and `default`: the constant of the C that holds it
     """
 
@@ -84,6 +89,8 @@ class Quantity:
     whole: tuple[int, int] = (0, 1)
     shared: bool = False
     input: bool = False
+    refused: tuple[tuple[float, str], ...] = ()
+    infinite: bool = False
     struct: str = ""
     default: str = ""
 
@@ -94,6 +101,12 @@ class Quantity:
 
 
 _ANGULAR = ("MAX_ACCELERATION",)
+
+
+def _bad_arguments(*values: float) -> tuple[tuple[float, str], ...]:
+    """Values that are refused as BAD_ARGUMENT."""
+    return tuple((value, "BAD_ARGUMENT") for value in values)
+
 
 QUANTITIES = {
     row.symbol: row
@@ -114,7 +127,7 @@ QUANTITIES = {
         Quantity("wrench", "N, N m", "each body, about its origin", "W", ("MAX_WRENCH",), 1e3, 8.0, (5.0,), input=True),
         Quantity("sine", "", "flywheels", "N", draw=Draw.TURNS),
         Quantity("cosine", "", "flywheels", "N", draw=Draw.NEVER),
-        Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_VELOCITY",), 20.0, 2.0),
+        Quantity("q_dot", "m/s, rad/s", "O1 in E0, then psi, theta, phi", "6", ("MAX_SPEED",), 20.0, 2.0),
         Quantity("q_ddot", "m/s2, rad/s2", "O1 in E0, then psi, theta, phi", "6", _ANGULAR, 1e3, 16.0),
         Quantity("center_of_mass_velocity", "m/s", "mass centre of all bodies, relative to E0, in E0", "3"),
         # what all states of a batch share
@@ -158,20 +171,47 @@ QUANTITIES = {
             default="default_parameters",
         ),
         Quantity("locked", "", "flywheels", "N", draw=Draw.FLAGS, integers=(0, 1), shared=True),
-        Quantity("dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True),
-        Quantity("order", "", "", "", draw=Draw.ORDER, integers=(2, 4), shared=True),
+        Quantity("dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True, refused=_bad_arguments(0.0, -1e-3)),
+        Quantity(
+            "order", "", "", "", draw=Draw.ORDER, integers=(2, 4), shared=True, refused=_bad_arguments(-2, 0, 1, 3, 5)
+        ),
         # members of tables and options
         Quantity("stream", "m/s", "E0", "3", ("MAX_VELOCITY",), 10.0),
-        Quantity("weight", "", "flywheels", "N", ("MAX_WEIGHT",)),
-        Quantity("limit", "rad/s2", "flywheels", "N", _ANGULAR),
+        Quantity(
+            "weight", "", "flywheels", "N", ("MAX_WEIGHT",), refused=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7))
+        ),
+        Quantity("limit", "rad/s2", "flywheels", "N", refused=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("near", "", "part of the largest singular value", "", refused=_bad_arguments(-0.1, 1.5)),
+        Quantity("damping", "", "part of the largest singular value", "", refused=_bad_arguments(-0.1, 1.5)),
+        Quantity("mass", "kg", "a body", "", refused=((-1.0, "RANGE"),)),
+        # what step_carried keeps from one step to the next
+        Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),
         # encoders
         Quantity("count", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 20), 1 << 21)),
-        Quantity("per_turn", "", "", "", draw=Draw.INTEGER, integers=(-100000, 100000), whole=(4000, 97)),
+        Quantity(
+            "per_turn",
+            "",
+            "",
+            "",
+            draw=Draw.INTEGER,
+            integers=(-100000, 100000),
+            whole=(4000, 97),
+            refused=_bad_arguments(0, 2**31 - 1, 1 - 2**31),
+        ),
         Quantity("zero", "", "counts at phi = 0", "", ordinary=1000.0),
         Quantity("moved", "", "", "", draw=Draw.INTEGER, whole=(-512, 1 << 10)),
         Quantity("counter", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 15), 1 << 16)),
-        Quantity("bits", "", "", "", draw=Draw.INTEGER, integers=(0, 32), whole=(16, 1)),
-        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000)),
+        Quantity(
+            "bits",
+            "",
+            "",
+            "",
+            draw=Draw.INTEGER,
+            integers=(0, 32),
+            whole=(16, 1),
+            refused=_bad_arguments(-1, 1, 33),
+        ),
+        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000), refused=_bad_arguments(-1, 4097)),
     )
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""
@@ -184,6 +224,12 @@ ORDINARY_STEP = (1e-6, 1e-3)
 
 DRAWN_STEP = 2.0**-14
 """s: time step of the self-test, short enough for light flywheels in strong laws of damping."""
+
+
+def short(number: float) -> str:
+    """A number as comments of the C show it: 1e9, 1e-6."""
+    return f"{number:g}".replace("e+0", "e").replace("e-0", "e-")
+
 
 UNIT_LENGTH = 1e-3
 """A quaternion, and a pair of sine and cosine, may be off unit length by so much."""

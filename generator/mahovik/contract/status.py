@@ -21,12 +21,13 @@ class Status:
 
 
 STATUSES = (
-    Status("OK", 0, "good"),
-    Status("NEAR_SINGULAR", 1, "least singular value below `near` of the largest"),
+    Status("OK", 0, "success"),
+    Status("NEAR_SINGULAR", 1, "least singular value less than `near` times the largest"),
     Status("DAMPED", 2, "damping was applied"),
-    Status("LIMITED", 4, "a limit was reached; the mask says whose"),
-    Status("UNREACHABLE", 8, "least squares: residual above {unreachable} of the demand"),
+    Status("LIMITED", 4, "a limit was reached; `limited` says by which flywheels"),
+    Status("UNREACHABLE", 8, "wanted motion not reached: residual above {unreachable} of the demand"),
     Status("RANK_DEFICIENT", 16, "fewer than min(6, N) singular values above {rank} of the largest"),
+    Status("COARSE", 32, "step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it"),
     Status("NOT_FINITE", -1, "an input is NaN or infinite", "an input is NaN or infinite"),
     Status("RANGE", -2, "out of range, {lengths}", "an input is outside its range, or a leg has no length"),
     Status(

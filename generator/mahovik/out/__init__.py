@@ -1,4 +1,4 @@
-"""What a person or another program meets.
+"""Interfaces for people and for other programs.
 
 Enters: commands, files, arrays. Leaves: tables, reports, exported projects, stands made from models of other programs.
 """

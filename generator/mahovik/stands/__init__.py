@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from mahovik.errors import UsageError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 _FOLDER = Path(__file__).parent
 
@@ -18,7 +18,7 @@ def names() -> tuple[str, ...]:
 def path(name: str) -> Path:
     """The stand file of an example. Raises UsageError for an unknown name."""
     if name not in names():
-        raise UsageError(f'no example stand "{name}"{meant(name, names())}')
+        raise UsageError(f'no example stand "{name}"{suggestion(name, names())}')
     return _FOLDER / f"{name}.toml"
 
 

@@ -53,7 +53,7 @@ def generated(name: str) -> Generated:
 
 
 @lru_cache
-def made(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
+def fmu_of(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
     """Its FMU; begins at rest in the origin where the stand has no equilibrium."""
     found = stand(name)
     start = rest_state(found) if name in ("rigid", "driven") else None
@@ -64,7 +64,7 @@ def made(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = Tru
 def path(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> str:
     """The same as a file."""
     file = _FOLDER / f"{name}-{version}-{kind}-{inputs}{'' if binary else '-sources'}.fmu"
-    file.write_bytes(made(name, version, kind, inputs, binary).content)
+    file.write_bytes(fmu_of(name, version, kind, inputs, binary).content)
     return str(file)
 
 

@@ -1,4 +1,4 @@
-"""What an FMU says of itself: judged by fmpy, and by what the stand file says."""
+"""The description of an FMU, judged by fmpy and compared with the stand file."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from mahovik.core.lower.fmu import units
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.stand.model import Instrument, Point
 from mahovik.core.stand.state import rest_state
+from mahovik.laws.damping.data import Damping
 from mahovik.laws.suspension.data import Suspension
 from mahovik.out.export.fmu import export_fmu
 
@@ -43,7 +44,7 @@ def test_the_checker_finds_nothing(name: str, version: str, kind: Kind, inputs: 
 
 
 def test_the_checker_can_find_something(tmp_path: Path) -> None:
-    text = fmus.made("rigid", "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
+    text = fmus.fmu_of("rigid", "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
     assert isinstance(text, str)
     for wrong in (text.replace('unit="kg"', 'unit="pound"', 1), text.replace("<Unknown", "<Unkown", 1)):
         (tmp_path / "modelDescription.xml").write_text(wrong)
@@ -85,7 +86,7 @@ def test_every_flywheel_instrument_and_input_has_its_variables() -> None:
         assert (f"{body.name}.wrench[1]" in names) == body.wrench_input
     assert {"leg[1].length", "stream[1]", "energy", "momentum[6]", "added_mass[6,6]"} <= names
     assert len([n for n in names if n.startswith("derivative[")]) == sum(
-        len(body.damping.terms) for body in found.bodies if body.damping is not None
+        len(damping.terms) for body in found.bodies if (damping := body.law(Damping)) is not None
     )
 
 
@@ -106,7 +107,7 @@ def test_units_are_what_their_exponents_say() -> None:
 
     seen = set()
     for name in ("driven", "rigid"):
-        text = fmus.made(name, "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
+        text = fmus.fmu_of(name, "2.0", "me", "torque", binary=False).files["modelDescription.xml"]
         for unit in ElementTree.fromstring(text).iterfind("UnitDefinitions/Unit"):
             above, _, below = unit.attrib["name"].partition("/")
             expected = powers(above, 1)
@@ -123,8 +124,8 @@ def test_units_are_what_their_exponents_say() -> None:
 
 
 def test_dependencies_name_the_feedthrough() -> None:
-    """Of co-simulation: accelerations depend on the inputs at once, positions do not."""
-    text = fmus.made("bench8", "3.0", "cs", "torque", binary=False).files["modelDescription.xml"]
+    """In co-simulation, accelerations depend on the inputs at once, positions do not."""
+    text = fmus.fmu_of("bench8", "3.0", "cs", "torque", binary=False).files["modelDescription.xml"]
     outputs = {
         o.attrib["valueReference"]: o.attrib.get("dependencies") for o in ElementTree.fromstring(text).iter("Output")
     }

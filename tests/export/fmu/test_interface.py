@@ -19,7 +19,7 @@ SLOW = pytest.mark.slow
 
 
 def begun(one: Instance) -> None:
-    """In motion."""
+    """Put one instance into simulation, with inputs that drive it."""
     inputs = {name: value for name, value in DRIVEN.items() if name in one.references}
     one.put(inputs)
     one.begin()

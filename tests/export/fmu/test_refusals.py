@@ -12,11 +12,11 @@ from fmpy.fmi1 import FMICallException
 from export.fmu import fmus
 from export.fmu.fmus import Instance
 
-ERROR = 3
+WARNING, ERROR = 1, 3
 NONE: dict[str, float] = {}
 
 
-def said(one: Instance, call: Any) -> str:
+def logged_line(one: Instance, call: Any) -> str:
     """The one line that a call logs as it fails."""
     before = len(one.log)
     with pytest.raises(FMICallException, match="error"):
@@ -52,7 +52,7 @@ WRONG = [
 def test_wrong_start_values_are_refused(values: dict[str, float], expected: str) -> None:
     with fmus.instance("driven", "2.0", "cs", "torque") as one:
         one.put(values)
-        assert said(one, one.begin).startswith(expected)
+        assert logged_line(one, one.begin).startswith(expected)
         one.fmu.reset()  # and all is well again
         one.begin()
         one.step(0.0, 0.01)
@@ -64,7 +64,7 @@ def test_wrong_start_values_are_refused(values: dict[str, float], expected: str)
 def test_by_every_interface(version: str, kind: Any, values: dict[str, float], expected: str) -> None:
     with fmus.instance("driven", version, kind, "torque") as one:
         one.put(values)
-        assert said(one, one.begin).startswith(expected)
+        assert logged_line(one, one.begin).startswith(expected)
 
 
 @pytest.mark.slow
@@ -74,22 +74,24 @@ def test_the_page_shows_what_is_said() -> None:
     for values in wrong:
         with fmus.instance("bench8", "2.0", "cs", "torque") as one:
             one.put(values)
-            assert f"\n{said(one, one.begin)}\n" in page
+            assert f"\n{logged_line(one, one.begin)}\n" in page
 
 
 def test_wrong_calls_are_refused() -> None:
     with fmus.instance("driven", "2.0", "cs", "torque") as one:
-        assert said(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in Instantiated"
-        assert said(one, lambda: one.put({"energy": 1.0})).startswith("value reference ")
+        assert logged_line(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in Instantiated"
+        assert logged_line(one, lambda: one.put({"energy": 1.0})).startswith("value reference ")
         one.begin()
-        assert said(one, lambda: one.put({"carrier.V[1]": 1.0})) == "carrier.V[1]: cannot be set in Step Mode"
-        assert said(one, lambda: one.fmu.getReal([10**6])).startswith("value reference 1000000: there is none")
+        assert logged_line(one, lambda: one.put({"carrier.V[1]": 1.0})) == "carrier.V[1]: cannot be set in Step Mode"
+        assert logged_line(one, lambda: one.fmu.getReal([10**6])).startswith("value reference 1000000: there is none")
         one.put({"w1.tau": math.nan})
-        assert said(one, lambda: one.step(0.0, 0.1)).startswith("w1.tau: found nan")
-        assert said(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in the state after an error"
+        assert logged_line(one, lambda: one.step(0.0, 0.1)).startswith("w1.tau: found nan")
+        assert logged_line(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in the state after an error"
         one.fmu.reset()
         one.begin()
-        assert said(one, lambda: one.step(0.0, -0.1)).startswith("communication step: found -0.1 s, expected above 0")
+        assert logged_line(one, lambda: one.step(0.0, -0.1)).startswith(
+            "communication step: found -0.1 s, expected above 0"
+        )
 
 
 def test_a_motion_that_leaves_its_ranges_says_when() -> None:
@@ -98,13 +100,18 @@ def test_a_motion_that_leaves_its_ranges_says_when() -> None:
         one.begin()
         one.step(0.0, 1e-4)
 
-        def on() -> None:
+        def step_on() -> None:
             for k in range(1, 2000):
                 one.step(k * 1e-4, 1e-4)
 
-        message = said(one, on)
+        with pytest.raises(FMICallException, match="error"):
+            step_on()
+        *warned, (status, _, message) = one.log
+        assert status == ERROR
         assert "RANGE" in message
         assert "the motion leaves the ranges" in message
+        assert warned and all(status == WARNING and "COARSE" in text for status, _, text in warned)
+        assert warned[0][2].endswith("turns by more than 1 rad in dt = 0.0001 s; expected a smaller dt")
 
 
 def test_another_token_is_no_instance() -> None:

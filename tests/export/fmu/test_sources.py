@@ -54,7 +54,7 @@ def test_no_warning_in_any(name: str, compiler: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
 def test_headers_are_those_of_the_standard(version: str) -> None:
-    files = fmus.made("driven", version, "cs", "torque", binary=False).files
+    files = fmus.fmu_of("driven", version, "cs", "torque", binary=False).files
     theirs = Path(fmpy.__file__).parent / "c-code"
     for header in HEADERS[version]:
         assert files[f"sources/{header}"] == (theirs / header).read_text()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -118,7 +119,7 @@ TABLE = {"t": [0, 0.02], "phi": [[0, 0], [1, 1]], "phi_dot": [[0, 0]] * 2, "phi_
     ("change", "line"),
     [
         ({"schema": 3}, "schema: expected 1, found 3"),
-        ({"winding": [1]}, "winding: expected 2 whole numbers, one a flywheel, found 1"),
+        ({"winding": [1]}, "winding: expected 2 whole numbers, one per flywheel, found 1"),
         ({"windings": []}, 'unknown key "windings", did you mean "winding"?'),
         ({"duration": 1}, "expected one of period, duration, found period and duration"),
         ({"period": 0}, "period: 0 s is not above 0"),
@@ -162,7 +163,7 @@ def test_fourier_of_a_finite_programme_is_refused() -> None:
     document = example(duration=1)
     del document["period"]
     found = problems(document)
-    assert "p.json: winding: not allowed with `duration`: winding is turns a period" in found
+    assert "p.json: winding: not allowed with `duration`: winding is turns per period" in found
     assert "p.json: fourier: not allowed with `duration`: a finite programme has `samples`" in found
 
 
@@ -178,7 +179,7 @@ def test_files_are_written_whole_or_not_at_all(tmp_path: Path, monkeypatch: pyte
 
     monkeypatch.setattr(os, "replace", fail)
     with pytest.raises(UsageError, match="cannot be written: No space left"):
-        save_programme(programme, target)
+        save_programme(replace(programme, stand="another"), target)
     assert target.read_bytes() == before
     assert list(tmp_path.iterdir()) == [target]
 

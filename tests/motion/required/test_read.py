@@ -106,6 +106,7 @@ def test_units_bounds_and_weights() -> None:
         ({"perod": 1}, 'm.json: unknown key "perod", did you mean "period"?'),
         ({"type": "cyclic"}, 'm.json: type: expected "periodic" or "finite", found "cyclic"'),
         ({"period": -0.1}, "m.json: period: -0.1 s is not above 0"),
+        ({"period": "-5 ms"}, "m.json: period: -5 ms (-0.005 s) is not above 0"),
         ({"period": "10 Hz"}, 'm.json: period: unit "Hz" does not fit, expected a time (s)'),
         ({"period": None}, "m.json: period: expected a time (s), found a NoneType"),
         ({"duration": 1}, 'm.json: duration: not allowed with type "periodic", which has `period`'),
@@ -116,14 +117,14 @@ def test_units_bounds_and_weights() -> None:
         ({"free_mean": [True]}, "m.json: free_mean: expected 6 of true, false, found a list of 1"),
         ({"harmonics": [{"k": 0}]}, "m.json: harmonics[0], k: expected 1 to 1000, found 0; a constant is `mean`"),
         ({"harmonics": [{"k": 1.5}]}, "m.json: harmonics[0], k: expected a whole number, found 1.5"),
-        ({"harmonics": [{"k": 1}, {"k": 1}]}, "m.json: harmonics[1], k: 1 is there twice"),
+        ({"harmonics": [{"k": 1}, {"k": 1}]}, "m.json: harmonics[1], k: 1 appears twice"),
         ({"harmonics": [{"k": 1, "cos": [1]}]}, "m.json: harmonics[0], cos: expected 6 numbers, found 1"),
         ({"harmonics": [{"cosine": SIX, "k": 1}]}, 'm.json: harmonics[0]: unknown key "cosine", did you mean "cos"?'),
         ({"samples": {}}, "m.json: expected one of harmonics, samples, found harmonics and samples"),
         ({"winding": "spinn"}, 'm.json: winding: unknown "spinn", did you mean "spin"?'),
         (
             {"winding": [1]},
-            'm.json: winding: expected 2 whole numbers (one a flywheel), "any", "spin" or "rock", found 1 numbers',
+            'm.json: winding: expected 2 whole numbers (one per flywheel), "any", "spin" or "rock", found 1 numbers',
         ),
         ({"winding": [1, 0.5]}, "m.json: winding[1]: expected a whole number, found 0.5"),
         ({"runup": 0}, "m.json: runup: 0 s is not above 0"),
@@ -204,7 +205,7 @@ def test_a_singular_attitude_is_refused() -> None:
     (line,) = problems({**PLAIN, "mean": [0, 0, 0, 0, math.pi / 2, 0]})
     assert line.startswith("m.json: singular attitude of the ship sequence at t = ")
     (line,) = problems({**PLAIN, "harmonics": [{"k": 1, "sin": [0, 0, 0, 0, 2.0, 0]}]})
-    assert "theta comes to 0" in line
+    assert "theta reaches 0" in line
 
 
 def test_a_step_in_the_samples_is_refused() -> None:
@@ -231,7 +232,7 @@ def test_samples_of_a_smooth_motion_are_taken() -> None:
         ),
         (
             [*(0.004 * i for i in range(11)), 0.04],
-            "m.json: samples, t[11]: 0.04 s is not after 0.04 s with another q: the motion must be continuous",
+            "m.json: samples, t[11]: 0.04 s is not after 0.04 s, but q differs: the motion must be continuous",
         ),
         ([*(0.004 * i for i in range(11)), 0.03], "m.json: samples, t[11]: 0.03 s is not after 0.04 s"),
     ],
@@ -274,7 +275,7 @@ def test_deviation_on_the_way() -> None:
     motion = read_motion(json.dumps({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "2 mm"}}}), SHAKER)
     assert motion.bounds.deviation == (2e-3, math.inf)
     (line,) = problems({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "0.09 mm", "angular": 1}}})
-    assert line == "m.json: bounds, deviation: linear: 9e-05 m is below what the motion itself strays, 0.0001 m"
+    assert line == "m.json: bounds, deviation: linear: 9e-05 m is below the deviation of the motion itself, 0.0001 m"
 
 
 def test_start_of_a_finite_motion() -> None:

@@ -64,7 +64,7 @@ def test_the_servos_of_the_examples_are_good() -> None:
     ("text", "reason"),
     [
         ('sample_perod = "1 ms"', 'unknown key "sample_perod", did you mean "sample_period"?'),
-        ('latency = "-1 us"', "latency: -1e-06 s is negative"),
+        ('latency = "-1 us"', "latency: -1 us (-1e-06 s) is negative"),
         ("latency = 1", "latency: 1 s is more than 16 sample periods of 0.001 s"),
         ('integral = "60 Hz"', "integral: 376.991 rad/s is above the bandwidth, 314.159 rad/s"),
         ("integral = 4", 'integral: expected a frequency with its unit, such as "40 Hz"'),
@@ -78,7 +78,7 @@ def test_the_servos_of_the_examples_are_good() -> None:
         ("trim = { harmonics = 99 }", "trim, harmonics: 99: expected 1 to 16"),
         ("trim = { gain = 2 }", "trim, gain: 2: expected above 0, at most 1"),
         ('trim = { coordinates = ["psy"] }', 'trim, coordinates: unknown "psy", did you mean "psi"?'),
-        ('trim = { coordinates = ["x", "x"] }', 'trim, coordinates: "x" is there twice'),
+        ('trim = { coordinates = ["x", "x"] }', 'trim, coordinates: "x" appears twice'),
         ("trim = { limit = 0 }", "trim, limit: 0 rad is not above 0"),
     ],
 )  # fmt: skip

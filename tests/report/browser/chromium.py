@@ -1,14 +1,19 @@
-"""A headless browser for tests of pages, and what it says of them."""
+"""A headless browser for tests of pages, with the errors and requests that it reports."""
 
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 from toolchain.tools import require
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, FloatRect, Locator
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 QUIET = (
@@ -24,7 +29,7 @@ QUIET = (
 
 
 @contextmanager
-def launched():
+def launched() -> Iterator[Browser]:
     """The browser; the test is skipped where there is none, with the command that installs it."""
     program = next(filter(None, map(shutil.which, NAMES)), None) or require(NAMES[0], NAMES[0])
     sync_api = pytest.importorskip("playwright.sync_api", reason='no playwright: pip install "mahovik[test]"')
@@ -34,28 +39,37 @@ def launched():
         browser.close()
 
 
+def box_of(element: Locator) -> FloatRect:
+    """Place of an element in the window."""
+    found = element.bounding_box()
+    assert found is not None
+    return found
+
+
 class Opened:
     """A page in the browser that notes errors and requests: `complaints`, `requests`."""
 
-    def __init__(self, browser, path: Path, **context) -> None:
+    def __init__(self, browser: Browser, path: Path, **context: Any) -> None:
         self.context = browser.new_context(**{"viewport": {"width": 1100, "height": 900}} | context)
         self.page = self.context.new_page()
-        self.complaints, self.requests = [], []
+        self.complaints: list[str] = []
+        self.requests: list[str] = []
         self.page.on("console", lambda message: self.complaints.append(message.text))
         self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.address = path.as_uri()
         self.page.goto(self.address)
 
-    def picture(self):
+    def picture(self) -> str:
         """The canvas as it is, after what is due is drawn."""
-        return self.page.evaluate(
+        found: str = self.page.evaluate(
             """() => new Promise((found) => requestAnimationFrame(() => requestAnimationFrame(() =>
                found(document.getElementById("stage").toDataURL()))))"""
         )
+        return found
 
-    def changed(self, before):
-        """The canvas as soon as it is another; fails after seconds."""
+    def changed(self, before: str) -> str:
+        """The canvas as soon as it differs from `before`; fails after five seconds."""
         for _ in range(100):
             now = self.picture()
             if now != before:
@@ -63,10 +77,18 @@ class Opened:
             self.page.wait_for_timeout(50)
         pytest.fail("the picture stays as it was")
 
+    def text(self, selector: str) -> str:
+        """Text of an element."""
+        return self.page.locator(selector).text_content() or ""
+
+    def box(self, selector: str) -> FloatRect:
+        """Place of an element in the window."""
+        return box_of(self.page.locator(selector))
+
     def show(self) -> None:
-        """Brings the animation into sight."""
+        """Bring the animation into sight."""
         self.page.locator("#stage").scroll_into_view_if_needed()
 
-    def wait_until(self, script) -> None:
-        """Waits for a condition on the page."""
+    def wait_until(self, script: str) -> None:
+        """Wait for a condition on the page."""
         self.page.wait_for_function(script, timeout=10_000)

@@ -1,7 +1,12 @@
 """One browser and a few reports for all tests of this folder."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -9,17 +14,23 @@ import pytest
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, Features, random_stand
-from mahovik.out.report.stand.gather import gather
+from mahovik.out.report.stand.material import gather
 from mahovik.out.report.stand.run import Run
 from mahovik.stands import path
-from mahovik.use.simulate.columns import column_names
+from mahovik.use.simulate.run import column_names
 
 from .chromium import Opened, launched
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
+
+Opener = Callable[..., Opened]
+"""Opens a report by its name; options are those of a browser's context."""
 
 assembled = import_module("mahovik.out.report.stand.page")  # its name is that of its function, too
 
 
-def made_run(stand: Stand, rows=400, span=0.4, amplitude=3e-5):
+def made_run(stand: Stand, rows: int = 400, span: float = 0.4, amplitude: float = 3e-5) -> Run:
     """A run that no simulation has made: the carrier vibrates by tens of micrometres, flywheels turn evenly."""
     t = np.linspace(0.0, span, rows)
     columns = {name: np.sin(40.0 * t + i) for i, name in enumerate(column_names(stand, False))}
@@ -33,14 +44,14 @@ def made_run(stand: Stand, rows=400, span=0.4, amplitude=3e-5):
 
 
 @pytest.fixture(scope="session")
-def browser():
+def browser() -> Iterator[Browser]:
     """Headless Chromium."""
     with launched() as found:
         yield found
 
 
 @pytest.fixture(scope="session")
-def reports(tmp_path_factory: pytest.TempPathFactory):
+def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Reports by name: whole ones of bench8 with a run; of other stands drawing and animation alone."""
     folder = tmp_path_factory.mktemp("reports")
     bench8 = load(path("bench8"))
@@ -57,18 +68,18 @@ def reports(tmp_path_factory: pytest.TempPathFactory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(assembled, "ORDER", ("drawing", "animation"))
         patch.setattr(assembled, "BESIDE", ("drawing",))
-        patch.setattr(assembled, "generated", lambda stand: None)  # no C for these
+        patch.setattr(assembled, "generate_once", lambda stand: None)  # no C for these
         for name, stand in scenes.items():
             found[name].write_text(assembled.page(gather(stand, f"{name}.toml")).html, encoding="utf-8")
     return found
 
 
 @pytest.fixture
-def opened(browser, reports):
+def opened(browser: Browser, reports: dict[str, Path]) -> Iterator[Opener]:
     """Opens a report by its name; options are those of a browser's context."""
-    open_ones = []
+    open_ones: list[Opened] = []
 
-    def one(name: str, **context):
+    def one(name: str, **context: Any) -> Opened:
         open_ones.append(Opened(browser, reports[name], **context))
         return open_ones[-1]
 

@@ -1,8 +1,15 @@
 """Outlines of the drawing as the browser fills them."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from mahovik.out.report.stand.projection import Projection
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 INSIDE = """([d, points]) => {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -14,7 +21,7 @@ INSIDE = """([d, points]) => {
 }"""
 
 
-def test_a_cylinder_fills_its_silhouette(browser) -> None:
+def test_a_cylinder_fills_its_silhouette(browser: Browser) -> None:
     """Every place of both rims is inside the outline, moved a little inwards, and none outside, moved outwards."""
     page = browser.new_page()
     page.set_content("<p></p>")
@@ -33,13 +40,13 @@ def test_a_cylinder_fills_its_silhouette(browser) -> None:
             places = [view.point(face + 0.97 * x).tolist() for x in rim]
             assert all(page.evaluate(INSIDE, [outline, places]))
         outwards = 1.04 * np.array([view.rows @ (face + x) for face in (near, far) for x in rim])
-        hull = np.abs(outwards @ _across(view, C[0])) > 1.02 * 1000.0 * radius
+        hull = np.abs(outwards @ _perpendicular(view, C[0])) > 1.02 * 1000.0 * radius
         outside = [p + np.array(view.at) for p, out in zip(outwards, hull, strict=True) if out]
         assert not any(page.evaluate(INSIDE, [outline, [p.tolist() for p in outside]]))
     page.close()
 
 
-def _across(view, axis):
+def _perpendicular(view: Projection, axis: np.ndarray) -> np.ndarray:
     """Unit vector of the paper across the axis as it is seen."""
     u = view.rows @ axis
-    return np.array([-u[1], u[0]]) / np.hypot(*u)
+    return np.asarray(np.array([-u[1], u[0]]) / np.hypot(*u))

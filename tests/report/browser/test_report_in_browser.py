@@ -1,13 +1,18 @@
-"""The report as a reader has it: opened from a file, in a browser, on a phone, in the dark, on paper."""
+"""The report in the hands of a reader: opened from a file, in a browser, on a phone, in the dark, on paper."""
+
+from typing import Any
 
 import pytest
 
-REDUCED = {"reduced_motion": "reduce"}
+from .chromium import Opened
+from .conftest import Opener
+
+REDUCED: dict[str, Any] = {"reduced_motion": "reduce"}
 STAGE = "document.activeElement === document.getElementById('stage')"
 
 
 @pytest.fixture
-def still(opened):
+def still(opened: Opener) -> Opened:
     """The whole report of bench8, its animation in sight and paused."""
     found = opened("bench8", **REDUCED)
     found.show()
@@ -15,8 +20,8 @@ def still(opened):
 
 
 @pytest.mark.parametrize("name", ["bench8", "demo3", "none", "many"])
-def test_no_errors_and_no_requests(opened, name: str) -> None:
-    """Nothing is loaded but the file, nothing is complained of."""
+def test_no_errors_and_no_requests(opened: Opener, name: str) -> None:
+    """Nothing is loaded but the file, and the browser reports no error."""
     found = opened(name)
     found.show()
     found.picture()
@@ -24,12 +29,12 @@ def test_no_errors_and_no_requests(opened, name: str) -> None:
     assert found.requests == [found.address]
 
 
-def test_it_plays_by_itself_and_pauses(opened) -> None:
+def test_it_plays_by_itself_and_pauses(opened: Opener) -> None:
     """Pictures differ while it plays, not while it is paused; the clock goes on and the button says what it does."""
     found = opened("bench8")
     found.show()
     found.wait_until("document.getElementById('play').textContent === 'Pause'")
-    first, begun = found.picture(), found.page.locator("#clock").text_content()
+    first, begun = found.picture(), found.text("#clock")
     found.wait_until(f"document.getElementById('clock').textContent !== {begun!r}")
     found.changed(first)
     found.page.get_by_role("button", name="Pause the animation").click()
@@ -38,28 +43,28 @@ def test_it_plays_by_itself_and_pauses(opened) -> None:
     assert found.picture() == first
     found.page.get_by_role("button", name="Play the animation").click()
     found.changed(first)
-    assert found.page.locator("#play").text_content() == "Pause"
+    assert found.text("#play") == "Pause"
 
 
-def test_reduced_motion_starts_paused(still) -> None:
-    """Who asks the system for less motion has none before asking for it."""
+def test_reduced_motion_starts_paused(still: Opened) -> None:
+    """A reader who asks the system for less motion sees none before starting it."""
     first = still.picture()
     still.page.wait_for_timeout(120)
     assert still.picture() == first
-    assert still.page.locator("#play").text_content() == "Play"
+    assert still.text("#play") == "Play"
 
 
-def test_scrubbing_sets_the_time(still) -> None:
+def test_scrubbing_sets_the_time(still: Opened) -> None:
     """The slider moves to a time; its picture is the same whenever it is asked for."""
     pictures = []
     for value in ("0.25", "0.5", "0.25"):
         still.page.locator("#scrub").fill(value)
         pictures.append(still.picture())
     assert pictures[0] == pictures[2] != pictures[1]
-    assert still.page.locator("#clock").text_content().startswith("0.1000 s")
+    assert still.text("#clock").startswith("0.1000 s")
 
 
-def test_keys_change_the_picture(still) -> None:
+def test_keys_change_the_picture(still: Opened) -> None:
     """The canvas is used by the keyboard: 0 sets the view back, a comma takes back a full stop, Space plays."""
     still.page.locator("#stage").focus()
     first, keyboard = still.picture(), still.page.keyboard
@@ -73,12 +78,12 @@ def test_keys_change_the_picture(still) -> None:
     keyboard.press("Space")
     still.wait_until("document.getElementById('play').textContent === 'Pause'")
     keyboard.press("Space")
-    assert still.page.locator("#play").text_content() == "Play"
+    assert still.text("#play") == "Play"
 
 
-def test_dragging_turns_the_view(still) -> None:
-    """By a pointer: a mouse or a finger."""
-    box, first = still.page.locator("#stage").bounding_box(), still.picture()
+def test_dragging_turns_the_view(still: Opened) -> None:
+    """The pointer may be a mouse or a finger."""
+    box, first = still.box("#stage"), still.picture()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     still.page.mouse.move(x, y)
     still.page.mouse.down()
@@ -91,9 +96,9 @@ def test_dragging_turns_the_view(still) -> None:
     assert still.picture() == first
 
 
-def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still) -> None:
+def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still: Opened) -> None:
     """A reader who scrolls past the animation is not caught by it."""
-    box, first = still.page.locator("#stage").bounding_box(), still.picture()
+    box, first = still.box("#stage"), still.picture()
     still.page.mouse.move(box["x"] + 50, box["y"] + 50)
     still.page.mouse.wheel(0, -40)
     still.page.wait_for_timeout(120)
@@ -104,11 +109,11 @@ def test_wheel_zooms_the_chosen_picture_and_scrolls_the_page_otherwise(still) ->
     still.changed(first)
 
 
-def test_a_finger_turns_the_view(opened) -> None:
+def test_a_finger_turns_the_view(opened: Opener) -> None:
     """Sideways; up and down it scrolls the page, which would be caught otherwise."""
     found = opened("bench8", has_touch=True, is_mobile=True, viewport={"width": 400, "height": 800}, **REDUCED)
     found.show()
-    box, first = found.page.locator("#stage").bounding_box(), found.picture()
+    box, first = found.box("#stage"), found.picture()
     touch = found.context.new_cdp_session(found.page)
     x, y = box["x"] + 100, box["y"] + 100
     for kind, dx in (("touchStart", 0), ("touchMove", 30), ("touchMove", 60), ("touchMove", 90)):
@@ -117,8 +122,8 @@ def test_a_finger_turns_the_view(opened) -> None:
     found.changed(first)
 
 
-def test_fine_screens_have_fine_pictures(opened) -> None:
-    """As many pixels as the screen has."""
+def test_fine_screens_have_fine_pictures(opened: Opener) -> None:
+    """The canvas has as many pixels as the screen shows."""
     found = opened("demo3", device_scale_factor=2, **REDUCED)
     found.show()
     found.picture()
@@ -128,7 +133,7 @@ def test_fine_screens_have_fine_pictures(opened) -> None:
     assert drawn == round(2 * shown)
 
 
-def test_views_magnification_and_trace_change_the_picture(still) -> None:
+def test_views_magnification_and_trace_change_the_picture(still: Opened) -> None:
     """Each control does something, and the magnification is written beside its slider."""
     page = still.page
     seen = [still.picture()]
@@ -137,26 +142,26 @@ def test_views_magnification_and_trace_change_the_picture(still) -> None:
         seen.append(still.picture())
     page.locator("#scrub").fill("0.6")
     page.locator("#magnify").fill("0")
-    assert page.locator("#magnified").text_content() == "× 1"
+    assert still.text("#magnified") == "× 1"
     seen.append(still.picture())
     page.locator("#magnify").fill("6")
-    assert page.locator("#magnified").text_content() == "× 100"
+    assert still.text("#magnified") == "× 100"
     seen.append(still.picture())
     page.locator("#trace").select_option("-1")
     seen.append(still.picture())
     assert len(set(seen)) == len(seen)
 
 
-def test_small_motion_is_magnified_from_the_start(still) -> None:
+def test_small_motion_is_magnified_from_the_start(still: Opened) -> None:
     """Tens of micrometres are not seen on a stand of decimetres."""
-    assert int(still.page.locator("#magnified").text_content().removeprefix("× ")) > 100
+    assert int(still.text("#magnified").removeprefix("× ")) > 100
 
 
 INK = "getComputedStyle(document.querySelector('svg.drawing text')).fill"
 
 
-def test_dark_mode_changes_page_and_picture(still) -> None:
-    """By the button; the canvas follows the page."""
+def test_dark_mode_changes_page_and_picture(still: Opened) -> None:
+    """The button changes the theme, and the canvas follows the page."""
     first, ink = still.picture(), still.page.evaluate(INK)
     still.page.locator("#theme").click()
     assert still.picture() != first
@@ -165,8 +170,8 @@ def test_dark_mode_changes_page_and_picture(still) -> None:
     assert still.picture() == first
 
 
-def test_dark_mode_follows_the_system(opened) -> None:
-    """As the system has it, and when it changes."""
+def test_dark_mode_follows_the_system(opened: Opener) -> None:
+    """The page follows the theme of the system, also when that changes."""
     found = opened("demo3", color_scheme="dark", **REDUCED)
     found.show()
     dark = found.picture()
@@ -175,13 +180,13 @@ def test_dark_mode_follows_the_system(opened) -> None:
 
 
 @pytest.mark.parametrize("width", [320, 400])
-def test_narrow_pages_do_not_overflow(opened, width: int) -> None:
+def test_narrow_pages_do_not_overflow(opened: Opener, width: int) -> None:
     """On a phone what is wide scrolls in its own frame."""
     found = opened("bench8", viewport={"width": width, "height": 800}, **REDUCED)
     assert found.page.evaluate("document.scrollingElement.scrollWidth") <= width
 
 
-def test_paper_shows_everything_but_controls(opened) -> None:
+def test_paper_shows_everything_but_controls(opened: Opener) -> None:
     """In print colours, dark or not; parts that are closed on screen are opened, buttons are left out."""
     found = opened("bench8", color_scheme="dark", **REDUCED)
     found.show()
@@ -196,7 +201,7 @@ def test_paper_shows_everything_but_controls(opened) -> None:
     assert found.page.evaluate("[...document.querySelectorAll('details')].every((each) => each.open)")
 
 
-def test_every_control_has_a_name(still) -> None:
+def test_every_control_has_a_name(still: Opened) -> None:
     """For readers who hear the page."""
     nameless = still.page.evaluate(
         """[...document.querySelectorAll("button, input, select, canvas")].filter((each) =>
@@ -206,7 +211,7 @@ def test_every_control_has_a_name(still) -> None:
     assert nameless == []
 
 
-def test_focus_is_seen(still) -> None:
+def test_focus_is_seen(still: Opened) -> None:
     """The canvas comes in the order of tabs, before the button that plays it, with a ring."""
     still.page.locator("#play").focus()
     still.page.keyboard.press("Shift+Tab")

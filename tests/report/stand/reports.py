@@ -15,8 +15,8 @@ APART = {"td", "th", "tr", "p", "dt", "dd", "li", "div", "caption", "figcaption"
 
 
 @dataclass
-class Seen:
-    """What a page consists of: text by section, attributes by element, what is wrong with its structure."""
+class Page:
+    """Content of a page: text by section, attributes by element, faults of its structure."""
 
     text: str = ""
     sections: list[str] = field(default_factory=list)
@@ -29,7 +29,7 @@ class Reader(HTMLParser):
 
     def __init__(self) -> None:
         super().__init__(convert_charrefs=True)
-        self.seen = Seen()
+        self.seen = Page()
         self.open: list[str] = []
         self.ids: set[str] = set()
 
@@ -65,7 +65,7 @@ class Reader(HTMLParser):
             self.seen.text += data
 
 
-def read(page: str) -> Seen:
+def read(page: str) -> Page:
     """A page, read."""
     reader = Reader()
     reader.feed(page)

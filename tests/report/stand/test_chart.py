@@ -6,6 +6,7 @@ import json
 import re
 from html import unescape
 from itertools import pairwise
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -13,16 +14,25 @@ import pytest
 
 from mahovik.core.emit.templates import template
 from mahovik.out.report.plot.draw import decimal
-from mahovik.out.report.plot.envelope import BINS, envelope
-from mahovik.out.report.plot.extent import extent
 from mahovik.out.report.plot.inline import charts, figure
-from mahovik.out.report.plot.many import MOST, NAMED, condensed
-from mahovik.out.report.plot.panel import Line, Mark, Panel, border, family
-from mahovik.out.report.plot.prefix import prefixed
-from mahovik.out.report.stand.rows import some_rows
+from mahovik.out.report.plot.panel import (
+    BINS,
+    MOST,
+    NAMED,
+    Line,
+    Mark,
+    Panel,
+    border,
+    condense_lines,
+    envelope,
+    extent,
+    family,
+    si_prefix,
+)
+from mahovik.out.report.stand.run import some_rows
 
 
-def drawn(html: str) -> tuple[dict[str, list[np.ndarray]], dict]:
+def figure_lines(html: str) -> tuple[dict[str, list[np.ndarray]], dict[str, Any]]:
     """Lines of a figure by name, each in parts (n, 2) as its script reads them, and the facts of its axes."""
     root = ElementTree.fromstring(html)
     facts = json.loads(unescape(root.attrib["data-axes"]))
@@ -36,7 +46,7 @@ def drawn(html: str) -> tuple[dict[str, list[np.ndarray]], dict]:
     return found, facts
 
 
-def along(share: np.ndarray, low: float, high: float, log: int) -> np.ndarray:
+def axis_values(share: np.ndarray, low: float, high: float, log: int) -> np.ndarray:
     """Values at shares of an axis."""
     return low * (high / low) ** share if log else low + (high - low) * share
 
@@ -67,22 +77,22 @@ def test_what_is_not_finite_breaks_a_line_and_hides_no_peak() -> None:
     y[4000:6000] = np.nan
     y[7000] = np.inf
     y[3999] = 5.0
-    lines, facts = drawn(figure(Panel("y, m", (Line("w", x, y),))))
+    lines, facts = figure_lines(figure(Panel("y, m", (Line("w", x, y),))))
     parts = lines["w"]
     assert len(parts) == 3
-    peak = along(parts[0][:, 1], *facts["y"]).argmax()
-    assert along(parts[0][peak], *facts["y"])[1] == pytest.approx(5.0, abs=0.01)
+    peak = axis_values(parts[0][:, 1], *facts["y"]).argmax()
+    assert axis_values(parts[0][peak], *facts["y"])[1] == pytest.approx(5.0, abs=0.01)
     assert parts[0][peak, 0] == pytest.approx(x[3999], abs=1e-3)
     assert not any(np.any((part[:, 0] > 0.405) & (part[:, 0] < 0.595)) for part in parts)
 
 
 def test_paths_lie_where_the_numbers_are() -> None:
     x, y = np.linspace(2.0, 4.0, 41), np.geomspace(1e-3, 10.0, 41) * (2.0 + np.sin(np.arange(41)))
-    lines, facts = drawn(figure(Panel("y, m", (Line("w", x, y),), log=True)))
+    lines, facts = figure_lines(figure(Panel("y, m", (Line("w", x, y),), log=True)))
     assert facts["y"][2] and facts["x"][:2] == [2.0, 4.0]
     (part,) = lines["w"]
-    assert np.allclose(along(part[:, 0], *facts["x"]), x, atol=1e-4)
-    assert np.allclose(np.log(along(part[:, 1], *facts["y"])), np.log(y), atol=1e-2)
+    assert np.allclose(axis_values(part[:, 0], *facts["x"]), x, atol=1e-4)
+    assert np.allclose(np.log(axis_values(part[:, 1], *facts["y"])), np.log(y), atol=1e-2)
 
 
 @pytest.mark.parametrize(
@@ -140,13 +150,13 @@ def test_many_lines_are_a_band_with_the_furthest_by_name() -> None:
     values = np.sin(x[:, None] + np.arange(64)) + 0.01 * np.arange(64)
     values[50, 17], values[30, 40] = 30.0, -20.0
     lines = family([f"w{i}" for i in range(64)], x, values)
-    band, kept = condensed(lines)
+    band, kept = condense_lines(lines)
     assert band is not None and band.count == 64 and len(kept) == NAMED
     assert {"w17", "w40"} <= {line.name for line in kept}
     assert np.array_equal(band.high, values.max(axis=1)) and np.array_equal(band.low, values.min(axis=1))
     html = figure(Panel("speed, rpm", lines))
     assert html.count("<li>") == NAMED + 1 and "all 64" in html
-    assert condensed(lines[:MOST]) == (None, lines[:MOST])
+    assert condense_lines(lines[:MOST]) == (None, lines[:MOST])
 
 
 @pytest.mark.parametrize(("low", "high"), [(1e-17, 1e-12), (6.0, 40.0), (1.0, 1000.0), (1e-3, 2e9), (10.8, 12.0)])
@@ -177,10 +187,10 @@ def test_no_two_figures_share_a_name() -> None:
 
 
 def test_prefixes() -> None:
-    assert prefixed(2300.0, "N") == (1e-3, "kN")
-    assert prefixed(999.0, "N") == (1.0, "N")
-    assert prefixed(1e-3, "N m") == (1e3, "mN m")
-    assert prefixed(0.0, "N") == (1.0, "N")
+    assert si_prefix(2300.0, "N") == (1e-3, "kN")
+    assert si_prefix(999.0, "N") == (1.0, "N")
+    assert si_prefix(1e-3, "N m") == (1e3, "mN m")
+    assert si_prefix(0.0, "N") == (1.0, "N")
 
 
 def test_some_rows_have_both_ends() -> None:

@@ -45,7 +45,7 @@ def spun(stand: Stand, s: int, phi: float, speed: float) -> np.ndarray:
     angles, speeds = [*at], [*at]
     angles[s], speeds[s] = phi, speed
     found = reference.evaluate(stand, replace(rest, phi=tuple(angles), phi_dot=tuple(speeds)), ["matrices"])
-    return found["J"] @ np.array(speeds)
+    return np.asarray(found["J"] @ np.array(speeds))
 
 
 def test_one_flywheel_by_hand() -> None:

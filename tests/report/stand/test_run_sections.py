@@ -41,7 +41,7 @@ def test_singular_values_are_those_of_the_reference(name: str) -> None:
 
 
 def singular_values_of(stand: Stand, phi: np.ndarray) -> np.ndarray:
-    from mahovik.use.plan.figures import singular_values
+    from mahovik.use.plan.certificate import singular_values
     from mahovik.use.plan.residual import Mechanics
 
     return singular_values(Mechanics.of(stand), phi)[0]

@@ -1,4 +1,4 @@
-"""Sections of the report: the numbers are those of the stand, zeros and rounding are told apart."""
+"""Sections of the report: the numbers are those of the stand, zeros and rounding are distinguished."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
 from mahovik.out.report.stand import bodies, matrices
+from mahovik.out.report.stand.inertia import whole_inertia
 from mahovik.out.report.stand.markup import figure, figures, table
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.matrix import SHADES, Side, matrix, shade
-from mahovik.out.report.stand.state import WORDS, chosen_state, state_shown
+from mahovik.out.report.stand.material import WORDS, Material, choose_state, chosen_state
+from mahovik.out.report.stand.matrices import SHADES, Side, matrix, shade
+from mahovik.out.report.stand.page import ORDER
 from mahovik.proof import reference
 from mahovik.stands import names, path
 from report.stand.reports import read, words
@@ -29,8 +30,8 @@ def material(stand: Stand, state: State | None = None) -> Material:
 
 
 def plain(html: str) -> str:
-    """Text with ordinary minus signs and without thin spaces."""
-    return words(html).replace("−", "-").replace("\u202f", "")
+    """Text with ordinary minus signs, without thin spaces and those that align numbers."""
+    return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
 
 
 @pytest.mark.parametrize(
@@ -45,11 +46,37 @@ def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
     assert figure(value) == text
 
 
-def test_figures_of_a_column_have_one_number_of_decimals() -> None:
-    assert figures([12.0, 0.8, -0.75], 5) == ["12.00", "0.80", "−0.75"]
+def test_points_of_a_column_are_aligned() -> None:
+    """Each number has its own significant digits, and after them the room of those of the others."""
+    point, digit = "\N{PUNCTUATION SPACE}", "\N{FIGURE SPACE}"
+    assert figures([12.0, 0.8, -0.751234567], 5) == [f"12{point}{5 * digit}", f"0.8{4 * digit}", "−0.75123"]
     assert figures([1.0, 2.0]) == ["1", "2"]
     assert figures([1e-9, 1.0]) == ["1·10<sup>−9</sup>", "1"]
     assert figures([]) == []
+
+
+def test_small_and_large_numbers_of_a_table_keep_their_digits() -> None:
+    html = table(("a", "n, kg m²>"), [[["x", figure(0.41970)], ["y", figure(0.00071234)]]], foot=["all", "12.5"])
+    assert [len(cell) for cell in re.findall(r'<td class="right">(.*?)</td>', html)] == [10, 10, 11]
+    assert "0.00071234" in html
+
+
+def test_products_of_inertia_total_inertia_and_axes_are_shown() -> None:
+    stand = load(path("bench8"))
+    made = bodies.section(material(stand))
+    assert made is not None
+    assert all(f"J<sub>{ij}</sub>" in made.html for ij in ("12", "13", "23"))
+    mass, center, tensor = whole_inertia(stand)
+    K = reference.evaluate(stand, replace(chosen_state(stand), phi=(0.0,) * len(stand.flywheels)), ["matrices"])["K"]
+    shift = mass * (center @ center * np.eye(3) - np.outer(center, center))
+    assert np.allclose(tensor + shift, K[3:, 3:], rtol=1e-12, atol=1e-15)
+    text = plain(made.html)
+    assert f"{tensor[0, 0]:.5g}" in text[text.index("Inertia of the whole") :]
+    assert "Axes of the flywheels" in text
+
+
+def test_motion_comes_first_and_the_evidence_last() -> None:
+    assert ORDER[:2] == ("histories", "programme") and ORDER[-3:] == ("matrices", "verification", "cost")
 
 
 @pytest.mark.parametrize("value", [3.21987e-7, 0.98765432, 1.0e3, 54321.0, 9.99996e5])
@@ -198,10 +225,10 @@ def test_the_state_of_a_run_at_rest_is_not_shown() -> None:
     stand = load(path("bench8"))
     moving = replace(chosen_state(stand), angles=None, quaternion=(1.0, 0.0, 0.0, 0.0))
     rest = replace(moving, V=(1e-17,) * 6, phi_dot=(0.0,) * len(stand.flywheels))
-    at_rest, said = state_shown(stand, run_through(stand, [moving, rest]))
+    at_rest, said = choose_state(stand, run_through(stand, [moving, rest]))
     assert at_rest == chosen_state(stand)
     assert said == f"the last row of the run, t = 0.01 s, is at rest; shown instead: {WORDS}"
     for last in (moving, replace(moving, V=(0.0,) * 6), replace(rest, V=(1e-6, 0.0, 0.0, 0.0, 0.0, 0.0))):
-        shown, said = state_shown(stand, run_through(stand, [rest, last]))
+        shown, said = choose_state(stand, run_through(stand, [rest, last]))
         assert (shown.V, shown.phi_dot) == (last.V, last.phi_dot)
         assert said == "the last row of the run, t = 0.01 s"

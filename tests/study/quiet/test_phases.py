@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.use.study.quiet.lines import best_phases, groups, uncontrolled_mean_square
-from mahovik.use.study.quiet.phases import cancel, power
+from mahovik.use.study.quiet.lines import best_phases, cancel, groups, power, uncontrolled_mean_square
 
 
 @pytest.mark.parametrize("m", [2, 3, 5])
@@ -38,7 +37,7 @@ def test_the_least_is_that_of_a_grid(seed: int) -> None:
 
 
 def test_flywheels_that_do_not_turn_together_have_no_phase_to_hold() -> None:
-    """And add up as they are; those at rest and out of the band are not there."""
+    """They add up as they are; flywheels at rest and orders out of the band are absent."""
     speeds = np.array([300.0, -301.0, 0.0, 50.0])
     a = np.ones((1, 4), dtype=complex)
     band = (20.0, 200.0)

@@ -20,14 +20,12 @@ from mahovik.proof import reference
 from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
 from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
-from mahovik.use.study.quiet.amplitude import Amplitudes
-from mahovik.use.study.quiet.files import regime_text, result
-from mahovik.use.study.quiet.lines import groups
+from mahovik.use.study.quiet.lines import Amplitudes, groups
+from mahovik.use.study.quiet.options import Wheels
+from mahovik.use.study.quiet.result import as_object, regime_text
 from mahovik.use.study.quiet.search import Found, Search
 from mahovik.use.study.quiet.simulated import Sampling, expected_samples, simulate_point, steady_start
-from mahovik.use.study.quiet.wheels import Wheels
-from mahovik.use.study.response.motion import rms
-from mahovik.use.study.response.periodic import periodic_response
+from mahovik.use.study.response.periodic import periodic_response, rms
 from mahovik.use.study.rest import rest
 
 RPM = math.pi / 30.0
@@ -43,12 +41,12 @@ def sat4() -> Stand:
 
 @pytest.fixture(scope="module")
 def chosen(sat4: Stand) -> QuietResult:
-    """Of SAT4, without simulation."""
-    return found(sat4)
+    """The plan of sat4, without simulation."""
+    return quiet_result(sat4)
 
 
-def found(stand: Stand, wish: QuietOptions = SAT4, **changed: Any) -> QuietResult:
-    """Without simulation."""
+def quiet_result(stand: Stand, wish: QuietOptions = SAT4, **changed: Any) -> QuietResult:
+    """The plan of a stand, without simulation."""
     return quiet(stand, replace(wish, **changed), backend=None)
 
 
@@ -71,7 +69,9 @@ def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand) -> 
 
 def test_a_beat_that_is_not_over_is_no_success(sat4: Stand) -> None:
     """Lines of a period far above what is simulated, loud there or quiet: nothing changed, and nothing is lower."""
-    still = found(sat4, speeds=tuple(x * RPM for x in (3030.3, 3030.2, 3030.1, 3030.0)), momentum=None, change=1e-4)
+    still = quiet_result(
+        sat4, speeds=tuple(x * RPM for x in (3030.3, 3030.2, 3030.1, 3030.0)), momentum=None, change=1e-4
+    )
     quieter = replace(still.after, simulated=0.1 * still.after.rms, expected=0.1 * still.after.rms)
     assert replace(still, after=quieter).reduction == pytest.approx(1.0, rel=1e-3)
     louder = replace(quieter, simulated=still.after.rms * math.hypot(0.1, 3.0))
@@ -80,7 +80,7 @@ def test_a_beat_that_is_not_over_is_no_success(sat4: Stand) -> None:
 
 def test_the_momentum_is_that_of_the_literal_reference(sat4: Stand) -> None:
     """Z of (2), mean over phase: nothing of the search is used."""
-    got = found(sat4, speeds=(200.0, -100.0, 150.0, 60.0), momentum=(1.0, -0.7, 2.0))
+    got = quiet_result(sat4, speeds=(200.0, -100.0, 150.0, 60.0), momentum=(1.0, -0.7, 2.0))
     mean = np.zeros(3)
     for turn in range(4):
         phi = tuple(got.after.phases + turn * math.pi / 2)
@@ -92,13 +92,13 @@ def test_the_momentum_is_that_of_the_literal_reference(sat4: Stand) -> None:
 @pytest.mark.parametrize("axis", [(1.0, 0.0, 0.0), (0.0, 0.6, 0.8)])
 def test_on_one_axis_the_phases_cancel_all(sat4: Stand, axis: tuple[float, float, float]) -> None:
     """Two equations, three phases."""
-    got = found(sat4, axes=(axis,))
+    got = quiet_result(sat4, axes=(axis,))
     assert got.after.rms < 1e-9 * got.before.free
 
 
 def test_a_wanted_reduction_takes_the_least_change(sat4: Stand) -> None:
-    """Of 1.5 times: by phases alone, speeds stay; of 10 times: 9 rpm."""
-    little, much = found(sat4, reduction=1.5), found(sat4, reduction=10.0)
+    """A gain of 1.5 is reached by phases alone, at the same speeds; a gain of 10 takes 9 rpm."""
+    little, much = quiet_result(sat4, reduction=1.5), quiet_result(sat4, reduction=10.0)
     assert np.abs(little.after.speeds - little.before.speeds).max() == 0.0
     assert np.abs(much.after.speeds - much.before.speeds).max() == pytest.approx(9.0 * RPM, rel=1e-6)
     assert little.reduction >= 1.5
@@ -109,21 +109,21 @@ def test_limits_hold(sat4: Stand) -> None:
     """Least and largest speed, change, avoided orders, each where it binds."""
     wish = replace(SAT4, momentum=(2.0, 1.0, 5.0), speeds=None)
     bound = 3000.0 * RPM
-    got = found(sat4, wish, limit=bound, least=100.0 * RPM, avoid=((14.0, 22.0),))
+    got = quiet_result(sat4, wish, limit=bound, least=100.0 * RPM, avoid=((14.0, 22.0),))
     sizes = np.abs(got.after.speeds)
     assert np.all(sizes <= bound * (1 + 1e-8))
     assert np.all(sizes >= 100.0 * RPM * (1 - 1e-8))
     turns = sizes / (2 * math.pi)
     for order in (1, 2):
         assert not np.any((order * turns > 14.0 * (1 + 1e-8)) & (order * turns < 22.0 * (1 - 1e-8)))
-    held = found(sat4, wish, change=20.0 * RPM)
+    held = quiet_result(sat4, wish, change=20.0 * RPM)
     assert np.abs(held.after.speeds - held.before.speeds).max() <= 20.0 * RPM * (1 + 1e-8)
 
 
 def test_more_freedom_is_never_louder(sat4: Stand) -> None:
     """A larger change of speeds contains the smaller."""
     wish = replace(SAT4, momentum=(2.0, 1.0, 8.0), speeds=tuple(RPM * x for x in (3500.0, -900.0, 2500.0, -400.0)))
-    left = [found(sat4, wish, change=x * RPM).after.rms for x in (10.0, 300.0, 1000.0)]
+    left = [quiet_result(sat4, wish, change=x * RPM).after.rms for x in (10.0, 300.0, 1000.0)]
     assert all(b <= a * 1.02 for a, b in pairwise(left))
     assert left[-1] < 0.8 * left[0]
 
@@ -137,7 +137,7 @@ def test_modes_of_the_suspension_are_avoided(sat4: Stand) -> None:
     damp = tuple(tuple(x * 1e-4 for x in row) for row in stiff)
     stand = sat4.with_laws(Suspension(stiff, damp, (0.0,) * 3, (0.0,) * 3))  # type: ignore[arg-type]
     wish = replace(SAT4, momentum=(0.0, 0.0, 11.0), speeds=None, modes=True, measure="angle")
-    got = found(stand, wish)
+    got = quiet_result(stand, wish)
     assert len(got.natural) == 6
     turns = np.abs(got.after.speeds) / (2 * math.pi)
     for f in got.natural:
@@ -160,15 +160,15 @@ def test_first_order_is_the_simulation(sat4: Stand, measure: str) -> None:
     blind = expected_samples(speeds, phases, replace(amplitudes, A1=0.0 * amplitudes.A1).at(speeds), 0, sampling)
     level = np.linalg.norm(ours - ours.mean(axis=0))
 
-    def off(y: Any) -> float:
+    def distance(y: Any) -> float:
         return float(np.linalg.norm((x - y) - (x - y).mean(axis=0)) / level)
 
-    assert off(ours) < 1e-4
-    assert off(blind) > 3e-3
+    assert distance(ours) < 1e-4
+    assert distance(blind) > 3e-3
 
 
 def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietResult) -> None:
-    """By collocation of the whole equations, all orders in the band, of the speeds and phases found."""
+    """Motion by collocation of the whole equations, all orders in the band, for the speeds and phases found."""
     got = chosen
     exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
     values = rms(exact.points["acc1"].harmonics("acceleration"), exact.frequencies, BAND)
@@ -185,14 +185,14 @@ def test_the_files_are_read_back(sat4: Stand, chosen: QuietResult) -> None:
     _, phi_dot, _ = regime.motion(np.zeros(1))
     assert phi_dot[0].tolist() == got.after.speeds.tolist()
     assert [each.phase for each in regime.flywheels] == got.after.phases.tolist()
-    said = json.loads(json.dumps(result(got), allow_nan=False))
+    said = json.loads(json.dumps(as_object(got), allow_nan=False))
     assert said["after"]["start"]["phi_dot"] == got.after.speeds.tolist()
     assert said["after"]["lines"][0]["flywheels"] == ["rw1", "rw2", "rw3", "rw4"]
 
 
 def test_the_same_seed_gives_the_same_bits(sat4: Stand, chosen: QuietResult) -> None:
     """All of it."""
-    assert json.dumps(result(found(sat4))) == json.dumps(result(chosen))
+    assert json.dumps(as_object(quiet_result(sat4))) == json.dumps(as_object(chosen))
 
 
 def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: QuietResult) -> None:
@@ -210,7 +210,7 @@ def test_phases_off_by_what_is_said_double_what_is_left(sat4: Stand, chosen: Qui
 
 def test_flywheels_at_rest_are_silent(sat4: Stand) -> None:
     """No momentum asked for: they stand still; there is nothing to lower."""
-    got = found(sat4, momentum=(0.0, 0.0, 0.0), speeds=None)
+    got = quiet_result(sat4, momentum=(0.0, 0.0, 0.0), speeds=None)
     assert groups(got.after.speeds) == []
     assert got.reduction == 1.0
 
@@ -218,9 +218,9 @@ def test_flywheels_at_rest_are_silent(sat4: Stand) -> None:
 def test_what_binds_is_said(sat4: Stand) -> None:
     """Limits that exclude each other, momentum beyond the motors."""
     with pytest.raises(CheckError, match=r"needs 1\.4\d* times the speed limits, at best rw\d at 8660"):
-        found(sat4, momentum=(0.0, 0.0, 40.0))
+        quiet_result(sat4, momentum=(0.0, 0.0, 40.0))
     with pytest.raises(CheckError, match=r"without (the avoided frequencies or )?--change"):
-        found(sat4, change=0.1, avoid=((50.0, 51.0),))
+        quiet_result(sat4, change=0.1, avoid=((50.0, 51.0),))
 
 
 def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -246,11 +246,11 @@ def test_stands_that_have_nothing_free_are_refused(sat4: Stand) -> None:
     """Three flywheels for three axes; two of one axis hold nothing across it."""
     few = replace(sat4, flywheels=sat4.flywheels[:3])
     with pytest.raises(UsageError, match="3 flywheels with spin axes of rank 3 leave no speeds free"):
-        found(few, speeds=None)
+        quiet_result(few, speeds=None)
     one = replace(sat4.flywheels[0], name="other")
     pair = replace(sat4, flywheels=(sat4.flywheels[0], one))
-    with pytest.raises(UsageError, match="across all spin axes"):
-        found(pair, speeds=None)
+    with pytest.raises(UsageError, match="perpendicular to all spin axes"):
+        quiet_result(pair, speeds=None)
     along = Wheels.of(pair, replace(SAT4, momentum=(1.0, 1.0, 1.0), speeds=None))
     assert along.nullspace.shape == (2, 1)
 

@@ -16,8 +16,7 @@ from mahovik.core.motion.required import RequiredMotion, load_motion, read_motio
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
 from mahovik.proof.verify.programme import Finding, verify_programme
-from mahovik.proof.verify.programme.along import instants
-from mahovik.proof.verify.programme.scale import scale_of
+from mahovik.proof.verify.programme.mechanics import instants, scale_of
 
 Case = tuple[Stand, RequiredMotion, Programme]
 
@@ -37,23 +36,23 @@ def solved(stand: Stand, motion: RequiredMotion, winding: tuple[int, ...], mean:
     N = len(stand.flywheels)
     t = motion.span * np.arange(M) / M
 
-    def at(x: np.ndarray) -> Programme:
+    def programme_at(x: np.ndarray) -> Programme:
         parts = np.split(x, [N, N + H * N, N + 2 * H * N])
         return programme_of(
             stand, motion, Fourier(parts[0], parts[1].reshape(H, N), parts[2].reshape(H, N)), winding, parts[3] * 1e-3
         )
 
     start = np.concatenate([mean, np.zeros(2 * H * N + 6)])
-    scale = scale_of(stand, motion, at(start))
+    scale = scale_of(stand, motion, programme_at(start))
     L = np.linalg.inv(np.linalg.cholesky(scale.K0)) / scale.wrench
 
     def residual(x: np.ndarray) -> np.ndarray:
-        programme = at(x)
+        programme = programme_at(x)
         along = instants(stand, motion.at(t, programme.bias), programme.at(t))
         return np.concatenate([L @ each.residual() for each in along])
 
     found = least_squares(residual, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=12)
-    return stand, motion, at(found.x)
+    return stand, motion, programme_at(found.x)
 
 
 @cache

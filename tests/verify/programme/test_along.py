@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES
 from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.verify.programme.along import twist, twist_rate
+from mahovik.proof.verify.programme.mechanics import twist, twist_rate
 
 STAND = load(stands.path("demo3"))
 

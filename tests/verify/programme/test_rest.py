@@ -10,13 +10,12 @@ from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.programme.along import pieces_at
-from mahovik.proof.verify.programme.rest import rest_near
-from mahovik.proof.verify.programme.simulation import rate
+from mahovik.proof.verify.programme.mechanics import pieces_at
+from mahovik.proof.verify.programme.simulation import rate, rest_near
 from mahovik.use.study.rest import rest
 
 
-def found(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:
+def rest_of(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:
     """Pose, free directions and K there."""
     K0 = pieces_at(stand, q, np.zeros(6), phi, np.zeros(len(phi))).K
     at = rest_near(stand, phi, q, K0)
@@ -27,7 +26,7 @@ def found(stand: Stand, phi: Array, q: Array) -> tuple[Array, Array, Array]:
 def test_nothing_accelerates_there(name: str, free: int) -> None:
     stand = load(stands.path(name))
     phi = np.linspace(0.3, 2.0, len(stand.flywheels))
-    q, directions, K0 = found(stand, phi, np.array([0.01, 0.0, 0.0, 0.1, 0.05, -0.1]))
+    q, directions, K0 = rest_of(stand, phi, np.array([0.01, 0.0, 0.0, 0.1, 0.05, -0.1]))
     still = np.zeros(len(phi))
     V_dot = rate(stand, np.concatenate([q, np.zeros(6)]), phi, still, still)[6:]
     assert np.abs(V_dot).max() < 1e-8
@@ -38,11 +37,11 @@ def test_nothing_accelerates_there(name: str, free: int) -> None:
 def test_it_is_the_pose_that_another_search_finds() -> None:
     stand = load(stands.path("bench8"))
     phi = np.linspace(0.0, 3.0, 8)
-    q, _, _ = found(stand, phi, np.zeros(6))
+    q, _, _ = rest_of(stand, phi, np.zeros(6))
     assert q[:3] == pytest.approx(rest(stand, phi.tolist()).state.position, abs=1e-9)
 
 
 def test_a_carrier_that_falls_has_no_rest() -> None:
     stand = load(stands.path("bench8")).without_laws(Suspension)
     with pytest.raises(StateError, match="no equilibrium to start from"):
-        found(stand, np.zeros(8), np.zeros(6))
+        rest_of(stand, np.zeros(8), np.zeros(6))

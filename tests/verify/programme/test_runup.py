@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from mahovik.core.motion.programme import RunUpTable, Samples
 from mahovik.core.motion.required import Bounds
 from mahovik.proof.verify.programme import Finding, runup, verify_programme
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.scale import Scale, scale_of
+from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from verify.programme.programmes import twins, twins_run_up
 
 
@@ -21,11 +22,11 @@ def scale() -> Scale:
     return scale_of(*twins())
 
 
-def findings(bounds: Bounds | None = None, **tables: RunUpTable) -> dict[str, Finding]:
-    """Of run-up and run-down; what else is asked of the programme is asked elsewhere."""
+def findings(bounds: Bounds | None = None, **tables: Any) -> dict[str, Finding]:
+    """Findings about run-up and run-down alone, by their names, with other tables in the programme."""
     stand, motion, programme = twins()
     required = replace(motion, bounds=bounds or Bounds())
-    found = runup.findings(stand, required, replace(programme, **tables), scale(), tolerance_for(stand, None))
+    found = runup.runup_findings(stand, required, replace(programme, **tables), scale(), tolerance_for(stand, None))
     return {each.name: each for each in found}
 
 

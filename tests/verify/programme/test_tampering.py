@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import Bounds
+from mahovik.core.motion.required.model import Winding
 from mahovik.core.stand import load
-from mahovik.proof.verify.programme import identity, limits, residual, simulation, table, verify_programme
+from mahovik.proof.verify.programme import finding, mechanics, simulation, table, verify_programme
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.scale import Scale, scale_of
+from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from mahovik.stands import path
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled
 
@@ -25,9 +27,9 @@ def scale() -> Scale:
 
 
 def residual_passes(programme: Programme) -> bool:
-    """Of the shaker's motion."""
+    """Scale of the shaker's motion."""
     stand, motion, _ = shaker()
-    return residual.finding(residual.along(stand, motion, programme, scale()), 1e-6).passed
+    return mechanics.residual_finding(mechanics.residuals(stand, motion, programme, scale()), 1e-6).passed
 
 
 @pytest.mark.parametrize(
@@ -52,8 +54,9 @@ def test_changed_windings_are_refused() -> None:
     _, motion, programme = shaker()
     assert offended(replace(programme, winding=(-1, 1))) == {"winding", "residual", "simulation"}
     assert not residual_passes(replace(programme, winding=(2, -1)))
-    for wanted, other in (("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1)):
-        (found,) = limits.winding_finding(replace(motion, winding=wanted), programme)
+    expected: tuple[tuple[Winding, int], ...] = (("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1))
+    for wanted, other in expected:
+        (found,) = table.winding_finding(replace(motion, winding=wanted), programme)
         assert (found.value, found.passed) == (other, other == 0)
 
 
@@ -62,16 +65,16 @@ def test_a_changed_bias_is_refused() -> None:
     shifted = replace(programme, bias=programme.bias + np.array([0, 0, 1e-6, 0, 0, 0]))
     assert not residual_passes(shifted)
     assert not residual_passes(replace(programme, bias=np.array([0, 0, 0, 0, 0, 1e-4])))
-    assert failed(limits.bias_findings(motion, shifted)) == set()
+    assert failed(table.bias_findings(motion, shifted)) == set()
     held = replace(motion, free_mean=(True, True, False, True, True, True))
-    assert failed(limits.bias_findings(held, shifted)) == {"bias"}
+    assert failed(table.bias_findings(held, shifted)) == {"bias"}
 
 
 @cache
-def along() -> tuple[Angles, np.ndarray]:
+def angles_and_torques() -> tuple[Angles, np.ndarray]:
     """Angles and torques of the shaker's programme."""
     stand, motion, programme = shaker()
-    found = residual.along(stand, motion, programme, scale())
+    found = mechanics.residuals(stand, motion, programme, scale())
     return programme.at(found.t), found.tau
 
 
@@ -88,11 +91,11 @@ def along() -> tuple[Angles, np.ndarray]:
 )
 def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
     _, motion, programme = shaker()
-    angles, tau = along()
+    angles, tau = angles_and_torques()
     t = motion.span * np.arange(len(tau)) / len(tau)
-    rocking = limits.rocking_of(programme, t, programme.at(t).phi)
-    found = limits.bound_findings(bounds, programme.flywheels, angles, tau, rocking)
-    assert failed([*found, *limits.slowest_finding(bounds, programme.flywheels, angles.phi_dot)]) == offends
+    rocking = table.rocking_of(programme, t, programme.at(t).phi)
+    found = table.bound_findings(bounds, programme.flywheels, angles, tau, rocking)
+    assert failed([*found, *table.slowest_finding(bounds, programme.flywheels, angles.phi_dot)]) == offends
 
 
 def test_a_bound_is_one_of_the_items() -> None:
@@ -104,14 +107,14 @@ def test_rocking_is_counted_from_the_mean() -> None:
     programme = replace(shaker()[2], course=course)
     t = programme.span * np.arange(64) / 64
     angles = programme.at(t)
-    rocking = limits.rocking_of(programme, t, angles.phi)
+    rocking = table.rocking_of(programme, t, angles.phi)
     for bound, offends in ((0.299, {"bound angle"}), (0.301, set())):
-        found = limits.bound_findings(Bounds(angle=(bound, 0.21)), programme.flywheels, angles, rocking, rocking)
+        found = table.bound_findings(Bounds(angle=(bound, 0.21)), programme.flywheels, angles, rocking, rocking)
         assert failed(found) == offends
 
 
 def test_a_speed_that_changes_sign_is_no_least_speed() -> None:
-    (found,) = limits.slowest_finding(Bounds(speed_min=(1.0,)), ("w",), np.array([[-5.0], [5.0]]))
+    (found,) = table.slowest_finding(Bounds(speed_min=(1.0,)), ("w",), np.array([[-5.0], [5.0]]))
     assert not found.passed
 
 
@@ -123,9 +126,9 @@ def test_a_speed_that_changes_sign_is_no_least_speed() -> None:
         ({"stand": "bench8"}, "name is bench8"),
     ],
 )
-def test_a_programme_of_another_stand_says_so(change: dict[str, str], words: str) -> None:
+def test_a_programme_of_another_stand_says_so(change: dict[str, Any], words: str) -> None:
     stand, _, programme = shaker()
-    found = identity.stand_finding(stand, replace(programme, **change))
+    found = finding.stand_finding(stand, replace(programme, **change))
     assert not found.passed
     assert found.words.startswith(f"programme of another stand: {words}, of the stand ")
 
@@ -146,8 +149,8 @@ def test_another_period_is_not_tried() -> None:
 
 def test_another_motion_is_refused() -> None:
     _, motion, programme = shaker()
-    assert not identity.motion_finding(motion, replace(programme, motion="shaker2_z")).passed
-    assert not identity.motion_finding(motion, replace(programme, periodic=False)).passed
+    assert not finding.motion_finding(motion, replace(programme, motion="shaker2_z")).passed
+    assert not finding.motion_finding(motion, replace(programme, periodic=False)).passed
 
 
 @pytest.mark.parametrize("column", ["phi", "phi_dot", "phi_ddot"])
@@ -157,12 +160,12 @@ def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: 
     changed = getattr(samples, column).copy()
     changed[row, 1] += {"phi": 0.1, "phi_dot": 10.0, "phi_ddot": 1.0}[column]
     programme = replace(shaker()[2], course=replace(samples, **{column: changed}))
-    assert name in failed(table.findings(programme, tolerance_for(shaker()[0], None).table))
+    assert name in failed(table.table_findings(programme, tolerance_for(shaker()[0], None).table))
 
 
 def test_a_table_of_another_winding_is_not_periodic() -> None:
     programme = replace(shaker()[2], course=tabled(), winding=(1, -2))
-    assert failed(table.findings(programme, 0.03)) == {"periodicity"}
+    assert failed(table.table_findings(programme, 0.03)) == {"periodicity"}
 
 
 def test_a_residual_between_the_nodes_is_seen() -> None:
@@ -180,7 +183,7 @@ def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.Monkey
     monkeypatch.setattr(simulation, "FURTHEST", 2.5)
     stand, motion, programme = shaker()
     wild = replace(programme, course=fourier(mean=(1.0, 1.0)))
-    found = simulation.finding(stand, motion, wild, scale(), 1e-6)
+    found = simulation.simulation_finding(stand, motion, wild, scale(), 1e-6)
     assert not found.passed
     assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
 

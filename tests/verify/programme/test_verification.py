@@ -13,9 +13,9 @@ from mahovik.core.motion.programme import Fourier
 from mahovik.core.motion.required import Bounds, read_motion
 from mahovik.core.stand import load
 from mahovik.laws.suspension.data import Suspension
-from mahovik.proof.verify.programme import Finding, limits, table, verify_programme
+from mahovik.proof.verify.programme import Finding, table, verify_programme
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.scale import scale_of
+from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.stands import path
 from verify.programme.programmes import Case, failed, fourier, item, shaker, solved, tabled, twins, twins_run_up
 
@@ -42,7 +42,7 @@ def test_its_stability_is_that_of_the_suspension() -> None:
 
 
 def test_all_twelve_multipliers_are_those_of_the_suspension() -> None:
-    """By Liouville their product is exp(-T tr K^-1 D), D the suspension's damping; complex ones come in pairs."""
+    """Their product is exp(-T tr K^-1 D) (Liouville), D the suspension's damping; complex ones come in pairs."""
     stand, _, programme = shaker()
     found = np.array(item(right(), "Floquet").multipliers)
     assert len(found) == 12
@@ -103,7 +103,7 @@ def test_a_finite_programme() -> None:
     assert failed(found) == set()
     assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.name for each in found}
     elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
-    assert failed(limits.start_findings(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
+    assert failed(table.start_findings(elsewhere, programme, 1e-6)) == {"start phi", "start phi_dot"}
 
 
 def test_a_finite_programme_of_a_periodic_motion_is_not_tried() -> None:
@@ -129,4 +129,4 @@ def test_demo3_turns_as_required() -> None:
 def test_harmonics_of_rounding_at_constant_speed_pass() -> None:
     """Their phi'' is rounding itself, and no measure of what its differences may be."""
     programme = replace(shaker()[2], course=fourier(cos=1e-14))
-    assert all(finding.passed for finding in table.findings(programme, 1e-6))
+    assert all(finding.passed for finding in table.table_findings(programme, 1e-6))

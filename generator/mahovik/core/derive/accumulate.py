@@ -1,4 +1,4 @@
-"""What a row of harmonics adds at a phase: first moment, inertia and relative momentum, with their rates.
+"""Contribution of a row of harmonics at a phase: first moment, inertia and relative momentum, with their rates.
 
 With c = cos phi, s = sin phi and their derivatives along the motion, a row gives
   mu = mu_c c + mu_s s                  first moment about O1
@@ -22,10 +22,10 @@ phi_dot, phi_ddot = sp.symbols("phi_dot phi_ddot")
 
 
 def weights() -> dict[str, sp.Expr]:
-    """By what a row's columns are multiplied, derived by differentiation along the motion; names to expressions.
+    """Factors of a row's harmonics and their time derivatives, by name, derived by differentiation along the motion.
 
-    c, s are given; c2, s2 are those of the double phase, two_c2, two_s2 twice those; dc, ds, dc2, ds2 rates; ddc, dds
-    second rates.
+    c, s (cosine and sine of phi) are given; c2, s2 are those of 2 phi, two_c2, two_s2 twice c2, s2; dc, ds, dc2, ds2
+    are first, ddc, dds second time derivatives.
     """
     t = sp.Symbol("t")
     phi = sp.Function("phi")(t)
@@ -49,7 +49,7 @@ def weights() -> dict[str, sp.Expr]:
 
 @dataclass(frozen=True)
 class Sums:
-    """What one row adds: mu, mu_dot, J, J_dot; relative angular momentum h_rel = t phi'; rates a_rel, g_rel.
+    """Contribution of one row: mu, mu_dot, J, J_dot; relative angular momentum h_rel = t phi'; rates a_rel, g_rel.
 
     I_s phi' = (mu_dot, h_rel); (a_rel, g_rel) = I_s phi'' + Ls [<e>] Theta_s f phi'^2, the last two sums of (5).
     """
@@ -118,5 +118,5 @@ def columns() -> Columns:
 
 
 def reaction() -> sp.Matrix:
-    """-I_s: what a unit of phi'' leaves on the right-hand side of (8)."""
+    """-I_s: contribution of a unit of phi'' to the right-hand side of (8)."""
     return -columns().I

@@ -44,7 +44,7 @@ def momentum(added_mass: bool) -> sp.Matrix:
 
 
 def remainder() -> sp.Matrix:
-    """F - Phi Z - K_dot V - (a_rel, g_rel): what K V* must equal, (4), (5), (8). Z by the symbols p, h."""
+    """F - Phi Z - K_dot V - (a_rel, g_rel): right-hand side of K V* = ..., (4), (5), (8). Z by the symbols p, h."""
     F = vector("F", 6)
     return F - Phi(V) * p.col_join(h) - mass_matrix_rate() * V - a_rel.col_join(g_rel)
 

@@ -27,14 +27,14 @@ def literal_torque(w: Generic, V: sp.Matrix) -> sp.Matrix:
     return Theta_s * V_s_dot + Phi(V_s) * Theta_s * V_s
 
 
-def bias_torque(buoyancy: bool) -> sp.Expr:
+def bias_torque(displaces: bool) -> sp.Expr:
     """Torque at V* = 0, phi'' = 0: mu' . (omega x v - g) - omega . J' omega / 2; the weight's moment is mu' . g.
 
     `mu_p`, `J_p`, `displaced_p` are derivatives by the phase, `origin_acceleration` = omega x v (less g where there is
     weight), `spun` are `spin_products`. Displaced fluid pulls the other way: + displaced' . g.
     """
     bias = vector("mu_p").dot(vector("origin_acceleration")) + vector("J_p", 6).dot(vector("spun", 6))
-    return bias + vector("displaced_p").dot(vector("g")) if buoyancy else bias
+    return bias + vector("displaced_p").dot(vector("g")) if displaces else bias
 
 
 def spin_products() -> sp.Matrix:
@@ -56,7 +56,7 @@ def origin_acceleration(weight: bool) -> sp.Matrix:
 
 
 def phase_derivatives() -> tuple[sp.Matrix, sp.Matrix]:
-    """mu' and J' (six) of a row by the phase, with c, s, and twice those of the double phase: two_c2, two_s2."""
+    """mu' and J' (six) of a row by the phase, with c, s, two_c2 = 2 cos 2 phi and two_s2 = 2 sin 2 phi."""
     phi = sp.Symbol("phi")
     cos, sin, cos2, sin2 = sp.cos(phi), sp.sin(phi), sp.cos(2 * phi), sp.sin(2 * phi)
     mu = vector("mu_c") * cos + vector("mu_s") * sin

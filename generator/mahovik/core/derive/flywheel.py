@@ -40,7 +40,7 @@ def generic() -> Generic:
 
 @dataclass(frozen=True)
 class Literal:
-    """What one flywheel adds to (8), as printed: K_s (2), K_dot_s (6), I_s and J_s (9)."""
+    """Terms of one flywheel in (8), as printed: K_s (2), K_dot_s (6), I_s and J_s (9)."""
 
     K: sp.Matrix
     K_dot: sp.Matrix

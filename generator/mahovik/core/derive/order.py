@@ -9,4 +9,4 @@ SEQUENCES = {"ship": (3, 2, 1), "aircraft": (2, 3, 1), "euler": (3, 1, 3)}
 """Axes of the three elementary rotations, outermost first: C = C_i(psi) C_j(theta) C_k(phi)."""
 
 WEIGHTS = ("c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds", "phi_dot", "phi_ddot")
-"""Names of what the columns of a row are multiplied by (accumulate.sums)."""
+"""Names of the factors of a row's columns (accumulate.sums)."""

@@ -1,4 +1,4 @@
-"""Motion of a point fixed on the carrier: what a sensor there reads."""
+"""Motion of a point fixed on the carrier: readings of a sensor there."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mahovik.core.derive.symbols import matrix, vector
 
 
 def specific_force(weight: bool) -> sp.Matrix:
-    """v* + omega x (v + omega x O) + omega* x O - g in E1: acceleration less gravity.
+    """v* + omega x (v + omega x O) + omega* x O - g in E1: acceleration minus gravity.
 
     `velocity` = v + omega x O stands for itself. What an accelerometer reads, before it is turned to its own axes.
     """

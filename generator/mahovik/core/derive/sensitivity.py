@@ -37,7 +37,7 @@ def momentum() -> sp.Matrix:
 
 
 def remainder(weight: bool) -> sp.Matrix:
-    """What a change of the sums adds to F - Phi Z - K_dot V - (a_rel, g_rel) - K V*; its (p, h) by symbols."""
+    """Contribution of a change of the sums to F - Phi Z - K_dot V - (a_rel, g_rel) - K V*; its (p, h) by symbols."""
     V_dot = vector("v_dot").col_join(vector("omega_dot"))
     force = sp.zeros(6, 1)
     if weight:

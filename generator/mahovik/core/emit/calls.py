@@ -1,4 +1,7 @@
-"""Declarations, fills and calls of a program's functions: the one printer of what emitted tests and drivers contain."""
+"""Declarations, fills and calls of a program's functions: the one printer of what emitted tests and drivers contain.
+
+Lines are not indented: where they stand, the templates know.
+"""
 
 from __future__ import annotations
 
@@ -6,34 +9,18 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
-from mahovik.core.emit.hexadecimal import hex_literal
-from mahovik.core.emit.literal import real_literal
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.code import INDENT
+from mahovik.core.emit.literal import hex_literal, real_literal
+from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Field, Kind, NamedCount, Precision, Struct
+from mahovik.core.program.types import Field, Kind, Precision, Shape, Struct
 
-INDENT = "    "
-"""One indent."""
-
-Shape = tuple[int | NamedCount, ...]
-
-DEFAULTS = {"table": "default", "parameters": "default_parameters", "inverse_options": "default_options"}
-"""Constants of the emitted C, by the struct that they are of."""
+_INDICES = "ijlmpq"
+"""Indices of nested loops; k is the lane of a batch."""
 
 
-def kind_of(a: Argument) -> str:
-    """Name of the struct that an argument is, or nothing."""
-    return a.type.name if isinstance(a.type, Struct) else ""
-
-
-def declaration(names: Names, name: str, type_: Kind | Struct, shape: Shape = ()) -> str:
-    """A variable: type, name, lengths."""
-    return f"{names.type(type_)} {name}{''.join(dimensions(names, shape))}"
-
-
-def passed(a: Argument, place: str) -> str:
+def argument_text(a: Argument, place: str) -> str:
     """A place as an argument: the address of what is passed by pointer."""
     return f"&{place}" if a.variable.pointer else place
 
@@ -44,14 +31,14 @@ def call(names: Names, function: Function, given: Mapping[str, str] | Callable[[
     return f"{names.function(function.name)}({', '.join(text(a) for a in function.arguments)})"
 
 
-def length(names: Names, n: int | NamedCount) -> str:
-    """A length as C has it: a named count by its name."""
-    return dimensions(names, (n,))[0][1:-1]
+def declaration(names: Names, a: Argument, name: str = "") -> str:
+    """Declaration of a variable for an argument, of another name if given."""
+    return f"{names.declaration(name or a.name, a.type, a.shape)};"
 
 
 def row_length(names: Names, shape: Shape) -> str:
     """Numbers side by side at an address: the last length, 1 for a scalar."""
-    return length(names, shape[-1]) if shape else "1"
+    return names.length(shape[-1]) if shape else "1"
 
 
 def address(element: str, shape: Shape) -> str:
@@ -59,49 +46,38 @@ def address(element: str, shape: Shape) -> str:
     return element if shape else f"&{element}"
 
 
-def over(
-    names: Names, place: str, shape: Shape, indent: str, body: Callable[[str, str, int], Iterable[str]], depth: int = 0
+def nested_loops(
+    names: Names, place: str, shape: Shape, body: Callable[[str, int], Iterable[str]], depth: int = 0
 ) -> list[str]:
-    """Nested loops over a place around the lines of `body` for one element, its indent and the loops around it.
+    """Nested loops over a place around the lines of `body` for one element, at a depth of loops.
 
     No loop is printed where `body` has no line.
     """
-    indices = "ijk"[depth : depth + len(shape)]
-    element = place + "".join(f"[{index}]" for index in indices)
-    lines = list(body(element, indent + INDENT * len(shape), depth + len(shape)))
-    if not lines:
-        return []
-    counts = zip(indices, shape, strict=True)
-    heads = [
-        f"{indent}{INDENT * level}for (int {index} = 0; {index} < {length(names, n)}; ++{index}) {{"
-        for level, (index, n) in enumerate(counts)
-    ]
-    return [*heads, *lines, *(f"{indent}{INDENT * level}}}" for level in reversed(range(len(shape))))]
+    if not shape:
+        return list(body(place, depth))
+    index = _INDICES[depth]
+    lines = nested_loops(names, f"{place}[{index}]", shape[1:], body, depth + 1)
+    head = f"for (int {index} = 0; {index} < {names.length(shape[0])}; ++{index}) {{"
+    return [head, *(INDENT + line for line in lines), "}"] if lines else []
 
 
-def over_rows(names: Names, place: str, shape: Shape, indent: str, text: Callable[[str, str], str]) -> list[str]:
+def over_rows(names: Names, place: str, shape: Shape, text: Callable[[str, str], str], depth: int = 0) -> list[str]:
     """One line for every row of numbers of an array, from the row's address and its length."""
     size = row_length(names, shape)
-    return over(names, place, shape[:-1], indent, lambda row, inner, _: [f"{inner}{text(address(row, shape), size)}"])
+    return nested_loops(names, place, shape[:-1], lambda row, _: [text(address(row, shape), size)], depth)
 
 
 def over_members(
-    names: Names,
-    struct: Struct,
-    numbers: Callable[[Field, str, str, int], list[str]],
-    place: str,
-    indent: str = INDENT,
-    depth: int = 0,
+    names: Names, struct: Struct, numbers: Callable[[Field, str, int], list[str]], place: str, depth: int = 0
 ) -> list[str]:
-    """Lines for all numbers of a struct: `numbers` prints those of one member, from its place, indent and loops."""
+    """Lines for all numbers of a struct; `numbers` prints one member, from its place and the depth of loops."""
     lines: list[str] = []
     for f in struct.fields:
-        where = f"{place}.{f.name}"
+        where = f"{place}.{member(f.name)}"
         if isinstance(f.type, Struct):
-            members = partial(over_members, names, f.type, numbers)
-            lines += over(names, where, f.shape, indent, members, depth)
+            lines += nested_loops(names, where, f.shape, partial(over_members, names, f.type, numbers), depth)
         else:
-            lines += numbers(f, where, indent, depth)
+            lines += numbers(f, where, depth)
     return lines
 
 
@@ -111,45 +87,34 @@ def initialiser_of(type_: Kind | Struct, shape: Shape, value: Any, precision: Pr
         return f"{{ {', '.join(initialiser_of(type_, shape[1:], v, precision, exact) for v in value)} }}"
     if isinstance(type_, Struct):
         members = (
-            f".{f.name} = {initialiser_of(f.type, f.shape, value[f.name], precision, exact)}" for f in type_.fields
+            f".{member(f.name)} = {initialiser_of(f.type, f.shape, value[f.name], precision, exact)}"
+            for f in type_.fields
         )
         return f"{{ {', '.join(members)} }}"
     if type_ is not Kind.REAL:
         return str(int(value))
-    return hex_literal(float(value), precision) if exact else real_literal(value, precision)
+    return (hex_literal if exact else real_literal)(float(value), precision)
 
 
-class Results:
-    """How results are taken: reals by `take_reals`, integers by `take_ints`, structs by a function of their own."""
+def take_lines(names: Names, place: str, type_: Kind | Struct, shape: Shape) -> list[str]:
+    """Lines that take a result: rows of numbers by `take_reals`, `take_ints`, structs by their own function."""
+    if isinstance(type_, Struct):
+        return nested_loops(names, place, shape, lambda e, _: [f"take_{type_.name}(sum, &{e});"])
+    kind = "reals" if type_ is Kind.REAL else "ints"
+    return over_rows(names, place, shape, lambda row, size: f"take_{kind}(sum, {row}, {size});")
 
-    def __init__(self, names: Names) -> None:
-        self._names = names
 
-    def taken(self, place: str, type_: Kind | Struct, shape: Shape, indent: str) -> list[str]:
-        """Lines that take one place: rows of numbers at once, structs by their own function."""
-        if isinstance(type_, Struct):
-            name = type_.name
-            return over(self._names, place, shape, indent, lambda e, inner, _: [f"{inner}take_{name}(sum, &{e});"])
-        kind = "reals" if type_ is Kind.REAL else "ints"
-        return over_rows(self._names, place, shape, indent, lambda row, size: f"take_{kind}(sum, {row}, {size});")
-
-    def structs(self, functions: Iterable[Function]) -> Iterable[Struct]:
-        """Structs that results of functions hold, each after those it holds."""
-        found: dict[str, Struct] = {}
-
-        def visit(struct: Struct) -> None:
-            for f in struct.fields:
-                if isinstance(f.type, Struct):
-                    visit(f.type)
-            found.setdefault(struct.name, struct)
-
-        for function in functions:
-            for a in function.arguments:
-                if a.direction != "in" and isinstance(a.type, Struct):
-                    visit(a.type)
-        return found.values()
-
-    def struct(self, struct: Struct) -> dict[str, Any]:
-        """Name, type and lines of the function that takes a struct."""
-        lines = [line for f in struct.fields for line in self.taken(f"value->{f.name}", f.type, f.shape, INDENT)]
-        return {"name": struct.name, "type": self._names.type(struct), "lines": lines}
+def take_functions(names: Names, functions: Iterable[Function]) -> list[dict[str, Any]]:
+    """Name, type and lines of the functions that take the structs which results hold."""
+    results = (a.type for f in functions for a in f.arguments if a.direction != "in")
+    structs = {s.name: s for type_ in results if isinstance(type_, Struct) for s in type_.held()}
+    return [
+        {
+            "name": s.name,
+            "type": names.type(s),
+            "lines": [
+                line for f in s.fields for line in take_lines(names, f"value->{member(f.name)}", f.type, f.shape)
+            ],
+        }
+        for s in structs.values()
+    ]

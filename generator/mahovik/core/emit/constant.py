@@ -1,8 +1,8 @@
-"""Constant tables as C initialisers: members by name; arrays of structs as one row a line under a header."""
+"""Constant tables as C initialisers: members by name; arrays of structs as one line per row under a header."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from mahovik.core.emit.literal import real_literal
@@ -11,13 +11,15 @@ from mahovik.core.program.types import Field, Kind, Precision, Struct
 _STEP = "    "
 
 
-def initialiser(struct: Struct, value: dict[str, Any], precision: Precision, labels: dict[str, list[str]]) -> list[str]:
+def initialiser(
+    struct: Struct, value: Mapping[str, Any], precision: Precision, labels: Mapping[str, list[str]]
+) -> list[str]:
     """Lines of `{ ... }` for a struct. `labels`: names of the rows of array members, for a comment at their end."""
     return ["{", *_members(struct, value, precision, labels, _STEP), "}"]
 
 
 def _members(
-    struct: Struct, value: dict[str, Any], precision: Precision, labels: dict[str, list[str]], indent: str
+    struct: Struct, value: Mapping[str, Any], precision: Precision, labels: Mapping[str, list[str]], indent: str
 ) -> Iterator[str]:
     for f in struct.fields:
         given = value[f.name]
@@ -47,7 +49,7 @@ def _matrix(rows: list[list[Any]], f: Field, precision: Precision, indent: str) 
 def _rows(
     struct: Struct, rows: list[dict[str, Any]], precision: Precision, labels: list[str], indent: str
 ) -> Iterator[str]:
-    """A table: a header that names the columns, then one row a line."""
+    """A table: a header that names the columns, then one line per row."""
     cells = [list(_cells(struct, row, precision)) for row in rows]
     groups = list(_groups(struct))
     starts = [sum(size for _, size in groups[:k]) for k in range(len(groups))]
@@ -85,7 +87,7 @@ def _groups(struct: Struct) -> Iterator[tuple[str, int]]:
         yield f.name + "".join(f"[{int(n)}]" for n in f.shape), size
 
 
-def _cells(struct: Struct, value: dict[str, Any], precision: Precision) -> Iterator[tuple[str, str, str]]:
+def _cells(struct: Struct, value: Mapping[str, Any], precision: Precision) -> Iterator[tuple[str, str, str]]:
     """(opening, number, closing) of each number of a row: braces and commas stick to the numbers."""
     flat: list[list[str]] = []
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from mahovik.core.emit.layout import hanging, paragraph, wrapped
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
+from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.types import Field, Struct
+from mahovik.core.program.types import Struct
 
 
 def struct_lines(struct: Struct, names: Names) -> list[str]:
-    """A struct definition with a comment a member."""
+    """A struct definition with one comment per member."""
     head = [f"/* {struct.purpose} */", f"typedef struct {names.type(struct)} {{"]
-    declarations = [_member(f, names) for f in struct.fields]
+    declarations = [f"{names.declaration(member(f.name), f.type, f.shape)};" for f in struct.fields]
     width = max(len(d) for d in declarations)
     lines = []
     for declaration, f in zip(declarations, struct.fields, strict=True):
@@ -28,10 +27,6 @@ def struct_lines(struct: Struct, names: Names) -> list[str]:
         lines += paragraph(comment, f"{lead}/* ", " " * len(lead) + " * ")
         lines[-1] += " */"
     return [*head, *lines, f"}} {names.type(struct)};"]
-
-
-def _member(f: Field, names: Names) -> str:
-    return f"{names.type(f.type)} {f.name}{''.join(dimensions(names, f.shape))};"
 
 
 def prototype(function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset()) -> str:
@@ -48,7 +43,7 @@ def prototype(function: Function, names: Names, restrictable: frozenset[tuple[st
 def _argument(a: Argument, names: Names, restrictable: bool) -> str:
     const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
     star = ("*restrict " if restrictable else "*") if a.variable.pointer else ""
-    sizes = "".join(dimensions(names, a.shape))
+    sizes = names.lengths(a.shape)
     if restrictable and sizes:
         sizes = f"[restrict {sizes.removeprefix('[')}"
     return f"{const}{names.type(a.type)} {star}{a.name}{sizes}"
@@ -78,28 +73,50 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
     return lines
 
 
-def public_declarations(functions: Iterable[Function], program: Program, names: Names) -> list[dict[str, object]]:
-    """Contract and prototype of each function, as the templates of headers take them."""
-    return [{"comment": contract(f, names, program), "prototype": prototype(f, names)} for f in functions]
-
-
 def null_check(function: Function, names: Names) -> list[str]:
-    """The first lines of a public function: no pointer may be null."""
+    """The first lines of a public function with a status: no pointer may be null, but for those to optional arrays."""
     pointers = pointed(function)
-    if not pointers:
+    if not pointers or function.returns is None:
         return []
     condition = " || ".join(f"{a.name} == NULL" for a in pointers)
-    return wrapped(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
+    refused = wrapped(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
+    return refused + [f"    {line}" for line in given_zeros(function, names)]
+
+
+def given_zeros(function: Function, names: Names) -> list[str]:
+    """Statements that put zeros in the place of optional arrays whose address is null."""
+    return [f"if ({a.name} == NULL) {{ {a.name} = {zeros_of(a, names)}; }}" for a in optional(function)]
+
+
+def zeros_of(a: Argument, names: Names) -> str:
+    """Name of the constant that stands for an optional array."""
+    return names.function(f"none_{a.name}")
+
+
+def zeros(functions: Iterable[Function], names: Names) -> list[str]:
+    """Definitions of these constants, without their value."""
+    found = {a.name: a for f in functions for a in optional(f)}
+    return [f"static const {names.declaration(zeros_of(a, names), a.type, a.shape)}" for a in found.values()]
 
 
 def pointed(function: Function) -> list[Argument]:
-    """Arguments of a public function that are addresses."""
-    return [a for a in function.arguments if a.variable.pointer or a.shape] if function.public else []
+    """Arguments of a public function that are addresses, and must not be null."""
+    return (
+        [a for a in function.arguments if (a.variable.pointer or a.shape) and not a.optional] if function.public else []
+    )
+
+
+def optional(function: Function) -> list[Argument]:
+    """Arguments of a public function that are arrays, or null."""
+    return [a for a in function.arguments if a.optional] if function.public else []
 
 
 def summary(function: Function) -> list[str]:
     """The comment above an internal function."""
-    lines = paragraph(titled(function), "/* ", " * ")
+    text = titled(function)
+    if function.purpose[1:2].islower():
+        text = text[0].upper() + text[1:]
+    lines = paragraph(text, "/* ", " * ")
     for note in function.notes:
         lines += paragraph(note, " * ", " * ")
     lines[-1] += " */"

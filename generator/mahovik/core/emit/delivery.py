@@ -1,4 +1,4 @@
-"""What `generate` delivers: a folder that stands alone, as file name to text."""
+"""Files that `generate` delivers: a self-contained folder, as file name to text."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.eva import eva_files, provable
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.readme import readme
-from mahovik.core.emit.recorder import recorder_files
+from mahovik.core.emit.recorder import recorded, recorder_files
 from mahovik.core.emit.selftest import selftest
 from mahovik.core.lower.golden import golden
 from mahovik.core.stand.identity import identities
@@ -26,14 +26,20 @@ def firmware(stand: Stand, precision_name: str = "double", lanes: int = 1) -> di
 
 
 def delivery(
-    stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False, batch: bool = False
+    stand: Stand,
+    precision_name: str = "double",
+    lanes: int = 1,
+    fast: bool = False,
+    batch: bool = False,
+    only: tuple[str, ...] = (),
 ) -> dict[str, str]:
-    """All files of the folder but its manifest; `batch`: with the functions for many states.
+    """All files of the folder except its manifest; `batch`: with the functions for many states.
 
-    `fast`: without the recorder, whose logs want equal bits. Drivers of Frama-C are there where `provable` says so.
+    `fast`: without the recorder, whose logs need equal bits. `only`: with these public functions alone; no recorder
+    without a step. Drivers of Frama-C are there where `provable` says so.
     Raises UsageError, StandError.
     """
-    generated = generate_all(stand, precision_name, lanes, fast)
+    generated = generate_all(stand, precision_name, lanes, fast, only)
     proofs = eva_files(generated.program, identities(stand)) if provable(generated) else {}
     return {**_firmware(stand, generated, batch), **proofs}
 
@@ -42,7 +48,7 @@ def _firmware(stand: Stand, generated: Generated, batch: bool = False) -> dict[s
     return {
         **generated.files,
         **selftest_files(stand, generated),
-        **({} if generated.fast else recorder_files(stand, generated)),
+        **(recorder_files(stand, generated) if recorded(generated) else {}),
         **(batch_files(stand, generated) if batch else {}),
         "README.md": readme(stand, generated, batch),
     }

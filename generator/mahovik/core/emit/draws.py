@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mahovik.contract.quantities import Draw
-from mahovik.core.emit.calls import INDENT, over_rows, row_length
+from mahovik.core.emit.calls import over_rows, row_length
 from mahovik.core.emit.names import Names
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.test_inputs import Input
 
 
 class Draws:
-    """Calls of `draw_reals`, `draw_int` and their sisters, which a template defines.
+    """Calls of `draw_reals`, `draw_int` and similar functions, which a template defines.
 
     source    variable that they draw from
     place     C text of an input from its path
@@ -35,19 +35,17 @@ class Draws:
         """Lines that draw one input."""
         place, source, rule = self._place(each.path), self._source, each.rule
         if rule is Draw.ATTITUDE:
-            return [f"{INDENT}draw_attitude({source}, {place}{self._attitude});"]
+            return [f"draw_attitude({source}, {place}{self._attitude});"]
         if rule is Draw.TURNS:
             cosine = self._place((*each.path[:-1], test_inputs.COSINE))
-            return [f"{INDENT}draw_turns({source}, {place}, {cosine}, {row_length(self._names, each.shape)});"]
+            return [f"draw_turns({source}, {place}, {cosine}, {row_length(self._names, each.shape)});"]
         if rule in (Draw.REALS, Draw.FLAGS):
             what, more = ("flags", "") if rule is Draw.FLAGS else ("reals", f", {self._largest(each)}")
-            return over_rows(
-                self._names, place, each.shape, INDENT, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});"
-            )
+            return over_rows(self._names, place, each.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});")
         given = {
             Draw.INTEGER: f"draw_int({source}, {each.lowest}, {each.span}u)",
             Draw.ORDER: f"draw_order({source})",
             Draw.STEP: f"draw_step({source})",
             Draw.FACTOR: f"draw_factor({source}, {self._largest(each)})",
         }
-        return [f"{INDENT}{place} = {given[rule]};"]
+        return [f"{place} = {given[rule]};"]

@@ -1,9 +1,9 @@
-"""Expressions as C text. Parentheses stand where C would read another tree, and where gcc asks for them."""
+"""Expressions as C text. Parentheses are printed where C would parse another tree, and where gcc asks for them."""
 
 from __future__ import annotations
 
 from mahovik.core.emit.literal import real_literal, word_literal
-from mahovik.core.emit.names import Names
+from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
@@ -65,14 +65,14 @@ class Expressions:
         pointer = place.root.pointer
         for step in place.path:
             if isinstance(step, str):
-                text += f"->{step}" if pointer else f".{step}"
+                text += f"->{member(step)}" if pointer else f".{member(step)}"
             else:
                 text += f"[{self.text(step)}]"
             pointer = False
         return text
 
     def _print(self, e: Expr) -> tuple[str, int]:
-        """Text and level of binding."""
+        """Text of an expression, and its precedence."""
         match e:
             case Const():
                 return self._constant(e)

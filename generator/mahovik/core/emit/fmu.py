@@ -6,22 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik import __version__
-from mahovik.core.emit.calls import call
-from mahovik.core.emit.declaration import null_check, prototype, public_declarations, summary
-from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.calls import address, call
+from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
-from mahovik.core.emit.literal import real_literal
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import Statements
-from mahovik.core.emit.templates import source_text, template
+from mahovik.core.emit.templates import source_text
 from mahovik.core.lower.fmu.program import lower_fmu
 from mahovik.core.lower.fmu.units import NONE
 from mahovik.core.lower.fmu.variables import Form, Variable
-from mahovik.core.lower.layout import Layout
-from mahovik.core.program.function import Function
-from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -52,7 +44,7 @@ SPELLING = {
         "number": "Float64",
     },
 }
-"""How the versions spell what both have."""
+"""Spelling of common things in each version."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +62,7 @@ def compiled_sources(stand: Stand, version: str) -> tuple[str, ...]:
 
 
 def fmu_sources(stand: Stand, generated: Generated, form: Form, version: str, token: str) -> Sources:
-    """All sources of an FMU; `token`: what its description and its binary must agree on."""
+    """All sources of an FMU; `token` ties the binary to its description."""
     printer = _Printer(stand, generated, form)
     name, compiled = stand.name, compiled_sources(stand, version)
     files = dict(generated.files) | {
@@ -88,16 +80,10 @@ class _Printer:
     """Collects the parts that the templates put in order."""
 
     def __init__(self, stand: Stand, generated: Generated, form: Form) -> None:
-        self._stand, self._generated, self._form = stand, generated, form
-        self._layout: Layout = generated.layout
-        self._names = Names(stand.name)
-        found = identities(stand)
-        self._known: dict[str, Any] = {
-            "name": stand.name,
-            "NAME": stand.name.upper(),
-            "version": __version__,
-            "structure": found.structure,
-            "physics": found.physics,
+        self._stand, self._form, self._layout = stand, form, generated.layout
+        self._code = Code(generated.program, identities(stand))
+        self._names = self._code.names
+        self._known = {
             "flywheels": self._layout.flywheels,
             "kind": form.kind,
             "inputs": form.inputs,
@@ -106,162 +92,92 @@ class _Printer:
 
     def pose(self, name: str) -> str:
         """Header or source of the functions beside those of the stand."""
-        program = lower_fmu(self._layout)
-        statements = Statements(self._names, Expressions(self._names, program.precision))
-        if name.endswith(".h.j2"):
-            public = [f for f in program.functions if f.public]
-            return template(name).render(**self._known, functions=public_declarations(public, program, self._names))
-
-        def printed(f: Function) -> dict[str, Any]:
-            body = [*(null_check(f, self._names) if f.returns else []), *statements.block(f.body, "    ")]
-            return {"comment": summary(f), "prototype": prototype(f, self._names, restrictable(program)), "body": body}
-
-        return template(name).render(**self._known, functions=[printed(f) for f in program.functions])
+        code = Code(lower_fmu(self._layout), identities(self._stand))
+        functions = code.declared(code.public) if name.endswith(".h.j2") else code.functions
+        return code.render(name, **self._known, functions=functions)
 
     def model(self, name: str) -> str:
         """Header or source of the stand as values with references."""
-        groups = self._form.groups
+        groups, layout = self._form.groups, self._layout
         settable = self._form.variables[: groups["RATES"].first]
-        return template(name).render(
+        return self._code.render(
+            name,
             **self._known,
             groups=[g for g in groups.values() if g.count or g.name in ("DRIVE", "STEP", "LAWS")],
             values=len(self._form.variables),
             variables=[self._row(v) for v in settable],
-            readers=list(self._readers()),
+            readers=self._readers(),
             laws=groups["LAWS"].count > 0,
-            suspects=self._suspects(),
-            mounted=any(f.shape for f in self._layout.parameters.fields if f.name != "added_mass"),
-            quaternions=[place for law in self._layout.law_tables for place in law.quaternions],
-            members=[(f.name, self._count(f)) for f in self._layout.state.fields],
+            suspects=list(self._suspects()),
+            mounted=any(f.shape for f in layout.parameters.fields if f.name != "added_mass"),
+            quaternions=[place for law in layout.law_tables for place in law.quaternions],
+            members=[(f.name, self._names.length(f.shape[0])) for f in layout.state.fields],
             attitude=3,
-            sensors=bool(self._layout.sensors),
+            sensors=bool(layout.sensors),
             calls=self._calls(),
-            functions={"rates": self._names.function(self._rates()), "step": self._names.function(self._step())},
         )
 
     def interface(self, version: str, token: str) -> str:
         """The functions of FMI."""
         nominals = [max(1.0, abs(v.start or 0.0)) if v.unit.name == "rad/s" else 1.0 for v in self._form.group("STATE")]
         fmi = f"fmi{version[0]}"
-        return template(f"fmu/{fmi}.c.j2").render(
+        return self._code.render(
+            f"fmu/{fmi}.c.j2",
             **self._known,
             fmi=fmi,
             token=token,
             **SPELLING[version],
-            nominals=wrapped(", ".join(real_literal(n, self._layout.precision) for n in nominals), ""),
+            nominals=wrapped(", ".join(map(self._code.real, nominals)), ""),
         )
 
     # -- parts ---------------------------------------------------------------------------------------------------------
 
-    def _row(self, v: Variable) -> str:
-        numbers = [v.start or 0.0, self._bound(v.least, -1), self._bound(v.most, 1)]
-        literals = ", ".join(real_literal(float(x), self._layout.precision) for x in numbers)
-        unit = "" if v.unit is NONE else f" {v.unit.name}"
-        return f'{{ "{v.name}", "{unit}", {literals} }},'
+    def _row(self, v: Variable) -> dict[str, Any]:
+        """A value that can be set: name, unit, start, range."""
+        most = self._code.precision.largest
+        return {
+            "name": v.name,
+            "unit": "" if v.unit is NONE else f" {v.unit.name}",
+            "start": v.start or 0.0,
+            "least": -most if v.least is None else v.least,
+            "most": most if v.most is None else v.most,
+        }
 
-    def _bound(self, given: float | None, sign: int) -> float:
-        return sign * self._layout.precision.largest if given is None else given
-
-    def _count(self, f: Field) -> str:
-        return self._names.constant("N") if f.name in ("phi", "phi_dot") else str(int(f.shape[0]))
-
-    def _readers(self) -> Iterator[list[str]]:
+    def _readers(self) -> list[dict[str, Any]]:
         """Functions that fill a struct with values: one a struct, inner ones first; then the laws of the table."""
-        seen: list[Struct] = []
+        layout = self._layout
+        types = [layout.parameters, *(f.type for f in layout.laws)]
+        rows = [row for f in layout.laws for row in _read(f)]
+        if layout.own_damped:
+            types.append(layout.damper)
+            rows = [*_read(Field("frame", layout.frame, (len(layout.own),)), ".damper", layout.damper), *rows]
+        structs = {s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.held() if _reals(s)}
+        found = [(s.name, s, [row for f in s.fields for row in _read(f)]) for s in structs.values()]
+        found += [("laws", layout.table, rows)] if rows else []
+        return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in found]
 
-        def visit(struct: Struct) -> Iterator[list[str]]:
-            for f in struct.fields:
-                if isinstance(f.type, Struct) and _reals(f.type):
-                    yield from visit(f.type)
-            if struct not in seen:
-                seen.append(struct)
-                yield self._reader(struct.name, struct, [line for f in struct.fields for line in self._read(f)])
-
-        yield from visit(self._layout.parameters)
-        laws = self._layout.laws
-        for f in laws:
-            if isinstance(f.type, Struct) and _reals(f.type):
-                yield from visit(f.type)
-        lines = [line for f in laws for line in self._read(f)]
-        if self._layout.own_damped and _reals(self._layout.damper):
-            if self._layout.damper not in seen:
-                yield from visit(self._layout.damper)
-            own = Field("frame", self._layout.frame, (len(self._layout.own),))
-            lines = [*self._read(own, "damper", self._layout.damper), *lines]
-        if lines:
-            yield self._reader("laws", self._layout.table, lines)
-
-    def _reader(self, name: str, struct: Struct, lines: list[str]) -> list[str]:
-        head = [f"/* Members of {struct.name} by values that follow one another; returns the value behind them. */"]
-        head += [f"static const double *read_{name}(const double *from, {self._names.type(struct)} *to)", "{"]
-        if any("[i]" in line for line in lines):
-            head += ["    int i;", ""]
-        return [*head, *lines, "    return from;", "}"]
-
-    def _read(self, f: Field, member: str = "", inner: Struct | None = None) -> list[str]:
-        """Statements that read one member; of an array of structs perhaps one member of each."""
-        struct = inner or f.type
-        if isinstance(struct, Struct):
-            if not _reals(struct):
-                return []
-            if not f.shape:
-                return [f"    from = read_{struct.name}(from, &to->{f.name});"]
-            place = f"&to->{f.name}[i]" + (f".{member}" if member else "")
-            return [f"    {self._loop(f)} {{ from = read_{struct.name}(from, {place}); }}"]
-        if f.type is not Kind.REAL:
-            return []
-        if not f.shape:
-            return [f"    from = copied(from, &to->{f.name}, 1);"]
-        if len(f.shape) == 1:
-            return [f"    from = copied(from, to->{f.name}, {int(f.shape[0])});"]
-        return [f"    {self._loop(f)} {{ from = copied(from, to->{f.name}[i], {int(f.shape[1])}); }}"]
-
-    @staticmethod
-    def _loop(f: Field) -> str:
-        return f"for (i = 0; i < {int(f.shape[0])}; ++i)"
-
-    def _suspects(self) -> list[str]:
-        """Statements that try the parameters of one body after the other."""
+    def _suspects(self) -> Iterator[dict[str, str]]:
+        """Members of the parameters that may be refused: the place of each, of a body, and whose they are."""
         named = {
             "instrument": [p.name for p in self._stand.instruments],
             "flywheel": [s.name for s in self._stand.flywheels],
             "point": [p.name for p in self._stand.points],
         }
-        OK, RANGE = self._names.constant("OK"), self._names.constant("RANGE")
-        lines = []
         for f in self._layout.parameters.fields:
-            if f.name == "added_mass":
-                lines += self._tried("memcpy(one.added_mass, given->added_mass, sizeof one.added_mass);")
-                lines += [f"if (status != {OK}) {{", "    (void)snprintf(model->message, sizeof model->message,"]
-                lines += ['                   "added_mass: expected a symmetric, positive semidefinite matrix");']
-                lines += ["    return 0;", "}"]
-            for k, name in enumerate(named.get(f.name, [f.name] if f.name == "carrier" else [])):
-                place = f"{f.name}[{k}]" if f.shape else f.name
-                body = f"given->{place}.body" if f.shape else f"given->{place}"
-                lines += self._tried(f"one.{place} = given->{place};")
-                if f.shape:
-                    axes = f"given->{place}.axis, given->{place}.zero"
-                    lines += [f"if (status == {RANGE}) {{", f'    return no_axes(model, "{name}", {axes});', "}"]
-                if f.name != "point":
-                    found = f"{body}.mass, {body}.inertia"
-                    lines += [f"if (status != {OK}) {{", f'    return no_body(model, "{name}", {found});', "}"]
-        return lines
-
-    def _tried(self, change: str) -> list[str]:
-        """Statements: the stand file's parameters but for one change, and what prepare says to them."""
-        return [f"one = {self._names.function('default_parameters')};", change, "status = tried(&one);"]
+            if not f.shape or f.name == "added_mass":
+                yield {"name": f.name, "place": f.name, "body": "" if f.shape else f.name, "axes": ""}
+                continue
+            for k, name in enumerate(named[f.name]):
+                place = f"{f.name}[{k}]"
+                body = "" if f.name == "point" else f"{place}.body"
+                yield {"name": name, "place": place, "body": body, "axes": place}
 
     # -- calls ---------------------------------------------------------------------------------------------------------
-
-    def _rates(self) -> str:
-        return "coupled" if self._layout.flywheels and self._form.inputs == "torque" else "forward"
-
-    def _step(self) -> str:
-        return "step_driven" if self._layout.flywheels and self._form.inputs == "acceleration" else "step"
 
     def _calls(self) -> dict[str, Any]:
         """Calls of functions of the stand, by what they take."""
         NAME = self._stand.name.upper()
+        torque, flywheels = self._form.inputs == "torque", bool(self._layout.flywheels)
         values = f"&model->value[{NAME}_AT_"
         V_dot, phi_ddot = "rates + 7", f"rates + 13 + {NAME}_N"
         common = {
@@ -274,26 +190,38 @@ class _Printer:
         drive = {"tau": f"{values}DRIVE]", "phi_ddot": f"{values}DRIVE]"}
         given = common | {"V_dot": V_dot, "phi_ddot": phi_ddot, "out": "&momenta"}
         outputs = [("momentum", given)]
-        if self._layout.flywheels:
-            if self._form.inputs == "acceleration":
-                outputs.append(("torque", given | {"tau": f"{values}TORQUE]"}))
+        if flywheels:
+            outputs += [] if torque else [("torque", given | {"tau": f"{values}TORQUE]"})]
             outputs.append(("mounts", given | {"mount_wrench": f"{values}LOADS]"}))
         if self._layout.sensors:
             outputs.append(("points", given | {"out": "readings"}))
-        rates = common | {"V_dot": V_dot}
-        rates |= drive if self._rates() == "forward" else drive | {"phi_ddot": phi_ddot}
+        coupled = flywheels and torque
+        rates = common | {"V_dot": V_dot} | drive | ({"phi_ddot": phi_ddot} if coupled else {})
         step = common | drive | {"dt": "h", "order": "4", "next": "&model->x"}
         return {
-            "rates": self._call(self._rates(), rates, 17),
-            "step": self._call(self._step(), step, 45),
-            "outputs": [{"name": self._names.function(n), "text": self._call(n, inputs, 17)} for n, inputs in outputs],
+            "rates": self._call("coupled" if coupled else "forward", rates),
+            "step": self._call("step_driven" if flywheels and not torque else "step", step),
+            "outputs": [self._call(name, inputs) for name, inputs in outputs],
         }
 
-    def _call(self, function: str, known: dict[str, str], column: int) -> str:
-        lines = wrapped(call(self._names, self._generated.program.function(function), known), " " * column)
-        return "\n".join(lines).strip()
+    def _call(self, function: str, known: dict[str, str]) -> dict[str, str]:
+        """Name and text of a call."""
+        text = call(self._names, self._code.program.function(function), known)
+        return {"name": self._names.function(function), "text": text}
 
 
-def _reals(struct: Struct) -> bool:
-    """Has it any reals, or structs that have?"""
-    return any(_reals(f.type) if isinstance(f.type, Struct) else f.type is Kind.REAL for f in struct.fields)
+def _read(f: Field, member: str = "", inner: Struct | None = None) -> list[tuple[int, str]]:
+    """Number of iterations and the line that reads a member with reals, or one member of each struct of an array."""
+    type_, place = inner or f.type, f"to->{f.name}"
+    loops = f.shape if isinstance(type_, Struct) else f.shape[:-1]
+    place += "[i]" if loops else ""
+    if isinstance(type_, Struct):
+        text = f"read_{type_.name}(from, &{place}{member})"
+    else:
+        text = f"copied(from, {address(place, f.shape)}, {int(f.shape[-1]) if f.shape else 1})"
+    return [(int(loops[0]) if loops else 0, text)] if _reals(type_) else []
+
+
+def _reals(type_: Kind | Struct) -> bool:
+    """Is it a real, or has it any, or structs that have?"""
+    return any(_reals(f.type) for f in type_.fields) if isinstance(type_, Struct) else type_ is Kind.REAL

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik import __version__
 from mahovik.core.emit.generate import described
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.fmu.units import DISPLAY, NONE, Unit
@@ -23,16 +22,16 @@ OPTIONS = "-std=c99 -O2 -ffp-contract=off"
 
 @dataclass(frozen=True)
 class Description:
-    """Text of `modelDescription.xml`, and the token in it: a hash of all else that it says."""
+    """Text of `modelDescription.xml`, and the token in it: a hash of all its other content."""
 
     text: str
     token: str
 
 
 def fmu_description(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> Description:
-    """The description of an FMU of this FMI version; `step`: a communication step to begin with, s."""
+    """The description of an FMU of this FMI version; `step`: the default communication step, s."""
     render = template(f"fmu/modelDescription{version[0]}.xml.j2").render
-    known = _known(stand, form, version, compiled, step)
+    known = _facts(stand, form, version, compiled, step)
     digest = hashlib.sha256(render(**known, token="").encode("utf-8")).hexdigest()
     token = f"{{{'-'.join((digest[:8], digest[8:12], digest[12:16], digest[16:20], digest[20:32]))}}}"
     return Description(render(**known, token=token), token)
@@ -43,7 +42,7 @@ def fmu_build(stand: Stand, compiled: Sequence[str]) -> str:
     return template("fmu/buildDescription.xml.j2").render(name=stand.name, compiled=compiled, options=OPTIONS)
 
 
-def _known(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> dict[str, Any]:
+def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> dict[str, Any]:
     found = identities(stand)
     shown = [(reference, v) for reference, v in enumerate(form.variables) if v.shown]
     references = unique(form.variables)
@@ -53,17 +52,17 @@ def _known(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
     measured = {v.unit.quantity: v.unit for _, v in shown if v.unit.quantity}
     return {
         "name": stand.name,
-        "version": __version__,
         "described": described(stand),
         "structure": found.structure,
         "physics": found.physics,
         "kind": KINDS[form.kind],
         "cs": form.kind == "cs",
         "compiled": compiled,
-        "step": _text(step),
-        "units": [_unit(unit) for unit in used.values()],
+        "step": step,
+        "text": _text,
+        "units": [(unit, DISPLAY.get(unit.name, ())) for unit in used.values()],
         "types": [(unit.quantity, unit.name, _display(unit)) for unit in measured.values()],
-        "variables": [_variable(reference, v, number) for reference, v in shown],
+        "variables": [(reference, v, _initial(v), number.get(v.derivative or "")) for reference, v in shown],
         "outputs": [_unknown(v, number, True) for _, v in shown if v.causality == "output"],
         "derivatives": [_unknown(v, number, True) for _, v in shown if v.derivative is not None],
         "unknowns": [_unknown(v, number, v.direct) for _, v in shown if _unknown_at_first(v)],
@@ -75,32 +74,14 @@ def _unknown_at_first(v: Variable) -> bool:
     return v.start is None and v.causality in ("output", "local")
 
 
-def _unit(unit: Unit) -> dict[str, Any]:
-    displayed = [(name, _text(factor)) for name, factor in DISPLAY.get(unit.name, ())]
-    return {"name": unit.name, "exponents": unit.exponents, "displayed": displayed}
-
-
 def _display(unit: Unit) -> str:
     """Angles are shown in degrees, speeds in turns a minute: SI for all else."""
     return DISPLAY[unit.name][0][0] if unit.name in ("rad", "rad/s") else ""
 
 
-def _variable(reference: int, v: Variable, number: Mapping[str, int]) -> dict[str, Any]:
-    initial = "" if v.causality in ("independent", "input") else "calculated" if v.start is None else "exact"
-    return {
-        "reference": reference,
-        "name": v.name,
-        "description": v.description,
-        "causality": v.causality,
-        "variability": v.variability,
-        "initial": initial,
-        "type": v.unit.quantity,
-        "unit": "" if v.unit is NONE or v.unit.quantity else v.unit.name,
-        "least": "" if v.least is None else _text(v.least),
-        "most": "" if v.most is None else _text(v.most),
-        "start": "" if v.start is None else _text(v.start),
-        "derivative": "" if v.derivative is None else number[v.derivative],
-    }
+def _initial(v: Variable) -> str:
+    """Is the value at first given, or calculated?"""
+    return "" if v.causality in ("independent", "input") else "calculated" if v.start is None else "exact"
 
 
 def _unknown(v: Variable, number: Mapping[str, int], known: bool) -> dict[str, Any]:

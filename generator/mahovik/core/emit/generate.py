@@ -5,37 +5,32 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik import __version__
-from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
-from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import paragraph, wrapped
-from mahovik.core.emit.literal import real_literal
-from mahovik.core.emit.log_format import RESERVED
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import Statements
+from mahovik.core.emit.code import Code
+from mahovik.core.emit.layout import commented, wrapped
+from mahovik.core.emit.link import link
+from mahovik.core.emit.log_format import RESERVED, table_bytes
+from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
-from mahovik.core.emit.templates import template
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme.form import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
-from mahovik.core.program.expression import BitCast
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.restrictable import restrictable
-from mahovik.core.program.types import DOUBLE, FLOAT, Struct
-from mahovik.core.program.walk import expressions
+from mahovik.core.program.restrict import restricted
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
 
 PRECISIONS = {"double": DOUBLE, "float": FLOAT}
 """Element types that `generate` offers."""
 
 _INTERNAL = frozenset(("sums", "coupling", "schur", "inverse_work", "lane_sums", "lane_coupling", "lane_schur"))
-"""Structs of the source alone."""
+"""Structs that only the source declares."""
 
 LANES = (1, 2, 4, 8)
 """Flywheels side by side that `generate` offers."""
@@ -48,13 +43,18 @@ def host_lanes(flywheels: int) -> int:
 
 @dataclass(frozen=True)
 class Generated:
-    """A stand's program with its numbers and C text by file name; `fast`: its bits need not be the same everywhere."""
+    """A stand's program with its numbers and C text by file name.
+
+    fast   its bits need not be the same everywhere
+    only   public functions that were asked for; empty: all
+    """
 
     layout: Layout
     program: Program
     values: Values
     files: dict[str, str]
     fast: bool = False
+    only: tuple[str, ...] = ()
 
 
 def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> dict[str, str]:
@@ -62,8 +62,13 @@ def generate(stand: Stand, precision_name: str = "double", lanes: int = 1, fast:
     return generate_all(stand, precision_name, lanes, fast).files
 
 
-def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False) -> Generated:
-    """Return the files of `generate`, with the program and its numbers. `fast` changes what the header says."""
+def generate_all(
+    stand: Stand, precision_name: str = "double", lanes: int = 1, fast: bool = False, only: tuple[str, ...] = ()
+) -> Generated:
+    """Return the files of `generate`, with the program and its numbers. `fast` changes what the header says.
+
+    `only`: public functions to emit, with what they need; empty: all.
+    """
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     if lanes not in LANES:
@@ -71,89 +76,82 @@ def generate_all(stand: Stand, precision_name: str = "double", lanes: int = 1, f
     layout = Layout(structure(stand), PRECISIONS[precision_name], lanes if stand.flywheels else 1)
     program = lower_layout(layout)
     values = Values(stand, layout, program)
-    printer = _Printer(stand, layout, program, values, fast)
+    if only:
+        program = restricted(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
+    printer = _Printer(stand, layout, values, Code(program, identities(stand)), fast)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
-    return Generated(layout, program, values, files, fast)
+    return Generated(layout, program, values, files, fast, only)
+
+
+def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[str, ...]:
+    """The names. Raises UsageError for one that is no public function of the program."""
+    public = [f.name for f in program.functions if f.public]
+    for each in only:
+        if each not in public:
+            raise UsageError(f"--only {each}: the C of {name} has no such function{suggestion(each, public)}")
+    return (*only, *(("prepare_mounts",) if "mounts" in only else ()))  # which makes the table of mounts
 
 
 def internal(layout: Layout, struct: Struct) -> bool:
-    """Is a struct of the source alone? By blocks, so is the row of one flywheel."""
+    """Whether only the source declares a struct; with blocks, the row of one flywheel is such a struct."""
     return struct.name in _INTERNAL or (layout.lanes > 1 and struct is layout.row)
 
 
 class _Printer:
     """Collects the parts that the templates put in order."""
 
-    def __init__(self, stand: Stand, layout: Layout, program: Program, values: Values, fast: bool) -> None:
-        self._stand = stand
-        self._fast = fast
-        self._layout = layout
-        self._program = program
-        self._values = values
-        self._names = Names(program.name)
-        self._expressions = Expressions(self._names, program.precision)
-        self._statements = Statements(self._names, self._expressions)
-        self._restrictable = restrictable(program)
-        self._identities = identities(stand)
+    def __init__(self, stand: Stand, layout: Layout, values: Values, code: Code, fast: bool) -> None:
+        self._stand, self._layout, self._values, self._code = stand, layout, values, code
+        self._names, self._program = code.names, code.program
+        self._known = {"bodies": described(stand), "lanes": layout.lanes, "wide": layout.lanes > 1, "fast": fast}
+        self._known["link"] = link(stand.name, identities(stand), layout.precision.name, layout.lanes)
 
     def header(self) -> str:
         """The header: the manual of the generated code."""
-        public = [f for f in self._program.functions if f.public]
-        functions = public_declarations(public, self._program, self._names)
-        structs = [struct_lines(s, self._names) for s in self._program.structs if not internal(self._layout, s)]
-        return template("stand.h.j2").render(
-            **self._common(),
+        return self._code.render(
+            "stand.h.j2",
+            **self._known,
+            table_hash=f"{fnv1a(table_bytes(self._layout, self._values.table)):08x}",
             limits=self._limits(),
             statuses=statuses(self._names, self._layout),
             enums=self._enums(),
-            structs=structs,
-            externs=self._externs(),
-            functions=functions,
+            structs=self._code.structs(s for s in self._program.structs if not internal(self._layout, s)),
+            externs=[
+                (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
+                for name, struct, _, meaning in self._constants()
+            ],
+            functions=self._code.declared(self._code.public),
         )
 
     def source(self) -> str:
         """The source: routines, internal functions, public functions, tables."""
-        own = [struct_lines(s, self._names) for s in self._program.structs if internal(self._layout, s)]
-        return template("stand.c.j2").render(
-            **self._common(),
-            bits=any(isinstance(e, BitCast) for f in self._program.functions for e in expressions(f.body)),
-            internal=own,
+        labels = self._labels()
+        return self._code.render(
+            "stand.c.j2",
+            **self._known,
+            bits_of=Kind.WORD in self._code.casts,
+            real_of=Kind.REAL in self._code.casts,
+            word=self._code.words,
+            internal=self._code.structs(s for s in self._program.structs if internal(self._layout, s)),
             functions=[self._function(f) for f in self._program.functions],
-            tables=self._tables(),
+            tables=[self._code.table(name, struct, value, labels) for name, struct, value, _ in self._constants()],
         )
 
-    def _common(self) -> dict[str, Any]:
-        stand = self._stand
-        return {
-            "name": stand.name,
-            "NAME": stand.name.upper(),
-            "version": __version__,
-            "structure": self._identities.structure,
-            "physics": self._identities.physics,
-            "real": self._program.precision.name,
-            "width": self._program.precision.width,
-            "bodies": described(stand),
-            "lanes": self._layout.lanes,
-            "wide": self._layout.lanes > 1,
-            "fast": self._fast,
-        }
-
     def _limits(self) -> list[tuple[str, str, str]]:
-        precision = self._program.precision
         return [
             (
                 self._names.constant(x.name),
-                real_literal(x.value, precision),
+                self._code.real(x.value),
                 f"{x.unit}; {x.comment}" if x.unit else x.comment,
             )
-            for x in limits(precision).values()
+            for x in limits(self._code.precision).values()
         ]
 
     def _enums(self) -> list[list[str]]:
         """Enumerators of flywheels and of run-time wrenches."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
-        taken |= {"STRUCTURE", "PHYSICS", "LANES", "FAST", "H", "CODE", "CONST"} | RESERVED | OF_PROGRAMMES
+        taken |= OF_STANDS | RESERVED | OF_PROGRAMMES
         found = []
         if layout.flywheels:
             names = list(layout.structure.flywheels)
@@ -179,16 +177,9 @@ class _Printer:
         return [f"/* {comment} */", *wrapped(text, "")]
 
     def _function(self, f: Function) -> dict[str, Any]:
-        if f.public:
-            comment = paragraph(f"{f.equation or f.purpose}", "/* ", " * ")
-            comment[-1] += " */"
-        else:
-            comment = summary(f)
-        return {
-            "comment": comment,
-            "prototype": prototype(f, self._names, self._restrictable),
-            "body": [*null_check(f, self._names), *self._statements.block(f.body, "    ")],
-        }
+        """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
+        found = self._code.function(f) | {"hook": self._names.constant("SQRT") if f.name == "sqrt" else ""}
+        return found | {"comment": commented(f.equation or f.purpose)} if f.public else found
 
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""
@@ -197,40 +188,23 @@ class _Printer:
             ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
             ("default", layout.table, values.table, "what prepare makes of them"),
         ]
-        if values.options is not None:
+        if values.options is not None and layout.inverse_options in self._program.structs:
             found.append(("default_options", layout.inverse_options, values.options, "of inverse, by the stand file"))
         return found
 
-    def _externs(self) -> list[tuple[str, str]]:
-        """Declarations of the constant tables with their comments."""
-        return [
-            (f"extern const {self._names.type(struct)} {self._names.function(name)};", meaning)
-            for name, struct, _, meaning in self._constants()
-        ]
-
-    def _tables(self) -> list[dict[str, Any]]:
-        """Definitions of the constant tables."""
-        return [
-            {
-                "declaration": f"const {self._names.type(struct)} {self._names.function(name)}",
-                "lines": self._table(struct, value),
-            }
-            for name, struct, value, _ in self._constants()
-        ]
-
-    def _table(self, struct: Struct, value: dict[str, Any]) -> list[str]:
+    def _labels(self) -> dict[str, list[str]]:
+        """Names of the rows of tables."""
         stand = self._stand
-        labels = {
+        return {
             "flywheel": [s.name for s in stand.flywheels],
             "instrument": [p.name for p in stand.instruments],
             "sensor": list(self._layout.sensors),
             "frame": [stand.bodies[o.index].name for o in self._layout.own],
         }
-        return initialiser(struct, value, self._program.precision, labels)
 
 
 def described(stand: Stand) -> str:
-    """What a stand consists of: `carrier, 1 instrument, 8 flywheels`."""
+    """Bodies of a stand in words: `carrier, 1 instrument, 8 flywheels`."""
     return ", ".join(
         ["carrier", _counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
     )

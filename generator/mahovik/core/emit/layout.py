@@ -54,6 +54,12 @@ def hanging(head: str, arguments: Sequence[str], end: str = "") -> list[str]:
     return [*lines, line]
 
 
+def commented(text: str, indent: str = "") -> list[str]:
+    """Prose as a comment."""
+    lines = paragraph(text, f"{indent}/* ", f"{indent} * ")
+    return [*lines[:-1], f"{lines[-1]} */"]
+
+
 def paragraph(text: str, first: str, later: str) -> list[str]:
     """Prose as lines of at most WIDTH columns, with room for the end of a comment."""
     width = WIDTH - len(" */")

@@ -1,15 +1,15 @@
-"""Numbers as C literals: the shortest decimal that reads back to the same bits, typed."""
+"""Numbers as C literals, exact and typed: the shortest decimal that reads back to the same bits, or hexadecimal."""
 
 from __future__ import annotations
+
+from typing import Any
 
 from mahovik.core.program.types import Precision
 
 
 def real_literal(value: float, precision: Precision) -> str:
-    """`0.1`, in a float program `0.1F`. Raises ValueError for what has no literal."""
-    number = precision.scalar(value)
-    if not abs(float(number)) <= precision.largest:
-        raise ValueError(f"{value!r} has no literal in {precision.name}")
+    """`0.1`, in a float program `0.1F`. Raises ValueError for a number without a literal."""
+    number = _rounded(value, precision)
     text = str(number)
     short = f"{float(number):.16e}".split("e")
     digits = short[0].rstrip("0").rstrip(".")
@@ -20,7 +20,26 @@ def real_literal(value: float, precision: Precision) -> str:
         text = f"{digits if '.' in digits else digits + '.0'}e{int(exponent)}"
     elif "." not in text:
         text += ".0"
-    return text + ("F" if precision.name == "float" else "")
+    return text + _suffix(precision)
+
+
+def hex_literal(value: float, precision: Precision) -> str:
+    """`0x1.8p+3`, in a float program `0x1.8p+3F`. Raises ValueError for a number without a literal."""
+    head, exponent = float(_rounded(value, precision)).hex().split("p")
+    if "." in head:
+        head = head.rstrip("0").rstrip(".")
+    return f"{head}p{exponent}{_suffix(precision)}"
+
+
+def _rounded(value: float, precision: Precision) -> Any:
+    number = precision.scalar(value)
+    if not abs(float(number)) <= precision.largest:
+        raise ValueError(f"{value!r} has no literal in {precision.name}")
+    return number
+
+
+def _suffix(precision: Precision) -> str:
+    return "F" if precision.name == "float" else ""
 
 
 def word_literal(value: int) -> str:

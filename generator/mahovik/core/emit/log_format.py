@@ -1,4 +1,4 @@
-"""What a flight log is made of: the numbers that the emitted recorder writes and `mahovik replay` reads.
+"""Format of a flight log: the numbers that the emitted recorder writes and `mahovik replay` reads.
 
 The records themselves are described in the emitted header, templates/recorder.h.j2.
 """
@@ -6,14 +6,15 @@ The records themselves are described in the emitted header, templates/recorder.h
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from mahovik.core.lower.golden import fnv1a, fnv1a_words
 from mahovik.core.lower.layout import Layout
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, Struct, leaves
 
 MAGIC = b"\x89MHVK\r\n\x1a"
-"""Begins every start record. Its odd bytes show what a transfer as text has done to a log."""
+"""First bytes of a start record. They show whether a transfer as text has damaged a log."""
 
 FORMAT = 1
 STEP = 0x53
@@ -32,7 +33,7 @@ _MEMBERS = ("POSITION", "ATTITUDE", "V", "PHI", "PHI_DOT")
 
 RESERVED = frozenset(
     (
-        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORDER_TABLE", "RECORD_BYTES", "RECORD_MEMBERS"),
+        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORD_BYTES", "RECORD_MEMBERS"),
         *(
             "RECORD_STEP",
             "RECORD_REAL_BYTES",
@@ -46,23 +47,10 @@ RESERVED = frozenset(
 )
 """Names of the recorder's header and source, that no flywheel may have."""
 
-_BASIS, _PRIME, _MASK = 0x811C9DC5, 0x01000193, 0xFFFFFFFF
-
-
-def fnv1a(data: bytes) -> int:
-    """32-bit FNV-1a hash of bytes."""
-    value = _BASIS
-    for byte in data:
-        value = ((value ^ byte) * _PRIME) & _MASK
-    return value
-
 
 def state_hash(members: Sequence[bytes]) -> int:
     """Hash of a state from the bytes of its members: over their hashes, a word at a time."""
-    value = _BASIS
-    for member in members:
-        value = ((value ^ fnv1a(member)) * _PRIME) & _MASK
-    return value
+    return fnv1a_words(map(fnv1a, members))
 
 
 def logged(layout: Layout) -> tuple[Field, ...]:
@@ -73,18 +61,8 @@ def logged(layout: Layout) -> tuple[Field, ...]:
 def table_bytes(layout: Layout, table: Mapping[str, Any]) -> bytes:
     """A table, given as plain data, as a start record holds it."""
     formats = _formats(layout)
-
-    def visit(type_: Kind | Struct, shape: Sequence[Any], value: Any) -> Iterator[bytes]:
-        if shape:
-            for element in value:
-                yield from visit(type_, shape[1:], element)
-        elif isinstance(type_, Struct):
-            for f in type_.fields:
-                yield from visit(f.type, f.shape, value[f.name])
-        else:
-            yield struct.pack(formats[type_], value)
-
-    return b"".join(chunk for f in logged(layout) for chunk in visit(f.type, f.shape, table[f.name]))
+    found = (leaf for f in logged(layout) for leaf in leaves(f.type, f.shape, table[f.name]))
+    return b"".join(struct.pack(formats[kind], value) for kind, value in found)
 
 
 def table_from_bytes(layout: Layout, data: bytes, beside: Mapping[str, Any]) -> dict[str, Any]:

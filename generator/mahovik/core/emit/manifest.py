@@ -1,4 +1,4 @@
-"""manifest.json of a delivered folder: what it was made of, and the SHA-256 of every file. No dates."""
+"""manifest.json of a delivered folder: its origin, and the SHA-256 of every file. No dates."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
 NAME = "manifest.json"
-"""What it is called."""
+"""File name of the manifest."""
 
 FORMAT = 1
-"""Raised where the meaning of a key changes."""
+"""Version of the format; raised when the meaning of a key changes."""
 
 
 def digest(content: str | bytes) -> str:
@@ -49,5 +49,5 @@ def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mappi
 
 
 def as_text(content: Mapping[str, Any]) -> str:
-    """A manifest's content as it is written."""
+    """Text of a manifest's content."""
     return json.dumps(content, indent=2) + "\n"

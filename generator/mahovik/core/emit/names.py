@@ -6,14 +6,43 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.types import Kind, NamedCount, Shape, Struct
+
+RESERVED = frozenset(
+    (
+        *("H", "HPP", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "LANES", "FAST", "REAL_BYTES"),
+        *("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "CODE", "CONST", "ALIGNED"),
+        *(
+            "ALLOW_FAST_MATH",
+            "SQRT",
+            "NO_LINK_CHECK",
+            "LINK_CHECKED",
+            "SELFTEST_NO_MAIN",
+            "SELFTEST_SWEEP",
+            "SERVO_TEST_NO_MAIN",
+            "FUZZ_MAIN",
+        ),
+        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS"),
+    )
+)
+"""Names of the files beside a recorder's and a programme's, that no flywheel may have."""
+
+
+MACROS = frozenset(("I", "complex", "imaginary"))
+"""Macros of <complex.h> and <tgmath.h>, which replace every word of their spelling in what is included after them."""
+
+
+def member(name: str) -> str:
+    """Name in C of a member of a struct: `K`; `I_` for what is a macro of the standard library."""
+    return f"{name}_" if name in MACROS else name
 
 
 @dataclass(frozen=True)
 class Names:
-    """C names of a stand: `bench8_forward`, `bench8_state`, `BENCH8_N`."""
+    """C names of a stand: `bench8_forward`, `bench8_state`, `BENCH8_N`; `word`: of the type of bits."""
 
     prefix: str
+    word: str = "word"
 
     def function(self, name: str) -> str:
         return f"{self.prefix}_{name}"
@@ -27,11 +56,23 @@ class Names:
             return f"{self.prefix}_{type_.name}"
         return {
             Kind.REAL: f"{self.prefix}_real",
-            Kind.WORD: f"{self.prefix}_word",
+            Kind.WORD: f"{self.prefix}_{self.word}",
             Kind.STATUS: f"{self.prefix}_status",
             Kind.INT: "int",
             Kind.BOOL: "int",
         }[type_]
+
+    def length(self, count: int | NamedCount) -> str:
+        """A length: a named count by its name; of 0, which is any, nothing."""
+        return self.constant(count.name) if isinstance(count, NamedCount) else str(count or "")
+
+    def declaration(self, name: str, type_: Kind | Struct, shape: Shape = ()) -> str:
+        """`bench8_real F[6]`: type, name, lengths."""
+        return f"{self.type(type_)} {name}{self.lengths(shape)}"
+
+    def lengths(self, shape: Shape) -> str:
+        """`[6]`, `[BENCH8_N]`, `[]`."""
+        return "".join(f"[{self.length(count)}]" for count in shape)
 
     def enumerators(self, names: Sequence[str], taken: Iterable[str], prefix: str = "") -> list[str]:
         """Enumerators for bodies: the name in capitals; with its number where that is taken already."""

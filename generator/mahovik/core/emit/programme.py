@@ -2,40 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
-from mahovik import __version__
-from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
-from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.hexadecimal import hex_literal
+from mahovik.core.emit.calls import call
+from mahovik.core.emit.code import INDENT, Code
+from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrapped
-from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.manifest import manifest_with
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import Statements
-from mahovik.core.emit.templates import template
 from mahovik.core.lower.programme.clock import CLOCK
 from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.lower.programme.program import Course, ProgrammeProgram
-from mahovik.core.program.expression import BitCast
-from mahovik.core.program.function import Function
-from mahovik.core.program.restrictable import restrictable
-from mahovik.core.program.types import Kind, Precision, Struct
-from mahovik.core.program.walk import expressions
+from mahovik.core.program.types import Kind, numbers
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
 
 @dataclass(frozen=True)
 class Facts:
-    """What the files say and hold beside their functions.
+    """Facts and tables in the files, apart from their functions.
 
     motion     name of the required motion
     tables     part, period or duration (s) and numbers of each table
-    measured   sizes and errors of each table, as the manifest has them
+    measured   sizes and errors of each table, for the manifest
     lines      the same in words, a line each
     limit      that the error was compared with
     """
@@ -47,8 +38,14 @@ class Facts:
     limit: float
 
 
-def programme_files(stand: Stand, made: ProgrammeProgram, golden: Golden, facts: Facts) -> dict[str, str]:
-    """Text by file name; the manifest, last, has the hashes of the others."""
+def programme_files(
+    stand: Stand, made: ProgrammeProgram, golden: Golden, facts: Facts, called: str = "programme"
+) -> dict[str, str]:
+    """Text by file name; the manifest, last, has the hashes of the others.
+
+    `called`: what names of files, types and functions have after that of the stand, so that programmes can lie in one
+    image.
+    """
     printer = _Printer(stand, made, golden, facts)
     name = f"{stand.name}_programme"
     files = {
@@ -57,63 +54,75 @@ def programme_files(stand: Stand, made: ProgrammeProgram, golden: Golden, facts:
         f"{name}_test.c": printer.test(),
         f"{name}.md": printer.page(),
     }
-    return files | {f"{name}.json": printer.manifest(files)}
+    files = renamed(files, stand.name, called)
+    return files | {f"{stand.name}_{called}.json": printer.manifest(files)}
 
 
-class _Names(Names):
-    """Names of the stand, with a word type of its own: the stand's header declares none."""
+def renamed(files: dict[str, str], stand_name: str, called: str) -> dict[str, str]:
+    """The files of a programme with its name in the place of `programme`, in the names of files as well."""
+    names = {f"{stand_name}_programme": f"{stand_name}_{called}"}
+    names |= {old.upper(): new.upper() for old, new in names.items()}
+    pattern = re.compile(rf"\b({'|'.join(map(re.escape, names))})(?=_|\b)")
 
-    def type(self, type_: Kind | Struct) -> str:
-        return f"{self.prefix}_programme_word" if type_ is Kind.WORD else super().type(type_)
+    def replaced(text: str) -> str:
+        return pattern.sub(lambda found: names[found[0]], text)
+
+    return {replaced(name): replaced(text) for name, text in files.items()}
 
 
 class _Printer:
     """Collects the parts that the templates put in order."""
 
     def __init__(self, stand: Stand, made: ProgrammeProgram, golden: Golden, facts: Facts) -> None:
-        self._stand = stand
-        self._made = made
-        self._golden = golden
-        self._facts = facts
-        self._names = _Names(made.program.name)
-        self._precision: Precision = made.program.precision
-        self._statements = Statements(self._names, Expressions(self._names, self._precision))
-        self._restrictable = restrictable(made.program)
+        self._stand, self._made, self._golden, self._facts = stand, made, golden, facts
+        self._code = Code(made.program, identities(stand), word="programme_word")  # the stand's header declares none
+        self._names = self._code.names
+        form = made.courses[0].form
+        self._known = {
+            "motion": facts.motion,
+            "torque": form.torque,
+            "cyclic": form.cyclic,
+            "word": self._names.type(Kind.WORD),
+            "uses_real_of": Kind.REAL in self._code.casts,
+            "parts": [c.form.part for c in made.courses if c.form.part],
+            "method": _METHOD[form.kind],
+            "table_bytes": sum(numbers(c.form.table) for c in made.courses) * made.program.precision.width // 8,
+            "limit": f"{facts.limit:g}",
+        }
 
     def header(self) -> str:
         """The header: the manual."""
-        return template("programme.h.j2").render(
-            **self._common(),
+        sizes = [c.form.size for c in self._made.courses]
+        return self._code.render(
+            "programme.h.j2",
+            **self._known,
             spans=self._spans(),
-            counts=[
-                (self._names.constant(c.form.size.name), int(c.form.size), c.form.size.comment)
-                for c in self._made.courses
-            ],
+            counts=[(self._names.constant(size.name), int(size), size.comment) for size in sizes],
             clock=struct_lines(CLOCK, self._names),
-            functions=public_declarations(self._made.public, self._made.program, self._names),
+            functions=self._code.declared(self._made.public),
         )
 
     def source(self) -> str:
         """The source: tables, then functions."""
-        program = self._made.program
         values = {part: value for part, _, value in self._facts.tables}
-        return template("programme.c.j2").render(
-            **self._common(),
+        tables = [(c.form.table, values[c.form.part]) for c in self._made.courses]
+        return self._code.render(
+            "programme.c.j2",
+            **self._known,
             facts=[text for line in self._facts.lines for text in paragraph(line, " *   ", " *     ")],
-            limit=f"{self._facts.limit:g}",
-            structs=[struct_lines(s, self._names) for s in program.structs if s is not CLOCK],
-            tables=[self._table(c, values[c.form.part]) for c in self._made.courses],
-            functions=[self._function(f) for f in program.functions],
-            wrappers=[self._wrapper(c) for c in self._made.courses],
+            structs=self._code.structs(s for s in self._made.program.structs if s is not CLOCK),
+            tables=[self._code.table(f"{table.name}_values", table, value) for table, value in tables],
+            functions=self._code.functions + [self._wrapper(c) for c in self._made.courses],
         )
 
     def test(self) -> str:
         """The self-test: golden answers, refusals, a control loop."""
-        return template("programme_test.c.j2").render(
-            **self._common(),
+        return self._code.render(
+            "programme_test.c.j2",
+            **self._known,
             courses=[self._answers(g) for g in self._golden.courses],
-            refused=[self._hex(x) for x in REFUSED],
-            largest=real_literal(self._precision.largest, self._precision),
+            refused=[self._code.hex(x) for x in REFUSED],
+            largest=self._code.real(self._code.precision.largest),
             ticks=TICKS,
             periods=PERIODS,
             sweep=SWEEP,
@@ -121,12 +130,12 @@ class _Printer:
         )
 
     def page(self) -> str:
-        """What it is, how to use it, how good it is."""
+        """The page: contents, use and accuracy."""
         first = self._made.courses[0].form
-        return template("programme.md.j2").render(
-            **self._common(),
+        return self._code.render(
+            "programme.md.j2",
+            **self._known,
             lines=self._facts.lines,
-            limit=f"{self._facts.limit:g}",
             functions=[(self._names.function(f.name), f.purpose) for f in self._made.public],
             columns=[(f.name, f.unit, f.comment) for f in first.row.fields],
             quintic=first.kind == "quintic",
@@ -137,35 +146,9 @@ class _Printer:
         facts = self._facts
         tables = [dict(each) for each in facts.measured]
         more = {"programme": facts.motion, "tables": tables, "limit": facts.limit}
-        return manifest_with(self._stand, self._precision.name, files, more)
+        return manifest_with(self._stand, self._code.precision.name, files, more)
 
     # -- parts ---------------------------------------------------------------------------------------------------------
-
-    def _common(self) -> dict[str, Any]:
-        found, forms = identities(self._stand), [c.form for c in self._made.courses]
-        width = self._precision.width
-        return {
-            "name": self._stand.name,
-            "NAME": self._stand.name.upper(),
-            "version": __version__,
-            "structure": found.structure,
-            "physics": found.physics,
-            "motion": self._facts.motion,
-            "real": self._precision.name,
-            "real_bytes": width // 8,
-            "width": width,
-            "torque": forms[0].torque,
-            "cyclic": forms[0].cyclic,
-            "word": self._names.type(Kind.WORD),
-            "uses_real_of": any(
-                isinstance(e, BitCast) and e.kind is Kind.REAL
-                for f in self._made.program.functions
-                for e in expressions(f.body)
-            ),
-            "parts": [form.part for form in forms if form.part],
-            "method": _METHOD[forms[0].kind],
-            "table_bytes": sum(_numbers(form.table) * width // 8 for form in forms),
-        }
 
     def _spans(self) -> list[tuple[str, str, str]]:
         """Macro, value and meaning of periods and durations, in columns."""
@@ -173,43 +156,29 @@ class _Printer:
         for course, (_, span, _) in zip(self._made.courses, self._facts.tables, strict=True):
             word = "period" if course.form.cyclic else "duration"
             macro = self._names.constant(f"{course.form.prefix}{word}".upper())
-            rows.append((macro, real_literal(span, self._precision), f"s; {word}"))
+            rows.append((macro, self._code.real(span), f"s; {word}"))
         width = max(len(macro) for macro, _, _ in rows)
         return [(f"{macro:<{width}}", f"{value:<8}", words) for macro, value, words in rows]
 
-    def _table(self, course: Course, value: Mapping[str, Any]) -> dict[str, Any]:
-        table = course.form.table
-        return {
-            "declaration": f"static const {self._names.type(table)} {self._names.function(table.name)}_values",
-            "lines": initialiser(table, dict(value), self._precision, {}),
-        }
-
-    def _function(self, f: Function) -> dict[str, Any]:
-        body = [*null_check(f, self._names), *self._statements.block(f.body, "    ")]
-        return {"comment": summary(f), "prototype": prototype(f, self._names, self._restrictable), "body": body}
-
     def _wrapper(self, course: Course) -> dict[str, Any]:
-        table = f"&{self._names.function(course.form.table.name)}_values"
-        passed = ", ".join([table, *(a.name for a in course.outer.arguments)])
-        call = f"return {self._names.function(course.inner.name)}({passed});"
-        body = [*null_check(course.outer, self._names), *wrapped(call, "    ")]
-        return {"comment": summary(course.outer), "prototype": prototype(course.outer, self._names), "body": body}
+        """The public function of a course, which passes on to the one that takes the table."""
+        given = {a.name: a.name for a in course.inner.arguments}
+        given["table"] = f"&{self._names.function(course.form.table.name)}_values"
+        found = self._code.function(replace(course.outer, body=()))
+        return found | {"body": found["body"] + wrapped(f"return {call(self._names, course.inner, given)};", INDENT)}
 
     def _answers(self, golden: GoldenCourse) -> dict[str, Any]:
-        outputs = [a.name for a in golden.course.outer.arguments if a.direction != "in"]
-        rows = [wrapped(f"{{ {', '.join(map(self._hex, answer))} }},", "    ") for answer in golden.answers]
+        outer = golden.course.outer
+        rows = [wrapped(f"{{ {', '.join(map(self._code.hex, answer))} }},", INDENT) for answer in golden.answers]
         return {
-            "name": golden.course.outer.name,
-            "function": self._names.function(golden.course.outer.name),
-            "outputs": outputs,
-            "phases": [self._hex(x) for x in golden.phases],
+            "name": outer.name,
+            "function": self._names.function(outer.name),
+            "outputs": [a.name for a in outer.arguments if a.direction != "in"],
+            "phases": [self._code.hex(x) for x in golden.phases],
             "answers": [line for lines in rows for line in lines],
             "cases": len(golden.phases),
             "one": golden.course.form.cyclic,
         }
-
-    def _hex(self, value: Any) -> str:
-        return hex_literal(float(value), self._precision)
 
 
 _METHOD = {
@@ -223,16 +192,3 @@ _METHOD = {
         "sine and cosine a call, those of higher harmonics by the sum of angles."
     ),
 }
-
-
-def _numbers(struct: Struct) -> int:
-    """How many numbers a struct has."""
-    return sum(_sizes(struct))
-
-
-def _sizes(struct: Struct) -> Iterator[int]:
-    for f in struct.fields:
-        size = 1
-        for count in f.shape:
-            size *= int(count)
-        yield size * (_numbers(f.type) if isinstance(f.type, Struct) else 1)

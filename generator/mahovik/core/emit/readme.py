@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from mahovik import __version__
-from mahovik.core.emit.calls import call, declaration
+from mahovik.core.emit.calls import call
+from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import titled
 from mahovik.core.emit.eva import provable
 from mahovik.core.emit.generate import Generated, described
-from mahovik.core.emit.names import Names
+from mahovik.core.emit.recorder import recorded
 from mahovik.core.emit.status import statuses
-from mahovik.core.emit.templates import template
-from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
-from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -22,41 +17,28 @@ from mahovik.core.stand.model import Stand
 
 def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
     """Text of README.md; `batch`: of a folder with the functions for many states."""
-    program = generated.program
-    names = Names(program.name)
-    found = identities(stand)
-    lanes = generated.layout.lanes
-    forward = program.function("forward")
-    default = f"&{names.function('default')}"
-    zeroed = [a for a in forward.arguments if a.direction == "in" and not isinstance(a.type, Struct)]
-    return template("delivery.md.j2").render(
-        name=stand.name,
-        NAME=stand.name.upper(),
+    code = Code(generated.program, identities(stand))
+    names, lanes, real = code.names, generated.layout.lanes, code.precision.name
+    called = [f for f in code.public if f.name == "forward"]
+    arguments = called[0].arguments if called else ()
+    given = {a.name: a.name for a in arguments} | {"table": f"&{names.function('default')}", "x": "&x"}
+    zeroed = [a for a in arguments if a.direction == "in" and not isinstance(a.type, Struct)]
+    return code.render(
+        "delivery.md.j2",
         bodies=described(stand),
-        real=program.precision.name,
-        option="" if program.precision.name == "double" else f" --real {program.precision.name}",
-        made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}",
+        option="" if real == "double" else f" --real {real}",
+        made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}"
+        f"{f' --only {chr(44).join(generated.only)}' if generated.only else ''}",
         lanes=lanes,
         wide=lanes > 1,
         fast=generated.fast,
         batch=batch,
         proofs=provable(generated),
-        generator=f"mahovik {__version__}",
-        structure=found.structure,
-        physics=found.physics,
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
-        declarations=[_zeroed(a, names) for a in zeroed],
-        call=call(names, forward, {a.name: a.name for a in forward.arguments} | {"table": default, "x": "&x"}),
-        functions=[_row(f, program) for f in program.functions if f.public],
+        declarations=[(names.declaration(a.name, a.type, a.shape), a.unit) for a in zeroed],
+        call=call(names, called[0], given) if called else "",
+        only=generated.only,
+        recorded=recorded(generated),
+        functions=[(f.name, titled(f).replace("|", "\\|"), cost(f, code.program.functions).total) for f in code.public],
         statuses=statuses(names, generated.layout),
     )
-
-
-def _zeroed(a: Argument, names: Names) -> str:
-    unit = f"  /* {a.unit} */" if a.unit else ""
-    return f"const {declaration(names, a.name, a.type, a.shape)} = {{ 0 }};{unit}"
-
-
-def _row(function: Function, program: Program) -> dict[str, Any]:
-    purpose = titled(function).replace("|", "\\|")
-    return {"name": function.name, "purpose": purpose, "operations": cost(function, program.functions).total}

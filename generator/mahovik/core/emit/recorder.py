@@ -1,22 +1,20 @@
 """C of the flight recorder: a stand's steps, logged so that `mahovik replay` can repeat them bit for bit.
 
-What a log holds stands in the emitted header; `use/simulate/flight_log.py` reads it.
+The emitted header describes the format of a log; `use/simulate/flight_log.py` reads it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
-from mahovik import __version__
-from mahovik.core.emit.calls import INDENT, over, over_rows
+from mahovik.core.emit.calls import nested_loops, over_rows
+from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
-from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, fnv1a, logged, table_bytes
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged, table_bytes
 from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import dimensions
-from mahovik.core.emit.templates import template
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
@@ -30,42 +28,34 @@ def source_hash(files: dict[str, str], name: str) -> int:
     return fnv1a((files[f"{name}.h"] + files[f"{name}.c"]).encode("utf-8"))
 
 
+def recorded(generated: Generated) -> bool:
+    """Whether there are steps whose logs can be repeated."""
+    return not generated.fast and any(
+        f.name in ("step", "step_driven") for f in generated.program.functions if f.public
+    )
+
+
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """Header and source of the recorder, to stand beside the C of `generated`: text by file name."""
-    values = _values(stand, generated)
-    return {f"{stand.name}_recorder.{kind}": template(f"recorder.{kind}.j2").render(**values) for kind in ("h", "c")}
+    code = Code(generated.program, identities(stand))
+    values = _values(generated, code)
+    return {f"{stand.name}_recorder.{kind}": code.render(f"recorder.{kind}.j2", **values) for kind in ("h", "c")}
 
 
-def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
-    """What the templates print."""
-    layout, program, name = generated.layout, generated.program, stand.name
-    names = Names(name)
-    found = identities(stand)
-    width = program.precision.width
-    size, count, wrenches = width // 8, len(layout.structure.flywheels), len(layout.inputs)
-    members = [(f.name, dimensions(names, f.shape)[0].strip("[]")) for f in layout.state.fields]
+def _values(generated: Generated, code: Code) -> dict[str, Any]:
+    """Values of the templates beside the facts of the program."""
+    layout, program, names, name = generated.layout, generated.program, code.names, generated.program.name
+    size, count, wrenches = program.precision.width // 8, len(layout.structure.flywheels), len(layout.inputs)
+    members = [(f.name, names.length(f.shape[0])) for f in layout.state.fields]
     table = table_bytes(layout, generated.values.table)
     fixed = 7 + 9 + count * size
-    changing = (
-        size
-        + 4
-        + sum(int(f.shape[0]) for f in layout.state.fields) * size
-        + 3 * size * layout.stream
-        + (count + 7) // 8
-    )
+    state = sum(int(f.shape[0]) for f in layout.state.fields) * size
+    changing = size + 4 + state + 3 * size * layout.stream + (count + 7) // 8
     flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
     flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
     return {
-        "name": name,
-        "NAME": name.upper(),
-        "version": __version__,
-        "structure": found.structure,
-        "physics": found.physics,
         "lanes": layout.lanes,
-        "width": width,
-        "real_bytes": size,
         "source": f"{source_hash(generated.files, name):08x}",
-        "table_hash": f"{fnv1a(table):08x}",
         "table_bytes": len(table),
         "longest": fixed + changing + 6 * wrenches * size,
         "shortest": fixed,
@@ -78,7 +68,10 @@ def _values(stand: Stand, generated: Generated) -> dict[str, Any]:
         "wrenches": names.constant("WRENCHES") if wrenches else 0,
         "stream": layout.stream,
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
-        "put_functions": list(_put_functions(layout, names)),
+        "put_functions": [
+            {"struct": struct.name, "lines": [line for f in struct.fields for line in _put_statements(f, names)]}
+            for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).held()
+        ],
         "start_prototype": prototype(_start(layout), names),
         "functions": [_step(f, names) for f in program.functions if f.name in ("step", "step_driven")],
     }
@@ -94,12 +87,12 @@ def _start(layout: Layout) -> Function:
 
 
 def _step(f: Function, names: Names) -> dict[str, Any]:
-    """A step function with a log: its own result takes the place of its state."""
+    """A step function with a log: its result replaces its state."""
     state = next(a for a in f.arguments if a.name == "x")
     arguments = [a for a in f.arguments if a.name != "next"]
     arguments[arguments.index(state)] = Argument("x", state.type, (), "inout")
     taken = [a.name for a in arguments]
-    pointers = [a.name for a in arguments if a.shape or a.variable.pointer]
+    pointers = [a.name for a in arguments if (a.shape or a.variable.pointer) and not a.optional]
     condition = " || ".join(f"{p} == NULL" for p in ["log", *pointers])
     text = f"if ({condition} || log->write == NULL) {{ return {names.constant('BAD_ARGUMENT')}; }}"
     logging = Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
@@ -114,32 +107,15 @@ def _step(f: Function, names: Names) -> dict[str, Any]:
     }
 
 
-def _put_functions(layout: Layout, names: Names) -> Iterator[dict[str, Any]]:
-    """One function a struct of the table, inner ones first."""
-    table = Struct(layout.table.name, layout.table.purpose, logged(layout))
-    done: set[str] = set()
-
-    def visit(struct_: Struct) -> Iterator[dict[str, Any]]:
-        if struct_.name in done:
-            return
-        done.add(struct_.name)
-        for f in struct_.fields:
-            if isinstance(f.type, Struct):
-                yield from visit(f.type)
-        yield {"struct": struct_.name, "lines": [line for f in struct_.fields for line in _put(f, names)]}
-
-    return visit(table)
-
-
-def _put(f: Field, names: Names) -> list[str]:
+def _put_statements(f: Field, names: Names) -> list[str]:
     """Statements that write one member: rows of reals at once, integers one by one, structs by their own function."""
     place = f"from->{f.name}"
     if f.type is Kind.REAL:
         reals = names.function("record_put_reals")
-        return over_rows(names, place, f.shape, INDENT, lambda row, size: f"{reals}(page, {row}, {size});")
+        return over_rows(names, place, f.shape, lambda row, size: f"{reals}(page, {row}, {size});")
     if isinstance(f.type, Struct):
         put, given = names.function(f"record_put_{f.type.name}"), "&"
     else:
         put, given = names.function("record_put"), f"({names.function('record_word')})"
     last = "" if isinstance(f.type, Struct) else ", 4"
-    return over(names, place, f.shape, INDENT, lambda e, indent, _: [f"{indent}{put}(page, {given}{e}{last});"])
+    return nested_loops(names, place, f.shape, lambda e, _: [f"{put}(page, {given}{e}{last});"])

@@ -6,15 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from mahovik import __version__
+import numpy as np
+
 from mahovik.contract.status import status_words
+from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.hexadecimal import hex_literal
 from mahovik.core.emit.layout import wrapped
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.templates import template
-from mahovik.core.program.types import Precision
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -38,36 +36,29 @@ def replay_test(
     `function` is step or step_driven, `inputs` what it takes beside table and state, by the names of its arguments;
     `table` None is the default.
     """
-    program, layout, names = generated.program, generated.layout, Names(stand.name)
-    precision, real = program.precision, names.function("real")
-    arguments = {a.name: a for a in program.function(function).arguments}
+    code, layout = Code(generated.program, identities(stand)), generated.layout
+    names = code.names
+    arguments = {a.name: a for a in code.program.function(function).arguments}
     variables = [
-        {"type": names.type(layout.state), "name": title, "lines": _members(numbers, precision)}
+        {"declaration": names.declaration(title, layout.state), "lines": _members(numbers, code)}
         for title, numbers in (("before", before), ("after", after))
     ]
     passed = {"table": "&table" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
     for name, value in inputs.items():
         if not arguments[name].shape:
-            passed[name] = _number(value, precision) if name == "dt" else str(value)
+            passed[name] = _number(value, code) if name == "dt" else str(value)
             continue
         passed[name] = name
-        whole = name == "locked"
-        text = ", ".join(str(int(v)) if whole else _number(v, precision) for v in value)
-        declared = {"type": "int" if whole else real, "name": f"{name}[{len(value)}]", "lines": wrapped(text, "    ")}
-        variables.append(declared)
-    found = identities(stand)
-    numbers = [v for group in (before, after, _arrays(inputs)) for values in group.values() for v in values]
-    return template("replay_test.c.j2").render(
+        text = ", ".join(str(int(v)) if name == "locked" else _number(v, code) for v in value)
+        declaration = names.declaration(name, arguments[name].type, (len(value),))
+        variables.append({"declaration": declaration, "lines": wrapped(text, INDENT)})
+    numbers = [v for group in (before, after, inputs) for values in group.values() for v in np.atleast_1d(values)]
+    return code.render(
+        "replay_test.c.j2",
         file=file,
         count=count,
-        name=stand.name,
-        NAME=stand.name.upper(),
-        version=__version__,
-        structure=found.structure,
-        physics=found.physics,
-        real_bytes=precision.width // 8,
         special=not all(map(math.isfinite, numbers)),
-        table=initialiser(layout.table, dict(table), precision, {}) if table is not None else [],
+        table=initialiser(layout.table, dict(table), code.precision, {}) if table is not None else [],
         variables=variables,
         function=function,
         passed=[passed[a] for a in arguments],
@@ -76,21 +67,16 @@ def replay_test(
     )
 
 
-def _arrays(inputs: Mapping[str, Any]) -> dict[str, Sequence[float]]:
-    """Inputs as sequences of numbers."""
-    return {name: value if hasattr(value, "__len__") else [value] for name, value in inputs.items()}
-
-
-def _members(numbers: Numbers, precision: Precision) -> list[str]:
+def _members(numbers: Numbers, code: Code) -> list[str]:
     lines = []
     for name, values in numbers.items():
-        lines += wrapped(f".{name} = {{ {', '.join(_number(v, precision) for v in values)} }},", "    ")
+        lines += wrapped(f".{name} = {{ {', '.join(_number(v, code) for v in values)} }},", INDENT)
     return lines
 
 
-def _number(value: float, precision: Precision) -> str:
-    """A hexadecimal constant, or the macro of what has none."""
+def _number(value: float, code: Code) -> str:
+    """A hexadecimal constant, or the macro for infinity or NaN."""
     if math.isfinite(value):
-        return hex_literal(value, precision)
+        return code.hex(value)
     sign = "-" if math.copysign(1.0, value) < 0 else ""
     return f"{sign}{'NAN' if math.isnan(value) else 'INFINITY'}"

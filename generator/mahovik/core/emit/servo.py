@@ -6,24 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from mahovik import __version__
-from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import null_check, prototype, public_declarations, struct_lines, summary
-from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.hexadecimal import hex_literal
+from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrapped
-from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.manifest import manifest_with
-from mahovik.core.emit.names import Names
-from mahovik.core.emit.statement import Statements
-from mahovik.core.emit.templates import template
 from mahovik.core.lower.servo import golden as expected
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.lower.servo.golden import Golden
-from mahovik.core.program.expression import BitCast
-from mahovik.core.program.function import Function, Program
-from mahovik.core.program.restrictable import restrictable
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.function import Program
+from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -31,11 +21,11 @@ from mahovik.core.stand.model import Stand
 
 @dataclass(frozen=True)
 class ServoTables:
-    """The numbers of a servo, as its structs have them, and what is to be said of it.
+    """The numbers of a servo, as its structs have them, and facts for its page.
 
     gains, design    members by name; `design` None without a trim
     period           between samples, s
-    ticks, periods   so many samples are so many periods of the programme; None where no programme is known
+    ticks, periods   number of samples in a number of periods of the programme; None where no programme is known
     lines            what was computed, a line each
     loop             what the example and its page have besides
     """
@@ -80,49 +70,42 @@ def servo_program_text(
     return _Printer(stand, program, form, tables).rendered(name, **more)
 
 
-class _Names(Names):
-    """Names of the stand, with a word type of its own: the stand's header declares none."""
-
-    def type(self, type_: Kind | Struct) -> str:
-        return f"{self.prefix}_servo_word" if type_ is Kind.WORD else super().type(type_)
-
-
 class _Printer:
     """Collects the parts that the templates put in order."""
 
     def __init__(self, stand: Stand, program: Program, form: ServoForm, tables: ServoTables) -> None:
-        self._stand, self._program, self._form, self._tables = stand, program, form, tables
-        self._names = _Names(program.name)
-        self._precision = program.precision
-        self._statements = Statements(self._names, Expressions(self._names, self._precision))
-        self._restrictable = restrictable(program)
-        self._public = [f for f in program.functions if f.public]
+        self._stand, self._form, self._tables = stand, form, tables
+        self._code = Code(program, identities(stand), word="servo_word")  # the stand's header declares none
 
     def header(self) -> str:
         """The header: the manual."""
+        program, names = self._code.program, self._code.names
         return self.rendered(
             "servo.h.j2",
-            counts=[(self._names.constant(c.name), int(c), c.comment) for c in self._program.counts[1:]],
-            structs=[struct_lines(s, self._names) for s in self._program.structs],
-            functions=public_declarations(self._public, self._program, self._names),
+            counts=[(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
+            structs=self._code.structs(program.structs),
+            functions=self._code.declared(self._code.public),
         )
 
     def source(self) -> str:
         """The source: tables, then functions."""
-        cast = {e.kind for f in self._program.functions for e in expressions(f.body) if isinstance(e, BitCast)}
-        words = any(Kind.WORD in _kinds(f) for f in self._program.functions)
+        every = (e for f in self._code.program.functions for e in expressions(f.body))
+        form, tables = self._form, self._tables
+        constants = [self._code.table("servo_default", form.gains, tables.gains)]
+        if tables.design is not None:
+            constants.append(self._code.table("trim_default", form.design, tables.design))
         return self.rendered(
             "servo.c.j2",
-            uses_word=bool(cast) or words,
-            uses_bits_of=Kind.WORD in cast,
-            uses_real_of=Kind.REAL in cast,
-            tables=list(self._constants()),
-            functions=[self._function(f) for f in self._program.functions],
+            uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
+            uses_bits_of=Kind.WORD in self._code.casts,
+            uses_real_of=Kind.REAL in self._code.casts,
+            tables=constants,
+            functions=self._code.functions,
         )
 
     def test(self, golden: Golden) -> str:
         """The self-test: golden torques, long runs, refusals."""
-        rows = [wrapped(f"{{ {', '.join(map(self._hex, row))} }},", "    ") for row in golden.torques]
+        rows = [wrapped(f"{{ {', '.join(map(self._code.hex, row))} }},", INDENT) for row in golden.torques]
         return self.rendered(
             "servo_test.c.j2",
             torques=[line for lines in rows for line in lines],
@@ -131,38 +114,34 @@ class _Printer:
             seed=f"0x{expected.SEED:x}u",
             multiplier=f"{expected.MULTIPLIER}u",
             increment=f"{expected.INCREMENT}u",
+            lost=expected.LOST,
             settling=expected.SETTLING,
             window=expected.WINDOW,
-            largest={name: self._hex(value * 2.0**-23) for name, value in expected.LARGEST.items()},
-            bit=self._hex(2.0**-24),
+            largest={name: self._code.hex(value * 2.0**-23) for name, value in expected.LARGEST.items()},
+            bit=self._code.hex(2.0**-24),
             servo_hash=f"0x{golden.servo:08x}u",
             trim_hash=f"0x{golden.trim or 0:08x}u",
-            greatest=real_literal(self._precision.largest, self._precision),
+            greatest=self._code.real(self._code.precision.largest),
         )
 
     def page(self) -> str:
-        """What it is, how to use it."""
-        return self.rendered("servo.md.j2", functions=[(self._names.function(f.name), f.purpose) for f in self._public])
+        """The page: contents and use."""
+        return self.rendered(
+            "servo.md.j2", functions=[(self._code.names.function(f.name), f.purpose) for f in self._code.public]
+        )
 
     def manifest(self, files: Mapping[str, str], what: str) -> str:
         """Manifest: identity of the stand and hash of every file, without dates."""
-        return manifest_with(self._stand, self._precision.name, files, {"servo": what})
+        return manifest_with(self._stand, self._code.precision.name, files, {"servo": what})
 
     def rendered(self, name: str, **more: Any) -> str:
-        """A template with what all of them know."""
-        found, tables = identities(self._stand), self._tables
-        return template(name).render(
-            name=self._stand.name,
-            NAME=self._stand.name.upper(),
-            version=__version__,
-            structure=found.structure,
-            physics=found.physics,
-            real=self._precision.name,
-            real_bytes=self._precision.width // 8,
-            width=self._precision.width,
-            word=self._names.type(Kind.WORD),
+        """A template rendered with the values that all of them use."""
+        tables = self._tables
+        return self._code.render(
+            name,
+            word=self._code.names.type(Kind.WORD),
             trim=self._form.trim is not None,
-            period=real_literal(tables.period, self._precision),
+            period=self._code.real(tables.period),
             ticks=tables.ticks,
             periods=tables.periods,
             lines=tables.lines,
@@ -170,31 +149,3 @@ class _Printer:
             **tables.loop,
             **more,
         )
-
-    # -- parts ---------------------------------------------------------------------------------------------------------
-
-    def _constants(self) -> list[dict[str, Any]]:
-        """The gains, and the design of the trim."""
-        found = [(self._form.gains, "servo_default", dict(self._tables.gains))]
-        if self._form.trim is not None:
-            assert self._tables.design is not None
-            found.append((self._form.design, "trim_default", dict(self._tables.design)))
-        return [
-            {
-                "declaration": f"const {self._names.type(struct)} {self._names.function(name)}",
-                "lines": initialiser(struct, value, self._precision, {}),
-            }
-            for struct, name, value in found
-        ]
-
-    def _function(self, f: Function) -> dict[str, Any]:
-        body = [*null_check(f, self._names), *self._statements.block(f.body, "    ")]
-        return {"comment": summary(f), "prototype": prototype(f, self._names, self._restrictable), "body": body}
-
-    def _hex(self, value: Any) -> str:
-        return hex_literal(float(value), self._precision)
-
-
-def _kinds(function: Function) -> set[Kind]:
-    """Kinds of the expressions of a function."""
-    return {e.kind for e in expressions(function.body) if hasattr(e, "kind")}

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import WIDTH, paragraph, wrapped
+from mahovik.core.emit.layout import WIDTH, commented, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
-from mahovik.core.program.types import NamedCount
 
 _STEP = "    "
 
@@ -92,9 +91,7 @@ class Statements:
     def _initialisation(self, first: Statement, second: Statement, indent: str) -> list[str]:
         assert isinstance(first, Declare) and isinstance(second, Set)
         value = self._expressions.text(second.value)
-        return self._line(
-            f"{declared(self._names, first.variable)} = {value};", indent, first.comment or second.comment
-        )
+        return self._line(f"{self._declared(first.variable)} = {value};", indent, first.comment or second.comment)
 
     def _plain_declarations(self, body: tuple[Statement, ...], start: int) -> list[Variable]:
         found: list[Variable] = []
@@ -110,18 +107,19 @@ class Statements:
         text = self._expressions.text
         match s:
             case Note(note):
-                lines = paragraph(note, f"{indent}/* ", f"{indent} * ")
-                return [*lines[:-1], f"{lines[-1]} */"]
+                return commented(note, indent)
             case Let(variable, value, comment):
                 return self._line(
                     f"const {self._names.type(variable.type)} {variable.name} = {text(value)};", indent, comment
                 )
             case Declare(variable, comment):
-                return self._line(f"{declared(self._names, variable)};", indent, comment)
+                return self._line(f"{self._declared(variable)};", indent, comment)
             case Set():
                 return self._line(self._assignment(s), indent, s.comment)
             case Copy(target, source, comment):
-                return self._line(f"{self._whole(target)} = {self._whole(source)};", indent, comment)
+                return self._line(
+                    f"{self._expressions.place(target)} = {self._expressions.place(source)};", indent, comment
+                )
             case Do(call, comment):
                 ignored = "(void)" if call.signature.returns is not None else ""
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
@@ -141,11 +139,7 @@ class Statements:
             return lines
         if len(lines) == 1 and len(lines[0]) + len(comment) + 8 <= WIDTH:
             return [f"{lines[0]}  /* {comment} */"]
-        note = paragraph(comment, f"{indent}/* ", f"{indent} * ")
-        return [*note[:-1], f"{note[-1]} */", *lines]
-
-    def _whole(self, place: Place) -> str:
-        return self._expressions.place(place)
+        return [*commented(comment, indent), *lines]
 
     def _loop(self, s: Loop, indent: str) -> list[str]:
         i, text = s.index.name, self._expressions.text
@@ -163,18 +157,5 @@ class Statements:
             lines += [f"{indent}}} else {{", *self.block(s.otherwise, indent + _STEP)]
         return [*lines, f"{indent}}}"]
 
-
-def declared(names: Names, variable: Variable) -> str:
-    """`bench8_real F[6]`"""
-    return f"{names.type(variable.type)} {variable.name}{''.join(dimensions(names, variable.shape))}"
-
-
-def dimensions(names: Names, shape: tuple[int | NamedCount, ...]) -> list[str]:
-    """[`[6]`, `[BENCH8_N]`]; a length of 0 is any."""
-    found = []
-    for count in shape:
-        if isinstance(count, NamedCount):
-            found.append(f"[{names.constant(count.name)}]")
-        else:
-            found.append(f"[{count}]" if count else "[]")
-    return found
+    def _declared(self, variable: Variable) -> str:
+        return self._names.declaration(variable.name, variable.type, variable.shape)

@@ -22,7 +22,7 @@ def statuses(names: Names, layout: Layout) -> list[tuple[str, int, str]]:
 
 
 def _lengths(layout: Layout) -> Iterator[str]:
-    """What of this stand may have a length that it must not have."""
+    """Words for the parts of this stand whose length may be refused."""
     yield "quaternion off unit length"
     if layout.sine_input:
         yield "sine and cosine likewise"

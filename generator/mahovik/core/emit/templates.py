@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, select_autoescape
+
+from mahovik import __version__
+from mahovik.core.emit.layout import wrapped
 
 
 def folders() -> list[Path]:
@@ -16,8 +20,12 @@ def folders() -> list[Path]:
 
 @lru_cache(maxsize=1)
 def environment() -> Environment:
-    """Jinja environment: undefined names are errors; blocks are [% %] and values [= =], since C is full of braces."""
-    return Environment(
+    """Jinja environment: undefined names are errors; blocks are [% %] and values [= =], since C is full of braces.
+
+    All templates know `version`, and its three numbers as `release`. `lines|indented(4)` are lines that stand so far
+    to the right, `text|wrapped(4)` is a statement that may be long.
+    """
+    found = Environment(
         loader=FileSystemLoader(folders()),
         undefined=StrictUndefined,
         autoescape=select_autoescape(["html", "html.j2"]),
@@ -31,6 +39,11 @@ def environment() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    found.globals["version"] = __version__
+    found.globals["release"] = [int(part) for part in re.findall(r"\d+", __version__)[:3]]
+    found.filters["indented"] = lambda lines, by: "\n".join(" " * by + line for line in lines)
+    found.filters["wrapped"] = lambda text, by: "\n".join(wrapped(text, " " * by))
+    return found
 
 
 def template(name: str) -> Template:
@@ -39,7 +52,7 @@ def template(name: str) -> Template:
 
 
 def source_text(name: str) -> str:
-    """A file beside the templates as it is: what others wrote, such as the headers of a standard."""
+    """Text of a file beside the templates that is used unchanged, such as the headers of a standard."""
     loader = environment().loader
     assert loader is not None
     return loader.get_source(environment(), name)[0]

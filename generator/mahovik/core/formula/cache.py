@@ -17,6 +17,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from mahovik.errors import UsageError
+from mahovik.writing import write
+
 VARIABLE = "MAHOVIK_CACHE"
 """Environment variable with the folder of the cache; empty: no cache."""
 
@@ -24,7 +27,7 @@ _PACKAGE = Path(__file__).resolve().parents[2]
 
 
 class Cache:
-    """Formulas by call, as JSON. Read at the first question, so that a command that asks none pays nothing.
+    """Formulas by call, as JSON. Read at the first request, so that a command without formulas does not read it.
 
     `warn` gets one line if the file is damaged, which is then rebuilt.
     """
@@ -34,24 +37,25 @@ class Cache:
         self._added: dict[str, Any] = {}
 
     def get(self, key: str) -> Any:
-        """What was kept of a call; None where nothing was."""
+        """The kept result of a call, or None."""
         return self._entries.get(key)
 
     def add(self, key: str, value: Any) -> None:
-        """One more; `save` writes it."""
+        """Add a result; `save` writes it."""
         self._added[key] = value
 
     def save(self) -> None:
-        """Writes what was added to what is on disk by now. Where that cannot be done nothing is kept."""
+        """Write the added results into the file on disk; do nothing if it cannot be written."""
         path = file()
         if path is None or not self._added:
             return
-        with contextlib.suppress(OSError):
-            path.parent.mkdir(parents=True, exist_ok=True)
+        with contextlib.suppress(OSError, UsageError):
             there: dict[str, Any] = {}
             with contextlib.suppress(FileNotFoundError, ValueError):
                 there = _read(path)
-            _write(path, there | self._added)
+            entries = there | self._added
+            content = {"source": source_hash(), "digest": _digest(entries), "entries": entries}
+            write(path, json.dumps(content, separators=(",", ":"), sort_keys=True))
 
     @cached_property
     def _entries(self) -> dict[str, Any]:
@@ -122,19 +126,3 @@ def _read(path: Path) -> dict[str, Any]:
     if not isinstance(entries, dict) or content.get("digest") != _digest(entries):
         raise ValueError("changed since it was written")
     return entries
-
-
-def _write(path: Path, entries: dict[str, Any]) -> None:
-    """All or nothing."""
-    import tempfile  # only a process that has derived something needs it
-
-    content = {"source": source_hash(), "digest": _digest(entries), "entries": entries}
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.stem, suffix=".tmp")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            json.dump(content, file, separators=(",", ":"), sort_keys=True)
-        os.replace(name, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(name)
-        raise

@@ -58,13 +58,13 @@ _state = _State()
 
 
 def use_cache(warn: Callable[[str], None]) -> None:
-    """From now on formulas come from the cache on disk; `warn` gets one line if that is damaged."""
+    """Take formulas from the cache on disk from now on; `warn` gets one line if that is damaged."""
     _state.cache = Cache(warn)
     _state.known.clear()
 
 
 def without_cache() -> None:
-    """From now on everything is derived; nothing is written."""
+    """Derive everything from now on, and write nothing."""
     _state.cache = None
 
 

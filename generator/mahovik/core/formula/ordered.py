@@ -19,7 +19,7 @@ from mahovik.core.formula.tree import Formula, Matrix
 
 
 def ordered(value: Any) -> Any:
-    """What a function of derive/ returns, as formulas: of matrices, tuples, dicts and data classes each element."""
+    """Result of a function of derive/ as formulas: each element of matrices, tuples, dicts and data classes."""
     if isinstance(value, sp.MatrixBase):
         rows, columns = value.shape
         return Matrix(rows, columns, tuple(_formula(x) for x in value))

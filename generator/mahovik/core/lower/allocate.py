@@ -1,4 +1,4 @@
-"""Control allocation: a demand shared out among weighted, limited flywheels, in a fixed number of passes.
+"""Control allocation: a demand distributed among weighted, limited flywheels, in a fixed number of passes.
 
 The rows of W are orthogonal with sizes sigma (core/routines/jacobi.py); wanted is W y = r in the first `rank` rows.
 With the weights Omega, least y^T Omega y is y = Omega^-1 B^T (B Omega^-1 B^T)^-1 g r, where B = g W has scaled rows.
@@ -16,13 +16,13 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, real, select
+from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
 
 def passes(count: int) -> int:
-    """Passes for so many flywheels: each may be held once, some are freed again. Up to 64 flywheels; then no more.
+    """Number of passes for N flywheels: each may be held once, some are released again. It stops growing at 64.
 
     Measured against SciPy (tests/lower/test_inverse.py): enough for all of hundreds of random demands within limits.
     """
@@ -33,7 +33,7 @@ def solve_gram(lib: Library) -> Function:
     """z = gram^-1 z of a symmetric matrix that regularisation keeps positive definite."""
     gram = Argument("gram", Kind.REAL, (6, 6), "inout", purpose="lower triangle; becomes its Cholesky factor")
     z = Argument("z", Kind.REAL, (6,), "inout", purpose="right-hand side; becomes the solution")
-    least = Argument("least", Kind.REAL, purpose="what pivots are at least, but for rounding; greater than 0")
+    least = Argument("least", Kind.REAL, purpose="lower bound of the pivots, except for rounding; greater than 0")
     A, b = gram.place, z.place
     body = Body()
     with body.loop("j", 6) as j:
@@ -53,11 +53,10 @@ def solve_gram(lib: Library) -> Function:
         with body.loop("k", 6, start=i_ + 1) as k:
             body.add(b[i_], -(A[k][i_] * b[k]))
         body.set(b[i_], b[i_] / A[i_][i_])
-    return Function(
+    return body.function(
         "solve_gram",
         "Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place.",
         (gram, z, least),
-        body.statements,
     )
 
 
@@ -66,16 +65,16 @@ def allocate(lib: Library) -> Function:
     layout = lib.layout
     work = Argument("work", layout.inverse_work, purpose="orthogonal rows W, their sizes sigma, demand r, scale")
     options = Argument("options", layout.inverse_options, purpose="weights and limits")
-    rank = Argument("rank", Kind.INT, purpose="rows that count")
+    rank = Argument("rank", Kind.INT, purpose="number of rows used")
     limited = Argument("limited", Kind.INT, (layout.count,), "out", purpose="1 where a flywheel is held at its limit")
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     w, p, y, held = work.place, options.place, phi_ddot.place, limited.place
     last = passes(int(layout.count)) - 1
     body = Body()
     share = body.local("share", (layout.count,), comment="1/weight")
-    give = body.local("give", (layout.count,), comment="the share of flywheels that are free, 0 of those held")
-    step = body.local("step", (layout.count,), comment="what the free flywheels shall give more")
-    row = body.local("row", (6,), comment="factor of each row; 0: it does not count")
+    give = body.local("give", (layout.count,), comment="1/weight of a free flywheel, 0 for one held at its limit")
+    step = body.local("step", (layout.count,), comment="increment of the free flywheels")
+    row = body.local("row", (6,), comment="factor of each row; 0: the row is left out")
     gram = body.local("gram", (6, 6))
     z = body.local("z", (6,))
     body.note("until the end phi_ddot holds y = D phi''")
@@ -92,7 +91,7 @@ def allocate(lib: Library) -> Function:
             body.set(give[s], select(held[s] > 0, real(0), share[s]))
             body.set(most, select(give[s] > most, give[s], most))
         regular = body.let("regular", real(lib.thresholds.regular) * most)
-        least = body.let("least", select(most > 0, regular, real(1)), "keeps the diagonal positive")
+        least = body.let("least", select(most > 0, regular, real(1)), "lower bound that keeps the diagonal positive")
         _rows(body, w, rank.place, turn, row)
         _left_over(lib, body, w, y, row, z)
         _gram(lib, body, w, row, give, gram, least)
@@ -109,22 +108,24 @@ def allocate(lib: Library) -> Function:
             _clip(lib, body, w, p, y, held, step)
         with body.otherwise():
             _advance(lib, body, w, p, rank.place, y, held, step)
+    body.note("the product may round an answer that just reaches its limit beyond it; what overflows is refused later")
+    largest = lib.limits["LARGEST"].expression
     with body.loop("s", layout.count) as s:
         found = body.let("found", y[s] * w.scale[s])
         body.set(y[s], found)
-        with body.when(held[s] > 0):
+        beyond = and_(magnitude(found) > p.limit[s], magnitude(found) <= largest)
+        with body.when(or_(held[s] > 0, beyond)):
             body.set(y[s], select(found < 0, -p.limit[s], p.limit[s]))
-    return Function(
+    return body.function(
         "allocate",
-        "Shares a demand out among the flywheels: least weighted norm; what one at its limit cannot give, others do.",
+        "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share.",
         (work, options, rank, phi_ddot, limited),
-        body.statements,
         equation="(12)",
     )
 
 
 def _clip(lib: Library, body: Body, w: Place, p: Place, y: Place, held: Place, step: Place) -> None:
-    """The first answer; who passes its limit is held there."""
+    """The first answer, with flywheels beyond their limit held at it."""
     with body.loop("s", lib.layout.count) as s:
         body.set(y[s], step[s])
         with body.when(magnitude(step[s]) * w.scale[s] > p.limit[s]):
@@ -135,7 +136,7 @@ def _clip(lib: Library, body: Body, w: Place, p: Place, y: Place, held: Place, s
 
 def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place) -> None:
     """A step of the active set method."""
-    body.note("as long a step as all limits allow; the flywheel that stops it is held")
+    body.note("go as far as all limits allow; hold the flywheel that reaches its limit")
     length = body.local("length")
     body.set(length, real(1))
     stopped = body.local("stopped", (), Kind.INT)
@@ -156,7 +157,7 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
             bound = body.let("bound", p.limit[s] / w.scale[s])
             body.set(y[s], select(step[s] < 0, -bound, bound))
             body.set(held[s], integer(1))
-    body.note("after a whole step: free the held flywheel that would lower the residual most")
+    body.note("after a full step, release the held flywheel that would lower the residual most")
     with body.when(stopped < 0):
         left = body.local("left", (6,))
         wanted = body.local("wanted")
@@ -168,7 +169,7 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
                 body.add(left[i], -(w.W[i][s] * y[s]))
         best = body.local("best")
         tolerance = lib.thresholds.unreachable
-        body.set(best, real(tolerance * tolerance) * wanted, "a smaller gain is none")
+        body.set(best, real(tolerance * tolerance) * wanted, "smaller gains are ignored")
         freed = body.local("freed", (), Kind.INT)
         body.set(freed, integer(-1))
         with body.loop("s", lib.layout.count) as s, body.when(held[s] > 0):

@@ -16,7 +16,7 @@ from mahovik.core.program.widen import RESERVED, Widener
 
 @dataclass(frozen=True)
 class Batch:
-    """One function for n states: `narrow` as for one state, `wide` for a block; `each`: a table a state."""
+    """One function for n states: `narrow` as for one state, `wide` for a block; `each`: one table per state."""
 
     narrow: Function
     wide: Function

@@ -9,7 +9,6 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -23,19 +22,16 @@ def center_of_mass_velocity(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, attitude=True)
     sum_up(lib, body, table.place, x.place, seen, None)
     assert seen.C is not None
-    own = body.local("own_velocity", (3,), comment="in E1, from the momentum of the bodies without that of the fluid")
+    own = body.local("own_velocity", (3,), comment="in E1, from the momentum of the bodies, without the fluid's")
     moments = {"m": table.place.mass, "mu": seen.sums.mu, "mu_dot": seen.sums.mu_dot}
     assign(body, list(own), derived.momentum(False)[:3, :], moments | parts_of_twist(x.place.V))
     for element in own:
         body.set(element, element * table.place.mass_inverse)
     assign(body, list(out.place), derived.momentum_in_E0()[:3, :], {"C": seen.C, "p": own})
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "center_of_mass_velocity",
         "Velocity of the mass centre of all bodies, rotation of the flywheels included.",
         (table, x, out),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )

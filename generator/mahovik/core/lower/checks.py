@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
@@ -31,11 +30,10 @@ def excess(lib: Library) -> Function:
     with body.loop("i", count.place) as i:
         body.set(over, over | (largest - (bits_of(values.place[i]) & word(top - 1))))
     body.ret(over)
-    return Function(
+    return body.function(
         "excess",
         "Top bit set where a value is above the limit in magnitude, infinite or NaN: limit - |value| on the bits.",
         (values, count, limit),
-        body.statements,
         returns=Kind.WORD,
     )
 
@@ -51,14 +49,10 @@ def within(lib: Library) -> Function:
             with body.when(and_(value >= -largest, value <= largest)):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "within",
         "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
         (values, count, limit),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
     )
 
 
@@ -89,16 +83,9 @@ def check_turns(lib: Library) -> Function:
         lib.check(body, "within", given.place, lib.layout.count, real(2))
     with body.loop("s", lib.layout.count) as s:
         norm = body.let("norm2", sine.place[s] * sine.place[s] + cosine.place[s] * cosine.place[s])
-        unit = and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
-        lib.guard(body, Not(unit), "RANGE")
-    body.ret(Status("OK"))
-    return Function(
-        "check_turns",
-        "Are sines and cosines finite, and s^2 + c^2 that of a length within 1e-3 of 1?",
-        (sine, cosine),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
+        lib.check_unit(body, norm)
+    return body.checked(
+        "check_turns", "Are sines and cosines finite, and is s^2 + c^2 between 0.999^2 and 1.001^2?", (sine, cosine)
     )
 
 
@@ -121,14 +108,7 @@ def check_state(lib: Library) -> Function:
     check_within(lib, body, *parts)
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    unit = and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))
-    lib.guard(body, Not(unit), "RANGE")
-    body.ret(Status("OK"))
-    return Function(
-        "check_state",
-        "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?",
-        (x,),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
+    lib.check_unit(body, norm)
+    return body.checked(
+        "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
     )

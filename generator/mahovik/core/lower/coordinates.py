@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Status, magnitude
+from mahovik.core.program.expression import Expr, magnitude
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -24,10 +24,12 @@ def state_from_coordinates(lib: Library) -> Function:
     layout = lib.layout
     sequence = layout.structure.angles
     angles = angles_argument(lib)
-    position = Argument("position", Kind.REAL, (3,), unit="m", purpose="of O1, in E0")
+    position = Argument("position", Kind.REAL, (3,), unit="m", purpose="position of O1, in E0")
     q_dot = Argument("q_dot", Kind.REAL, (6,), unit="m/s, rad/s", purpose="rates of position and of the angles")
-    q_ddot = Argument("q_ddot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="their rates")
-    x = Argument("x", layout.state, (), "inout", purpose="its position, attitude and V are written; phases stay")
+    q_ddot = Argument("q_ddot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="rates of q_dot")
+    x = Argument(
+        "x", layout.state, (), "inout", purpose="its position, attitude and V are written; phases and speeds are kept"
+    )
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     lib.begin(body)
@@ -63,14 +65,11 @@ def state_from_coordinates(lib: Library) -> Function:
     for i in range(3):
         body.set(x.place.V[i], v[i])
         body.set(x.place.V[i + 3], omega[i])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "state_from_coordinates",
         "State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'.",
         (position, angles, q_dot, q_ddot, x, V_dot),
-        body.statements,
         equation="(10)",
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "SINGULAR_ATTITUDE"),
         public=True,
     )

@@ -23,7 +23,7 @@ from mahovik.core.program.types import Kind
 
 _DOUBLE = {"two_c2": "twice the cosine and sine of the double phase", "two_s2": ""}
 
-_PURPOSE = "the drive torque that it takes at V* = 0, phi'' = 0."
+_PURPOSE = "its drive torque at V* = 0, phi'' = 0."
 
 
 def _couple(
@@ -46,24 +46,24 @@ def _couple(
     body.note("dJ / dphi")
     slope = [body.let(f"J_p{i + 1}", translate(value, everything)) for i, value in enumerate(J_p)]
     everything |= {"J_p": slope, "mu_p": list(column)[:3], **alike}
-    if lib.layout.flywheel_buoyancy:
+    if lib.layout.flywheel_displaces:
         body.note("derivative of the displaced first moment")
         slopes = (columns["displaced_s"][i] * turn["c"] - columns["displaced_c"][i] * turn["s"] for i in range(3))
         everything["displaced_p"] = [body.let(f"displaced_p{i + 1}", slope) for i, slope in enumerate(slopes)]
-    body.set(bias, translate(derived.bias_torque(lib.layout.flywheel_buoyancy), everything))
+    body.set(bias, translate(derived.bias_torque(lib.layout.flywheel_displaces), everything))
 
 
 def _alike_arguments() -> tuple[Argument, ...]:
-    """What all flywheels share: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
+    """Quantities common to all flywheels: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
     return (
-        Argument("origin_acceleration", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, less gravity"),
+        Argument("origin_acceleration", Kind.REAL, (3,), unit="m/s2", purpose="omega x v, minus gravity"),
         Argument("spun", Kind.REAL, (6,), unit="rad2/s2", purpose="products of omega"),
         Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1"),
     )
 
 
 def _columns(lib: Library) -> tuple[str, ...]:
-    return (*COLUMNS, *(("displaced_c", "displaced_s") if lib.layout.flywheel_buoyancy else ()))
+    return (*COLUMNS, *(("displaced_c", "displaced_s") if lib.layout.flywheel_displaces else ()))
 
 
 def couple(lib: Library) -> Function:
@@ -77,12 +77,8 @@ def couple(lib: Library) -> Function:
     columns = {name: row.place.member(name) for name in _columns(lib)}
     turn: dict[str, Expr] = {"s": s.place, "c": c.place}
     _couple(lib, body, turn, columns, {a.name: a.place for a in alike}, list(out.place.I), out.place.bias)
-    return Function(
-        "couple",
-        f"Column of I of one flywheel, and {_PURPOSE}",
-        (row, s, c, *alike, out),
-        body.statements,
-        equation="(9)",
+    return body.function(
+        "couple", f"Column of I of one flywheel, and {_PURPOSE}", (row, s, c, *alike, out), equation="(9)"
     )
 
 
@@ -101,18 +97,17 @@ def couple_block(lib: Library) -> Function:
         columns = lanes.lane_columns(block.place, k, _columns(lib))
         bound = {a.name: a.place for a in alike}
         _couple(lib, body, turn, columns, bound, lanes.lane(out.place.I, k), out.place.bias[k])
-    return Function(
+    return body.function(
         "couple_block",
-        f"Columns of I of a block of flywheels, and {_PURPOSE}",
+        f"Columns of I of a block of flywheels, and of each {_PURPOSE}",
         (block, first, sine, cosine, *alike, out),
-        body.statements,
         equation="(9)",
     )
 
 
 @dataclass(frozen=True)
 class Carried:
-    """What all flywheels share: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
+    """Quantities common to all flywheels: origin_acceleration = omega x v - g (3), spun: products of omega (6)."""
 
     origin_acceleration: Place
     spun: Place
@@ -123,11 +118,11 @@ def carried(lib: Library, body: Body, seen: Scene) -> Carried:
     origin_acceleration = body.local(
         "origin_acceleration",
         (3,),
-        comment="acceleration of O1 at V* = 0, less gravity" if lib.layout.weight else "omega x v",
+        comment="acceleration of O1 at V* = 0, minus gravity" if lib.layout.weight else "omega x v",
     )
     bound = parts_of_twist(seen.V) | ({"g": seen.g} if seen.g is not None else {})
     assign(body, list(origin_acceleration), derived.origin_acceleration(lib.layout.weight), bound)
-    spun = body.local("spun", (6,), comment="J . spun = -omega . J omega / 2 for any J")
+    spun = body.local("spun", (6,), comment="six numbers: J . spun = -omega . J omega / 2 for every inertia J")
     assign(body, list(spun), derived.spin_products(), bound)
     return Carried(origin_acceleration, spun)
 

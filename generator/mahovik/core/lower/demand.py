@@ -19,7 +19,7 @@ from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.expression import Expr, Not, Place, and_, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -46,13 +46,10 @@ def factor(lib: Library) -> Function:
             with body.loop("k", j) as k:
                 body.add(rest, -(G[i][k] * G[j][k]))
             body.set(G[i][j], rest / root)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "factor",
         "Cholesky factor of the mass matrix, in place: K = G G^T.",
         (work,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -70,21 +67,22 @@ def demand(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     sum_up(lib, body, table.place, x.place, seen, None)
-    column = body.local("column", (6,), comment="I_s")
-    with body.loop("s", layout.count) as s:
-        turn = let_turn(body, seen.turns, s)
-        row = row_of(lib, body, table.place, s)
-        assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
-        with body.loop("i", 6) as i:
-            body.set(w.I[i][s], column[i])
-    F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
+    if layout.flywheels:
+        column = body.local("column", (6,), comment="I_s")
+        with body.loop("s", layout.count) as s:
+            turn = let_turn(body, seen.turns, s)
+            row = row_of(lib, body, table.place, s)
+            assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
+            with body.loop("i", 6) as i:
+                body.set(w.I[i][s], column[i])
+    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     K_rows: dict[str, Any] = carrier_binding(lib, table.place, seen.sums)
     fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
-    body.note("b = F - K V*: what the flywheels must give")
+    body.note("b = F - K V*: the wrench demanded of the flywheels")
     with body.loop("i", 6) as i:
         total: Expr = F[i]
         for j in range(6):
@@ -92,28 +90,28 @@ def demand(lib: Library) -> Function:
         body.set(w.b[i], total)
         body.set(w.r[i], total)
     lib.check(body, "factor", w)
-    with body.loop("s", layout.count) as s:
-        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
-        with body.loop("i", 6) as i:
-            body.set(w.W[i][s], w.I[i][s] * w.scale[s])
-    body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution")
+    if layout.flywheels:
+        with body.loop("s", layout.count) as s:
+            body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
+            with body.loop("i", 6) as i:
+                body.set(w.W[i][s], w.I[i][s] * w.scale[s])
+    body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution" if layout.flywheels else "r = G^-1 b")
     with body.loop("i", 6) as i:
         with body.loop("k", i) as k:
-            with body.loop("s", layout.count) as s:
-                body.add(w.W[i][s], -(w.G[i][k] * w.W[k][s]))
+            if layout.flywheels:
+                with body.loop("s", layout.count) as s:
+                    body.add(w.W[i][s], -(w.G[i][k] * w.W[k][s]))
             body.add(w.r[i], -(w.G[i][k] * w.r[k]))
         inverse = body.let("inverse", 1 / w.G[i][i])
-        with body.loop("s", layout.count) as s:
-            body.set(w.W[i][s], w.W[i][s] * inverse)
+        if layout.flywheels:
+            with body.loop("s", layout.count) as s:
+                body.set(w.W[i][s], w.W[i][s] * inverse)
         body.set(w.r[i], w.r[i] * inverse)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "demand",
-        "What (12) asks of the flywheels at a state: I, b, and both scaled to W, r.",
+        "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
         (table, x, *turns, V_dot, *wrench, work),
-        body.statements,
         equation="(12)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -140,4 +138,4 @@ def check_demand(
     for share in given:
         lib.guard(body, Not(and_(share >= 0, share <= 1)), "BAD_ARGUMENT")
     with body.loop("s", lib.layout.count) as s:
-        lib.guard(body, Not(options.weight[s] >= real(lib.thresholds.weight)), "BAD_ARGUMENT")
+        lib.guard(body, Not(options.weight[s] >= real(lib.thresholds.weight)), "RANGE")

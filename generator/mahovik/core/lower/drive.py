@@ -23,7 +23,7 @@ from mahovik.core.lower.schur import start_schur
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, Status, equal, integer, real, select
+from mahovik.core.program.expression import Place, equal, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -43,13 +43,10 @@ def torque(lib: Library, at: bool = False) -> Function:
         body.call(lib["balance"], *lib.passed("balance", **given))
     else:
         _balance(lib, body, arguments)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "torque_at" if at else "torque",
         "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
         arguments,
-        body.statements,
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         notes=AT_NOTES if at else (),
         public=True,
@@ -61,7 +58,7 @@ def balance(lib: Library) -> Function:
     arguments = _torque_arguments(lib, lib.turn_arguments())
     body = Body()
     _balance(lib, body, arguments)
-    return Function("balance", "Drive torques for a given motion, from checked inputs.", arguments, body.statements)
+    return body.function("balance", "Drive torques for a given motion, from checked inputs.", arguments)
 
 
 def _torque_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
@@ -87,7 +84,7 @@ def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
     seen = scene(lib, body, table, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
     moving = relative_rate(body, x, place["V_dot"], seen.stream)
     if layout.own_turning:
-        scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
+        scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
         for element in scratch:
             body.set(element, real(0))
         own_wrenches(lib, body, table, x, seen.turns, seen.V, wrench, scratch, seen.own)
@@ -146,7 +143,7 @@ def solve_coupled(lib: Library) -> Function:
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
     sum_up(lib, body, table.place, x.place, seen, None)
-    F = body.local("F", (6,), comment="wrench (7); then what K V* + I phi'' must equal")
+    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
@@ -156,13 +153,10 @@ def solve_coupled(lib: Library) -> Function:
     solve = _solve if layout.lanes == 1 else _solve_blocks
     solve(lib, body, table.place, seen, (tau.place, locked.place), (K, F), (V_dot.place, phi_ddot.place))
     from_stream(body, x.place, seen, V_dot.place)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "solve_coupled",
         "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
         arguments,
-        body.statements,
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -217,7 +211,7 @@ def _solve_blocks(
             body.set(load[s], real(0))
             body.set(inverse[s], real(0))
     rate = body.local("rate", (layout.room,), comment="accelerations at V* = 0")
-    parts = body.local("taken", (), layout.lane_schur, "by the flywheels, lane by lane")
+    parts = body.local("taken", (), layout.lane_schur, "terms taken away by the flywheels, lane by lane")
     body.call(lib["clear_taken"], parts)
     with lanes.blocks(lib, body) as (b, first):
         couple_blocks(lib, body, table, b, first, seen, alike, drives[b])
@@ -258,13 +252,10 @@ def coupled(lib: Library, at: bool = False) -> Function:
     body.copy_array(V_dot.place, motion)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], spins[s])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "coupled_at" if at else "coupled",
         "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first.",
         arguments,
-        body.statements,
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),
         public=True,

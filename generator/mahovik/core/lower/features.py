@@ -1,4 +1,4 @@
-"""What a stand of some structure has: flywheels, sensors, kinds of wrench. No number of a stand is in reach."""
+"""Features of a stand's structure: flywheels, sensors, kinds of wrench. No number of a stand is used."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+from mahovik.contract.laws import of_bodies, parts
 from mahovik.core.lower.law_table import LawTable
 from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.stand.structure import Structure
-from mahovik.laws import parts
 
 
 @dataclass(frozen=True)
@@ -89,14 +89,14 @@ class Features:
         found: Iterable[LawTable] = (part.LOWERING for part in parts("lower"))
         return tuple(law for law in found if law.present(self.structure))
 
-    @property
-    def buoyancy(self) -> bool:
+    @cached_property
+    def displaces(self) -> bool:
         """Any displaced mass under gravity."""
-        return self.structure.buoyancy or self.flywheel_buoyancy
+        return any(of(self.structure) for of in of_bodies("lower", "displaces"))
 
-    @property
-    def flywheel_buoyancy(self) -> bool:
-        return bool(self.structure.flywheel_buoyancy)
+    @cached_property
+    def flywheel_displaces(self) -> bool:
+        return any(of(self.structure) for of in of_bodies("lower", "flywheel_displaces"))
 
     @property
     def inputs(self) -> tuple[str, ...]:
@@ -120,24 +120,29 @@ class Features:
     def own(self) -> tuple[LocalWrenchBody, ...]:
         """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
         inputs = self.structure.wrench_inputs
-        indices = sorted({*self.structure.damped, *inputs} - {0})
+        indices = sorted({*self._damped, *inputs} - {0})
         fixed = 1 + self.instruments
         return tuple(
             LocalWrenchBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
             for i in indices
         )
 
+    @cached_property
+    def _damped(self) -> frozenset[int]:
+        """Indices of the bodies on which any damping acts."""
+        return frozenset(i for of in of_bodies("lower", "damped") for i in of(self.structure))
+
     @property
     def damped(self) -> bool:
-        return bool(self.structure.damped)
+        return bool(self._damped)
 
     @property
     def carrier_damped(self) -> bool:
-        return 0 in self.structure.damped
+        return 0 in self._damped
 
     @property
     def own_damped(self) -> bool:
-        return any(i > 0 for i in self.structure.damped)
+        return any(i > 0 for i in self._damped)
 
     @property
     def own_inputs(self) -> bool:
@@ -150,19 +155,6 @@ class Features:
     @property
     def own_fixed(self) -> bool:
         return any(o.instrument >= 0 for o in self.own)
-
-    @property
-    def linear_damping(self) -> bool:
-        return bool(self.structure.linear_damping)
-
-    @property
-    def quadratic_damping(self) -> bool:
-        return bool(self.structure.quadratic_damping)
-
-    @property
-    def terms(self) -> int:
-        """Hydrodynamic derivatives of all bodies."""
-        return sum(len(kinds) for _, kinds in self.structure.damping_terms)
 
     @property
     def attitude_needed(self) -> bool:
@@ -181,7 +173,7 @@ class Features:
 
     @property
     def sensor_count(self) -> NamedCount:
-        return NamedCount("SENSORS", len(self.sensors), "instruments and points, which measure reads")
+        return NamedCount("SENSORS", len(self.sensors), "instruments and points: those of the function points")
 
 
 def _position(index: int, indices: tuple[int, ...]) -> int:

@@ -1,4 +1,4 @@
-"""What the flywheels add at their phases: the one loop over rows that all functions share."""
+"""Terms of the flywheels at their phases: the one loop over rows that all functions share."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import FLOAT, Kind
 
 _COMMENTS = {
-    "c2": "of the double phase",
+    "c2": "cos 2 phi, then sin 2 phi",
     "s2": "",
-    "dc": "rates: d(cos phi)/dt",
+    "dc": "time derivatives: d(cos phi)/dt, ...",
     "ds": "",
     "dc2": "",
     "ds2": "",
-    "ddc": "second rates",
+    "ddc": "second time derivatives",
     "dds": "",
 }
 
@@ -79,8 +79,8 @@ def named_turns(turns: Turns) -> dict[str, Place]:
     return dict(zip(("sine", "cosine"), turns, strict=True)) if turns else {}
 
 
-AT_NOTES = ("Of given sines and cosines, used as they are: the phases of x are checked, but not used.",)
-"""What the functions say that take sines and cosines."""
+AT_NOTES = ("Takes sines and cosines of the phases and uses them as given; the phases of x are checked, but not used.",)
+"""Notes of the functions that take sines and cosines."""
 
 
 COLUMNS = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
@@ -102,11 +102,10 @@ def start_sums(lib: Library) -> Function:
     for name in ("mu_dot", "J_dot", "h_rel", "a_rel", "g_rel"):
         for element in sums.place.member(name):
             body.set(element, real(0))
-    return Function(
+    return body.function(
         "start_sums",
         "Sums of carrier, instruments and the constant part of the flywheels.",
         (table, sums),
-        body.statements,
         equation="(2)",
     )
 
@@ -155,11 +154,10 @@ def add_flywheel(lib: Library) -> Function:
     # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
     short = sums.place if lib.layout.precision is FLOAT else None
     _add_row(body, given, columns_of(row.place), targets, short)
-    return Function(
+    return body.function(
         "add_flywheel",
-        "Adds what one flywheel's row gives at its phase to the sums.",
+        "Adds the terms of one flywheel, at its phase, to the sums.",
         (row, sine, cosine, phi_dot, phi_ddot, sums),
-        body.statements,
         equation="(2), (5), (6)",
     )
 
@@ -182,11 +180,10 @@ def add_block(lib: Library) -> Function:
         targets = {f.name: lanes.lane(sums.place.member(f.name), k) for f in lib.layout.sums.fields}
         given: dict[str, Expr] = {"s": s, "c": c, "phi_dot": w, "phi_ddot": a}
         _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets)
-    return Function(
+    return body.function(
         "add_block",
-        "Adds what the rows of a block give at their phases, each to the sums of its lane; w = phi', a = phi''.",
+        "Adds the terms of a block of flywheels, each to the sums of its lane; w = phi', a = phi''.",
         (block, first, *inputs, sums),
-        body.statements,
         equation="(2), (5), (6)",
     )
 
@@ -210,7 +207,7 @@ def sum_up(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums:
             body.set(accelerations[s], real(0))
     else:
         accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
-    parts = body.local("lane", (), layout.lane_sums, "of the flywheels, lane by lane")
+    parts = body.local("lane", (), layout.lane_sums, "sums over the flywheels, lane by lane")
     body.call(lib["clear_lanes"], parts)
     with lanes.blocks(lib, body) as (b, first):
         body.call(lib["add_block"], table.block[b], first, *turns, speeds, accelerations, parts)

@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, Status, real
+from mahovik.core.program.expression import Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -21,7 +21,7 @@ STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
 
 @dataclass(frozen=True)
 class Scene:
-    """What the equations are evaluated with; None where the stand has no need of it.
+    """Inputs of the equations; None for those that the stand does not need.
 
     C attitude; V relative to the stream; stream and g (gravity) in E1; sums over all bodies; own: wrenches of the
     flywheels of their own, six numbers each; turns: sines and cosines of the phases.
@@ -143,21 +143,18 @@ def accelerate(lib: Library) -> Function:
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
-    F = body.local("F", (6,), comment="wrench (7); then what K V* must equal")
+    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
     body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
     lib.check(body, "solve_carrier", table.place, seen.sums, F, V_dot.place)
     from_stream(body, x.place, seen, V_dot.place)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "accelerate",
         "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK.",
         (table, x, *turns, *phi_ddot, *wrench, V_dot),
-        body.statements,
         equation="(8)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -185,14 +182,11 @@ def forward(lib: Library, at: bool = False) -> Function:
     inputs = [*all_turns(lib, body, x.place, turns), *places_of((*phi_ddot, *wrench))]
     lib.check(body, "accelerate", table.place, x.place, *inputs, result)
     body.copy_array(V_dot.place, result)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "forward_at" if at else "forward",
         "Acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I phi'' + J phi').",
         (table, x, *turns, *phi_ddot, *wrench, V_dot),
-        body.statements,
         equation="(8)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=AT_NOTES if at else (),
         public=True,
@@ -211,14 +205,11 @@ def wrench_function(lib: Library) -> Function:
     result = body.local("result", (6,))
     external_wrench(lib, body, table.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "wrench",
         "Total external wrench of all bodies at a state.",
         (table, x, *wrench, F),
-        body.statements,
         equation="(7)",
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )

@@ -14,7 +14,7 @@ from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, Status, magnitude, real
+from mahovik.core.program.expression import Expr, Place, magnitude, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -42,15 +42,8 @@ def quaternion(lib: Library) -> Function:
         body.call(lib["sincos"], real(0.5) * angles.place[i], s, c)
         binding |= {f"s_{name}": s, f"c_{name}": c}
     assign(body, list(attitude.place), derived.quaternion_of(lib.layout.structure.angles), binding)
-    body.ret(Status("OK"))
-    return Function(
-        "quaternion",
-        "Attitude quaternion of three angles.",
-        (angles, attitude),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=STATE_STATUSES,
-        public=True,
+    return body.checked(
+        "quaternion", "Attitude quaternion of three angles.", (angles, attitude), statuses=STATE_STATUSES, public=True
     )
 
 
@@ -69,14 +62,14 @@ def products(lib: Library) -> Function:
             body.add(J0, m.place.K[i][k] * out.place.D[k][j] + m.place.M[i][k] * out.place.A[k][j])
         body.set(out.place.I0[i][j], I0)
         body.set(out.place.J0[i][j], J0)
-    return Function("products", "I0 = K A, J0 = K D + M A.", (m, out), body.statements, equation="(11)")
+    return body.function("products", "I0 = K A, J0 = K D + M A.", (m, out), equation="(11)")
 
 
 def generalized(lib: Library) -> Function:
     """The generalized-coordinate form at a state given by angles."""
     layout = lib.layout
     table = lib.table_argument()
-    x = Argument("x", layout.state, purpose="state; its attitude is not read, the angles take its place")
+    x = Argument("x", layout.state, purpose="state; its attitude is ignored, `angles` replaces it")
     angles = angles_argument(lib)
     phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
     out = Argument("out", layout.generalized, (), "out", purpose="A, D, I0, J0, q_dot, q_ddot")
@@ -112,14 +105,11 @@ def generalized(lib: Library) -> Function:
         layout.structure.angles,
     )
     body.call(lib["products"], m, out.place)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "generalized",
         "The equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi''.",
         (table, x, angles, *phi_ddot, *wrench, out),
-        body.statements,
         equation="(10), (11)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "SINGULAR_ATTITUDE"),
         public=True,
     )

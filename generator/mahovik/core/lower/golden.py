@@ -1,12 +1,12 @@
-"""Golden vectors of the self-test: chosen inputs, and what the interpreter of the program answers to them."""
+"""Golden vectors of the self-test: chosen inputs, and the answers of the program's interpreter."""
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from math import floor, log2, prod
+from math import floor, log2
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter, filled_value
-from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.program.types import Kind, Precision, Struct, leaves, numbers
 
 LISTED = 32
 """Numbers of an answer that are listed; the rest is in its hash alone, so that the file stays small."""
@@ -30,21 +30,21 @@ SWEPT = 1
 """States of the sweep whose hash is known beforehand: one shows that the target draws what Python draws."""
 
 FAR = 1_000_000
-"""ulp; the self-test says of a distance above it only that it is `more than` that: such numbers are not neighbours."""
+"""ulp; a larger distance is only printed as `more than` this, since such numbers are not neighbours."""
 
 ACCEPTED = 65536
 """Units of a fast self-test: half the last place of the largest number of an answer. Solving for flywheels of bad
 condition (`inverse_fast`) makes a thousand of them out of rounding; what is wrong is farther off."""
 
 CASES = ("ordinary", "fast flywheels, large phases", "out of range")
-"""What the golden inputs are."""
+"""Kinds of the golden inputs."""
 
 _FNV_OFFSET, _FNV_PRIME = 2166136261, 16777619
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a function answers to one case: status, hash of status and all outputs, first outputs that are reals."""
+    """Answer of a function to one case: status, hash of status and all outputs, first outputs that are reals."""
 
     status: int
     hash: int
@@ -62,10 +62,15 @@ class Golden:
 
 
 def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
-    """The 32-bit hash FNV-1a; `start` goes on from an earlier one."""
+    """The 32-bit hash FNV-1a; `start` continues an earlier hash."""
+    return fnv1a_words(data, start)
+
+
+def fnv1a_words(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
+    """The same of numbers that may be larger than a byte."""
     found = start
-    for byte in data:
-        found = (found ^ byte) * _FNV_PRIME & 0xFFFFFFFF
+    for word in words:
+        found = (found ^ word) * _FNV_PRIME & 0xFFFFFFFF
     return found
 
 
@@ -89,15 +94,10 @@ def golden(program: Program, values: Values) -> Golden:
 
 def tested(program: Program) -> tuple[Function, ...]:
     """The public functions that are in the self-test: those with answers of at most LARGEST_ANSWER numbers."""
-
-    def size(type_: Kind | Struct, shape: tuple[Any, ...]) -> int:
-        one = sum(size(f.type, f.shape) for f in type_.fields) if isinstance(type_, Struct) else 1
-        return one * prod(int(n) for n in shape)
-
     return tuple(
         f
         for f in program.functions
-        if f.public and sum(size(a.type, a.shape) for a in f.arguments if a.direction != "in") <= LARGEST_ANSWER
+        if f.public and sum(numbers(a.type, a.shape) for a in f.arguments if a.direction != "in") <= LARGEST_ANSWER
     )
 
 
@@ -138,11 +138,11 @@ class _Player:
         self._filled = {
             name: self._interpreter.filled(structs[name], value)
             for name, value in self._constants.items()
-            if value is not None
+            if value is not None and name in structs
         }
 
     def sweep(self, states: int) -> dict[str, int]:
-        """Hashes by function over so many states."""
+        """Hashes by function over a number of states."""
         precision = self._program.precision
         generator = Generator()
         hashes = {f.name: _FNV_OFFSET for f in self.functions}
@@ -160,7 +160,7 @@ class _Player:
         return {**drawn, "parameters": parameters}
 
     def play(self, function: Function, given: Mapping[str, Any]) -> tuple[int, list[tuple[Argument, Any]]]:
-        """Status and outputs; after a refusal those alone that are inputs as well."""
+        """Status and outputs; after a refusal only the outputs that are also inputs."""
         taken = {a.name: self._taken(a, given) for a in function.arguments if a.direction != "out"}
         value, outputs = self._interpreter.run(function.name, taken)
         status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
@@ -197,29 +197,12 @@ def _scaled(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: P
 def _bytes(status: int, written: list[tuple[Argument, Any]], precision: Precision) -> bytes:
     """Bits of a status and of outputs, the lowest byte first: what is hashed."""
     real = f"<f{precision.width // 8}"
-
-    def packed(type_: Kind | Struct, shape: tuple[Any, ...], value: Any) -> bytes:
-        if not isinstance(type_, Struct):
-            return np.array(value, dtype=real if type_ is Kind.REAL else "<i4").tobytes()
-        if shape:
-            return b"".join([packed(type_, shape[1:], each) for each in value])
-        return b"".join([packed(f.type, f.shape, value[f.name]) for f in type_.fields])
-
-    return struct.pack("<i", status) + b"".join(packed(a.type, a.shape, value) for a, value in written)
+    kinds = {Kind.REAL: real, Kind.INT: "<i4"}
+    found = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
+    return struct.pack("<i", status) + b"".join(np.array(value, dtype=kinds[kind]).tobytes() for kind, value in found)
 
 
 def _reals(written: list[tuple[Argument, Any]]) -> Iterator[Any]:
     """The reals of outputs in the order in which they are hashed."""
-
-    def visit(type_: Kind | Struct, shape: tuple[Any, ...], value: Any) -> Iterator[Any]:
-        if shape:
-            for each in value:
-                yield from visit(type_, shape[1:], each)
-        elif isinstance(type_, Struct):
-            for f in type_.fields:
-                yield from visit(f.type, f.shape, value[f.name])
-        elif type_ is Kind.REAL:
-            yield value
-
-    for a, value in written:
-        yield from visit(a.type, a.shape, value)
+    found = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
+    return (value for kind, value in found if kind is Kind.REAL)

@@ -9,11 +9,11 @@ from __future__ import annotations
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import check_demand
 from mahovik.core.lower.flywheels import turns_of
-from mahovik.core.lower.forward import STATE_STATUSES
+from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, integer, or_, real, select
+from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, Status, integer, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -26,10 +26,12 @@ def inverse(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
     options = Argument(
-        "options", layout.inverse_options, purpose="weights, limits, damping; default_options has those of the stand"
+        "options",
+        layout.inverse_options,
+        purpose="weights, limits, damping; default_options holds those of the stand file",
     )
     wrench = lib.wrench_arguments()
-    out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and how good it is")
+    out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and its quality")
     o, p = out.place, options.place
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
@@ -66,14 +68,57 @@ def inverse(lib: Library) -> Function:
     return Function(
         "inverse",
         "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. "
-        "Least residual in the norm of K^-1, then least weighted phi''. What a flywheel at its limit cannot give is "
-        "shared among the others.",
+        "Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit "
+        "cannot give is shared among the others.",
         (table, x, V_dot, options, *wrench, out),
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *_POSITIVE),
-        notes=("Positive statuses are bits that may come together.",),
+        notes=("Positive statuses are bits and may be combined.",),
+        public=True,
+    )
+
+
+def inverse_alone(lib: Library) -> Function:
+    """The same of a stand without flywheels: no phi'', and all of the demand is left over."""
+    layout = lib.layout
+    table, x = lib.table_argument(), lib.state_argument()
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
+    wrench = lib.wrench_arguments()
+    out = Argument("out", layout.inverse_result, (), "out", purpose="the wrench that is missing")
+    o = out.place
+    body = Body()
+    check_inputs(lib, body, table, x, (), wrench)
+    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    work = body.local("work", (), layout.inverse_work)
+    lib.check(body, "demand", table.place, x.place, V_dot.place, *(w.place for w in wrench), work)
+    square = body.local("square")
+    body.set(square, real(0))
+    with body.loop("i", 6) as i:
+        body.add(square, work.r[i] * work.r[i])
+    wanted = body.let("wanted", square > 0)
+    with body.when(Not(wanted)):
+        body.note("nothing is demanded: any direction is as hard as another")
+        body.set(work.r[5], real(1))
+        body.set(square, real(1))
+    length = body.let("length", call(lib["sqrt"], square))
+    with body.loop("i", 6) as i:
+        body.set(o.residual[i], work.b[i])
+        body.set(o.hardest[i], real(0))
+        with body.loop("k", i + 1) as k:
+            body.add(o.hardest[i], work.G[i][k] * (work.r[k] / length))
+    body.set(o.rank, integer(0))
+    body.set(o.damped_by, real(0))
+    with body.when(wanted):
+        body.ret(Status("UNREACHABLE"))
+    return body.checked(
+        "inverse",
+        "The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V* - M V.",
+        (table, x, V_dot, *wrench, out),
+        equation="(12)",
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "UNREACHABLE"),
+        notes=("UNREACHABLE unless this wrench is zero.",),
         public=True,
     )
 
@@ -85,7 +130,7 @@ def _flag(flags: Place, name: str) -> Expr:
 
 def _sort(body: Body, work: Place) -> None:
     """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
-    body.note("descending singular values, by exchanging neighbours")
+    body.note("sort the singular values in descending order, by exchanging neighbours")
     with body.loop("pass", 5), body.loop("i", 5) as i, body.when(work.sigma[i] < work.sigma[i + 1]):
         for member in ("sigma", "r"):
             values = work.member(member)
@@ -102,7 +147,7 @@ def _sort(body: Body, work: Place) -> None:
 
 
 def _rank(lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: Place, flags: Place) -> None:
-    """Rows that count, and less asked of those that are near singular: r sigma^2 / (sigma^2 + lambda^2)."""
+    """Choose the rows used, and damp near-singular ones: r sigma^2 / (sigma^2 + lambda^2)."""
     first = work.sigma[0]
     body.set(rank, integer(0))
     body.set(damped, real(0))
@@ -140,8 +185,8 @@ def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, fl
 
 
 def _hardest(lib: Library, body: Body, o: Place, work: Place, rank: Place) -> None:
-    """The part of the demand in rows that do not count, or the row of the least singular value, as a wrench."""
-    body.note("out of reach: the demand's part in rows that do not count; without such rows the last of the others")
+    """The part of the demand in rows left out, or the row of the least singular value, as a wrench."""
+    body.note("unreachable: the demand's part in the rows left out; if no row is left out, the last row")
     part = body.local("part", (6,))
     with body.loop("i", 6) as i:
         body.set(part[i], select(i < rank, real(0), work.r[i]))
@@ -159,7 +204,7 @@ def _hardest(lib: Library, body: Body, o: Place, work: Place, rank: Place) -> No
         body.set(part[i], part[i] / largest)
         body.add(square, part[i] * part[i])
     length = body.let("length", call(lib["sqrt"], square))
-    u = body.local("u", (6,), comment="U part: of unit size in the norm of K^-1; as a wrench G u")
+    u = body.local("u", (6,), comment="U part: a unit vector in the norm of K^-1; its wrench is G u")
     with body.loop("k", 6) as k:
         body.set(u[k], real(0))
         with body.loop("i", 6) as i:

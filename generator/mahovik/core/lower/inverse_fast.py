@@ -12,7 +12,7 @@ from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, Status, integer, real
+from mahovik.core.program.expression import Not, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -25,7 +25,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
-    options = Argument("options", layout.inverse_options, purpose="weights and damping; near and limits are not read")
+    options = Argument("options", layout.inverse_options, purpose="weights and damping; `near` and limits are ignored")
     given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
@@ -62,7 +62,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
             body.set(z[i], real(0))
             with body.loop("k", 6) as k:
                 body.add(z[i], work.W[k][i] * work.r[k])
-    share = body.let("lambda2", p.damping * p.damping * trace, "damping, squared")
+    share = body.let("lambda2", p.damping * p.damping * trace, "square of the damping")
     with body.loop("i", size) as i:
         body.add(gram[i][i], share)
     _solve_gram(lib, body, gram, z, size)
@@ -74,18 +74,16 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
                 body.add(y, work.W[k][s] * z[k])
             body.set(y, y / p.weight[s])
         body.set(phi_ddot.place[s], y * work.scale[s])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "inverse_fast_at" if at else "inverse_fast",
         "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
         (table, x, *given, V_dot, options, *wrench, phi_ddot),
-        body.statements,
         equation="(12)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),
         notes=(
-            "Squares the condition: as good as inverse where singular values are within some thousands of one another;",
-            "NOT_POSITIVE_DEFINITE where they are not and damping is 0. Damping is relative to the norm of W.",
+            "Squares the condition number: as accurate as inverse if singular values differ by a factor of at most "
+            "some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
+            "Damping is relative to the norm of W.",
             *(AT_NOTES if at else ()),
         ),
         public=True,
@@ -95,7 +93,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
 def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, size: int) -> None:
     """z = gram^-1 z by a Cholesky factor in the lower triangle, in place."""
     with body.loop("j", size) as j:
-        least = body.let("least", lib.thresholds.gram_pivot * gram[j][j], "below it a pivot is rounding only")
+        least = body.let("least", lib.thresholds.gram_pivot * gram[j][j], "a pivot below this is rounding error")
         with body.loop("k", j) as k:
             body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
         lib.guard(body, Not(gram[j][j] > least), "NOT_POSITIVE_DEFINITE")

@@ -22,7 +22,7 @@ from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, Status, equal, integer, real
+from mahovik.core.program.expression import Expr, Place, equal, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -37,8 +37,10 @@ def _slopes(
     fill(body, m.K, derived_carrier.mass_matrix(layout.added_mass), binding)
     fill(body, m.K_dot, derived_carrier.mass_matrix_rate(), binding)
     body.call(lib["velocity_matrix"], seen.V, m)
-    slope = body.local("slope", (36,), comment="by V, row by row")
-    axial = body.local("axial", (6 * max(1, int(layout.count)),), comment="of own axial moments by V")
+    slope = body.local("slope", (36,), comment="derivative by V, row by row")
+    axial = body.local(
+        "axial", (6 * max(1, int(layout.count)),), comment="derivatives by V of the flywheels' own axial moments"
+    )
     named = {"table": table, "x": x, "V": seen.V, "Z": Z, "m": m, "C": seen.C, "slope": slope, "axial": axial}
     body.call(lib["twist_slope"], *lib.passed("twist_slope", **named, **{w.name: w.place for w in wrench}))
     return slope, axial
@@ -108,7 +110,7 @@ def forward_jacobian(lib: Library) -> Function:
     check_inputs(lib, body, table, x, phi_ddot, wrench)
     seen = scene(lib, body, table.place, x.place)
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
-    F = body.local("F", (6,), comment="what K V* must equal")
+    F = body.local("F", (6,), comment="right-hand side of (8)")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
     motion = body.local("V_result", (6,), comment="V_r*")
     rhs = body.local("rhs", (6,))
@@ -130,7 +132,7 @@ def forward_jacobian(lib: Library) -> Function:
             body.set(o.V_dot_V[i][j], y[i])
     _drift(body, o.V_dot_V, seen.stream)
     if layout.flywheels:
-        changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
+        changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
         with body.loop("s", layout.count) as s:
             row = row_of(lib, body, table.place, s)
             weights = _row_weights(body, x.place, seen.turns, s, phi_ddot[0].place[s])
@@ -148,16 +150,13 @@ def forward_jacobian(lib: Library) -> Function:
             solve()
             with body.loop("i", 6) as i:
                 body.set(o.V_dot_phi_ddot[i][s], y[i])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "forward_jacobian",
         "Derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude.",
         (table, x, *phi_ddot, *wrench, out),
-        body.statements,
         equation="(8)",
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        notes=("Where a damping law with magnitudes has a kink, the slope of one of its sides is given.",),
+        notes=("At a kink of a damping law with magnitudes, the derivative from one side is returned.",),
         public=True,
     )
 
@@ -207,7 +206,7 @@ def coupled_jacobian(lib: Library) -> Function:
             body.call(lib["eliminate"], drives[s].I, entry(lib, table.place, s, "spin_inv"), real(0), K, work.rhs)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
-    changes = body.local("change", (len(WEIGHTS),), comment="of the weights of a row")
+    changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
     with body.loop("s", layout.count) as s:
         row = row_of(lib, body, table.place, s)
         weights = _row_weights(body, x.place, seen.turns, s, spins[s])
@@ -228,15 +227,12 @@ def coupled_jacobian(lib: Library) -> Function:
         work.clear()
         body.set(work.twist[s], real(1))
         work.solve(o, "tau", s)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "coupled_jacobian",
         "Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.",
         (table, x, tau, locked, *wrench, out),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        notes=("Where a damping law with magnitudes has a kink, the slope of one of its sides is given.",),
+        notes=("At a kink of a damping law with magnitudes, the derivative from one side is returned.",),
         public=True,
     )
 
@@ -247,14 +243,14 @@ class _Work:
     def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, K: Place) -> None:
         self._lib, self._body, self._table, self._locked = lib, body, table, locked
         self._drives, self._K = drives, K
-        self.rhs = body.local("rhs", (6,), comment="of the carrier")
-        self.twist = body.local("drive_rhs", (lib.layout.count,), comment="of the drives")
+        self.rhs = body.local("rhs", (6,), comment="right-hand side of the carrier")
+        self.twist = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
         self._y = body.local("y", (6,))
         for element in self.rhs:
             body.set(element, real(0))
 
     def clear(self) -> None:
-        """No change of any drive's equation."""
+        """Set the right-hand sides of the drives to zero."""
         with self._body.loop("t", self._lib.layout.count) as t:
             self._body.set(self.twist[t], real(0))
 
@@ -279,7 +275,7 @@ class _Work:
 def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope: Place, axial: Place) -> None:
     """Derivatives by V."""
     layout, body = lib.layout, work._body
-    slopes_by_V = body.local("drive_slope", (layout.count, 6), comment="of the bias torques by V")
+    slopes_by_V = body.local("drive_slope", (layout.count, 6), comment="derivatives of the bias torques by V")
     slopes = body.local("J_p", (6,), comment="dJ / dphi")
     turned = body.local("turned", (3,), comment="J' omega")
     with body.loop("s", layout.count) as s:
@@ -324,7 +320,7 @@ def _torque_slope(
     assign(body, list(column), derived_rows.columns().I_prime, binding)
     bound = parts_of_twist(seen.V) | {"J_pp": tensor, "mu_pp": second, "origin_acceleration": origin_acceleration}
     total = along(list(column), motion) + translate(derived.bias_by_phase(), bound)
-    if lib.layout.flywheel_buoyancy:
+    if lib.layout.flywheel_displaces:
         assert seen.g is not None
         for i in range(3):
             sunk = row.displaced_c[i] * weights["c"] + row.displaced_s[i] * weights["s"]

@@ -45,13 +45,13 @@ def blocks(lib: Library, body: Body) -> Iterator[tuple[Place, Expr]]:
 
 
 def clear(lib: Library, name: str, struct: Struct) -> Function:
-    """All sums of all lanes to zero."""
+    """Set all sums of all lanes to zero."""
     sums = Argument("lane", struct, (), "out")
     body = Body()
     for field in struct.fields:
         with body.loop("i", field.shape[0]) as i, body.loop("k", lib.layout.lane_count) as k:
             body.set(sums.place.member(field.name)[i][k], real(0))
-    return Function(name, "Sums of the lanes to zero.", (sums,), body.statements)
+    return body.function(name, "Sets the sums of the lanes to zero.", (sums,))
 
 
 def tree(parts: Sequence[Expr]) -> Expr:
@@ -71,7 +71,7 @@ def add_lanes(lib: Library) -> Function:
     for field in layout.sums.fields:
         with body.loop("i", field.shape[0]) as i:
             body.add(sums.place.member(field.name)[i], tree(list(parts.place.member(field.name)[i])))
-    return Function("add_lanes", "Adds the sums of the lanes, in a fixed tree.", (parts, sums), body.statements)
+    return body.function("add_lanes", "Adds the sums of the lanes, in a fixed tree.", (parts, sums))
 
 
 def spread(lib: Library) -> Function:
@@ -83,8 +83,8 @@ def spread(lib: Library) -> Function:
         body.set(out.place[s], values.place[s])
     with body.loop("s", lib.layout.room, start=lib.layout.count) as s:
         body.set(out.place[s], real(0))
-    purpose = "Copies values of the flywheels; zeros up to whole blocks."
-    return Function("spread", purpose, (values, out), body.statements)
+    purpose = "Copies values of the flywheels; fills up whole blocks with zeros."
+    return body.function("spread", purpose, (values, out))
 
 
 def roomy(lib: Library, body: Body, values: Place, name: str) -> Place:
@@ -97,23 +97,23 @@ def roomy(lib: Library, body: Body, values: Place, name: str) -> Place:
 
 
 def take_row(lib: Library) -> Function:
-    """The row of one flywheel out of its block."""
+    """Takes the row of one flywheel out of its block."""
     table, s = lib.table_argument(), Argument("s", Kind.INT, purpose="its number")
     row = Argument("row", lib.layout.row, (), "out")
     body = Body()
     for target, source in _members(lib, table.place, s.place, row.place):
         body.set(target, source)
-    return Function("take_row", "The row of one flywheel out of its block.", (table, s, row), body.statements)
+    return body.function("take_row", "Takes the row of one flywheel out of its block.", (table, s, row))
 
 
 def put_row(lib: Library) -> Function:
-    """The row of one flywheel into its block."""
+    """Puts the row of one flywheel into its block."""
     table, s = Argument("table", lib.layout.table, (), "inout"), Argument("s", Kind.INT, purpose="its number")
     row = Argument("row", lib.layout.row)
     body = Body()
     for source, target in _members(lib, table.place, s.place, row.place):
         body.set(target, source)
-    return Function("put_row", "The row of one flywheel into its block.", (table, s, row), body.statements)
+    return body.function("put_row", "Puts the row of one flywheel into its block.", (table, s, row))
 
 
 def _members(lib: Library, table: Place, s: Expr, row: Place) -> Iterator[tuple[Place, Place]]:

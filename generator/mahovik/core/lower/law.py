@@ -1,4 +1,4 @@
-"""What a law of `laws/` adds to the functions of a stand's program."""
+"""Functions that a law of `laws/` adds to a stand's program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a law of `laws/` adds to the structs of a stand's program."""
+"""Struct members that a law of `laws/` adds to a stand's program."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from mahovik.core.stand.structure import Structure
 
 
 class LawTable:
-    """A law between E0 and the carrier, as far as structs know it.
+    """A law between E0 and the carrier, as far as structs are concerned.
 
     words        the law in the list of kinds of wrench
     placed       does its wrench depend on the place of O1?

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 
+from mahovik.contract.quantities import BOUNDS, short
 from mahovik.core.lower.table import Tables
 from mahovik.core.program.types import Field, Kind, Struct
 
 REAL, INT = Kind.REAL, Kind.INT
+WEIGHT = BOUNDS["MAX_WEIGHT"].value
 
 
 class Layout(Tables):
@@ -38,13 +40,13 @@ class Layout(Tables):
         )
 
     def _lanes_of(self, struct: Struct, name: str, purpose: str) -> Struct:
-        """The same members, of each lane."""
+        """The same members for each lane."""
         fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in struct.fields)
         return Struct(name, purpose, fields)
 
     @cached_property
     def lane_sums(self) -> Struct:
-        return self._lanes_of(self.sums, "lane_sums", "What the flywheels of each lane add to the sums.")
+        return self._lanes_of(self.sums, "lane_sums", "Terms of the sums that the flywheels of each lane add.")
 
     @cached_property
     def lane_coupling(self) -> Struct:
@@ -53,7 +55,9 @@ class Layout(Tables):
     @cached_property
     def lane_schur(self) -> Struct:
         elimination = Struct("", "", (*self.schur.fields, Field("F", REAL, (6,), "N, N m", "of I rate")))
-        return self._lanes_of(elimination, "lane_schur", "What eliminating the flywheels of each lane takes away.")
+        return self._lanes_of(
+            elimination, "lane_schur", "Terms of K and F that eliminating the flywheels of each lane takes away."
+        )
 
     @cached_property
     def mount(self) -> Struct:
@@ -62,17 +66,17 @@ class Layout(Tables):
             Field("first_moment", REAL, (3,), "kg m", "m rc, in Es"),
             Field("inertia", REAL, (6,), "kg m2", "about Os in Es, 11 22 33 12 13 23"),
             Field("origin", REAL, (3,), "m", "Os in E1"),
-            Field("axes", REAL, (9,), "", "of Es in E1 at phi = 0, row by row"),
+            Field("axes", REAL, (9,), "", "axes of Es in E1 at phi = 0, row by row"),
         ]
-        if self.flywheel_buoyancy:
-            fields.append(Field("displaced_mass", REAL, (), "kg", "of fluid"))
+        if self.flywheel_displaces:
+            fields.append(Field("displaced_mass", REAL, (), "kg", "mass of the displaced fluid"))
             fields.append(Field("displaced_moment", REAL, (3,), "kg m", "its first moment, in Es"))
         return Struct("mount", "One flywheel and its mounting; used by mounts only.", tuple(fields))
 
     @cached_property
     def mount_table(self) -> Struct:
         fields = (Field("flywheel", self.mount, (self.count,)),)
-        return Struct("mount_table", "Second table that mounts needs. Made by prepare_mounts.", fields)
+        return Struct("mount_table", "Second table, which the function mounts needs. Made by prepare_mounts.", fields)
 
     @cached_property
     def schur(self) -> Struct:
@@ -87,49 +91,67 @@ class Layout(Tables):
     def inverse_options(self) -> Struct:
         fields = (
             Field(
-                "weight", REAL, (self.count,), "", "of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default"
+                "weight",
+                REAL,
+                (self.count,),
+                "",
+                f"weight of each flywheel in the norm of phi'': {short(1 / WEIGHT)} to {short(WEIGHT)}, 1 by default",
             ),
-            Field("limit", REAL, (self.count,), "rad/s2", "magnitude of each phi''; greater than 0, infinity for none"),
-            Field("near", REAL, (), "", "NEAR_SINGULAR below this part of the largest singular value, 0..1"),
             Field(
-                "damping", REAL, (), "", "part of the largest singular value that damps those near zero, 0..1; 0: none"
+                "limit",
+                REAL,
+                (self.count,),
+                "rad/s2",
+                "largest magnitude of each phi''; greater than 0; infinity: no limit",
+            ),
+            Field("near", REAL, (), "", "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"),
+            Field(
+                "damping", REAL, (), "", "damping of small singular values, as a fraction of the largest, 0..1; 0: none"
             ),
         )
-        return Struct("inverse_options", "How inverse chooses among flywheels, and near singularity.", fields)
+        return Struct(
+            "inverse_options",
+            "Options of inverse: how it distributes a demand, and what it does near a singularity.",
+            fields,
+        )
 
     @cached_property
     def inverse_work(self) -> Struct:
-        fields = (
+        fields: tuple[Field, ...] = (
             Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9)"),
             Field("W", REAL, (6, self.count), "", "scaled: G^-1 I D^-1; then with orthogonal rows"),
             Field("U", REAL, (6, 6), "", "rotations of the rows"),
             Field("G", REAL, (6, 6), "", "Cholesky factor of K, lower triangle"),
-            Field("b", REAL, (6,), "N, N m", "what the flywheels must give"),
+            Field("b", REAL, (6,), "N, N m", "the wrench demanded of the flywheels"),
             Field("r", REAL, (6,), "", "scaled: G^-1 b; then U^T r"),
             Field("sigma", REAL, (6,), "", "singular values"),
             Field("scale", REAL, (self.count,), "", "D^-1"),
         )
+        if not self.flywheels:
+            fields = tuple(f for f in fields if f.name in ("G", "b", "r"))
         return Struct("inverse_work", "Scratch of inverse.", fields)
 
     @cached_property
     def inverse_result(self) -> Struct:
         least = min(6, int(self.count))
-        fields = (
+        fields: tuple[Field, ...] = (
             Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
             Field("residual", REAL, (6,), "N, N m", "F - K V* - M V - J phi' - I phi''"),
             Field("sigma", REAL, (least,), "", "singular values of K^-1/2 I Theta_ff^-1/2, descending"),
-            Field("rank", INT, (), "", "of them that count"),
-            Field("damped_by", REAL, (), "", "largest lambda applied, in units of sigma; 0: none"),
-            Field("limited", INT, (self.count,), "", "1 where the limit of a flywheel was reached"),
+            Field("rank", INT, (), "", "number of singular values above the rank threshold"),
+            Field("damped_by", REAL, (), "", "largest damping lambda applied, in units of sigma; 0: none"),
+            Field("limited", INT, (self.count,), "", "1 if the flywheel reached its limit"),
             Field(
                 "hardest",
                 REAL,
                 (6,),
                 "",
-                "wrench out of reach, or hardest to reach; of unit size in the norm of K^-1",
+                "the unreachable wrench, or the one hardest to reach; a unit vector in the norm of K^-1",
             ),
         )
-        return Struct("inverse_result", "Answer of inverse, and how good it is.", fields)
+        if not self.flywheels:
+            fields = tuple(f for f in fields if f.name in ("residual", "rank", "damped_by", "hardest"))
+        return Struct("inverse_result", "Result of inverse and its quality.", fields)
 
     @cached_property
     def forward_jacobian_result(self) -> Struct:
@@ -161,10 +183,10 @@ class Layout(Tables):
     def encoder(self) -> Struct:
         fields = (
             Field("counter", INT, (), "", "last reading"),
-            Field("place", INT, (), "", "counts in the turn, 0 to |per_turn| - 1"),
+            Field("place", INT, (), "", "counts within the turn, 0 to |per_turn| - 1"),
             Field("moved", INT, (), "", "counts between the last two readings"),
         )
-        return Struct("encoder", "An encoder whose counter wraps. Kept by accumulate.", fields)
+        return Struct("encoder", "An encoder whose counter wraps. Updated by accumulate.", fields)
 
     @cached_property
     def matrices(self) -> Struct:
@@ -181,7 +203,7 @@ class Layout(Tables):
         ]
         if self.flywheels:
             fields += [
-                Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), a column a flywheel"),
+                Field("I", REAL, (6, self.count), "kg m, kg m2", "flywheel coupling (9), one column per flywheel"),
                 Field("J", REAL, (6, self.count), "per s", "its velocity part (9)"),
             ]
         fields.append(Field("F", REAL, (6,), "N, N m", "total external wrench (7)"))
@@ -191,9 +213,9 @@ class Layout(Tables):
     def momentum(self) -> Struct:
         fields = (
             Field("Z", REAL, (6,), "kg m/s, kg m2/s", "momentum screw in E1 about O1 (2)"),
-            Field("Z0", REAL, (6,), "kg m/s, kg m2/s", "in E0 about its origin (1)"),
-            Field("energy", REAL, (), "J", "kinetic"),
-            Field("center_of_mass", REAL, (3,), "m", "of all bodies, in E1"),
+            Field("Z0", REAL, (6,), "kg m/s, kg m2/s", "momentum screw in E0 about its origin (1)"),
+            Field("energy", REAL, (), "J", "kinetic energy"),
+            Field("center_of_mass", REAL, (3,), "m", "mass centre of all bodies, in E1"),
         )
         return Struct("momentum_result", "Momentum, energy and mass centre.", fields)
 
@@ -205,7 +227,7 @@ class Layout(Tables):
             Field("I0", REAL, (6, 6), "", "K A (11)"),
             Field("J0", REAL, (6, 6), "", "K D + M A (11)"),
             Field("q_dot", REAL, (6,), "m/s, rad/s", "O1 in E0, then psi, theta, phi"),
-            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "by (11) for the given phi_ddot"),
+            Field("q_ddot", REAL, (6,), "m/s2, rad/s2", "solution of (11) for the given phi_ddot"),
         )
         return Struct(
             "generalized_result", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields

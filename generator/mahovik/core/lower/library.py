@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.limits import Limit, limits
+from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Operand, Place, Status, unequal
+from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, real, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.prune import pruned
 from mahovik.core.program.types import Kind
@@ -75,8 +75,8 @@ class Library:
 
     def locked_argument(self) -> Argument:
         """Argument: flywheels that a lock holds."""
-        purpose = "not 0: a lock holds phi'' = 0, whatever its tau"
-        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose)
+        purpose = "not 0: a lock holds phi'' = 0, whatever its tau; null: no lock"
+        return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional=True)
 
     def wrench_arguments(self) -> tuple[Argument, ...]:
         """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
@@ -99,7 +99,7 @@ class Library:
             body.ret(Status(status))
 
     def passed(self, function: str, **named: Operand | None) -> list[Operand]:
-        """The arguments of a function in its order, by name; what it has no use for is left out."""
+        """The arguments of a function in its order, by name; unused ones are left out."""
         found = [named[a.name] for a in self[function].arguments]
         if any(value is None for value in found):
             raise TypeError(f"{function} needs an argument that the caller does not give")
@@ -109,8 +109,24 @@ class Library:
         """Declares the local `status`, for `check`."""
         self._status = body.local("status", (), Kind.STATUS)
 
+    def check_number(self, body: Body, value: Expr, limit: Expr) -> None:
+        """Returns NOT_FINITE or RANGE where a number is not within a limit."""
+        given = body.local("given", (1,))
+        body.set(given[0], value)
+        self.check(body, "within", given, 1, limit)
+
+    def check_unit(self, body: Body, square: Expr) -> None:
+        """Returns RANGE where a length, given as its square, is not within 1e-3 of 1."""
+        unit = and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))
+        self.guard(body, Not(unit), "RANGE")
+
     def check(self, body: Body, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns that status where it is not OK."""
         body.set(self._status, call(self[function], *arguments))
         with body.when(unequal(self._status, Status("OK"))):
             body.ret(self._status)
+
+    def check_as(self, body: Body, status: str, function: str, *arguments: Operand) -> None:
+        """Calls a function that returns a status, and returns `status` in its place where it is not OK."""
+        body.set(self._status, call(self[function], *arguments))
+        self.guard(body, unequal(self._status, Status("OK")), status)

@@ -14,7 +14,7 @@ from mahovik.core.lower.solve import carrier_binding, parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, Status, real
+from mahovik.core.program.expression import Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -36,7 +36,7 @@ def velocity_matrix(lib: Library) -> Function:
         binding = parts_of_twist(V.place) | {"column": [K[i][j] for i in range(6)]}
         for i in range(6):
             body.set(M[i][j], translate(column[i], binding) + K_dot[i][j])
-    return Function("velocity_matrix", "M = Phi K + K*.", (V, out), body.statements, equation="(9)")
+    return body.function("velocity_matrix", "M = Phi K + K*.", (V, out), equation="(9)")
 
 
 def matrices(lib: Library) -> Function:
@@ -59,14 +59,11 @@ def matrices(lib: Library) -> Function:
     body.call(lib["velocity_matrix"], seen.V, out.place)
     if layout.flywheels:
         _columns(lib, body, table.place, x.place, seen.turns, seen.V, out.place)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "matrices",
         "The matrices of K V* + M V + I phi'' + J phi' = F at a state.",
         (table, x, *wrench, out),
-        body.statements,
         equation="(2), (6)-(9)",
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )
@@ -121,14 +118,11 @@ def momentum(lib: Library) -> Function:
     body.set(out.place.energy, energy)
     for i in range(3):
         body.set(out.place.center_of_mass[i], sums.mu[i] * table.place.mass_inverse)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "momentum",
         "Momentum screw, kinetic energy and mass centre of the whole system.",
         (table, x, out),
-        body.statements,
         equation="(1), (2)",
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )

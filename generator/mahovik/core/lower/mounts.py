@@ -19,7 +19,7 @@ from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.wrenches import own_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, Status, integer, real
+from mahovik.core.program.expression import Expr, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -30,12 +30,12 @@ def carry_twist(lib: Library) -> Function:
     V = Argument("V", Kind.REAL, (6,))
     U = Argument("U", Kind.REAL, (6,), "out", purpose="in mounting axes at Os")
     body = Body()
-    velocity = body.local("velocity", (3,), comment="of Os")
+    velocity = body.local("velocity", (3,), comment="velocity of Os")
     assign(body, list(velocity), derived_wrench.twist_at(), parts_of_twist(V.place) | {"O": mount.place.origin})
     back = derived_wrench.rotated_back()
     assign(body, list(U.place)[:3], back, {"C": mount.place.axes, "a": velocity})
     assign(body, list(U.place)[3:], back, {"C": mount.place.axes, "a": list(V.place)[3:]})
-    return Function("carry_twist", "L^T of a twist, to mounting axes at Os.", (mount, V, U), body.statements)
+    return body.function("carry_twist", "L^T V: a twist carried to Os, in mounting axes.", (mount, V, U))
 
 
 def mount_wrench(lib: Library) -> Function:
@@ -49,7 +49,14 @@ def mount_wrench(lib: Library) -> Function:
     V = Argument("V", Kind.REAL, (6,))
     V_dot = Argument("V_dot", Kind.REAL, (6,))
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    W = Argument("W", Kind.REAL, (6,), "inout", "N, N m", "in: - P_s of its own, in Es; out: in mounting axes about Os")
+    W = Argument(
+        "W",
+        Kind.REAL,
+        (6,),
+        "inout",
+        "N, N m",
+        "in: -P_s, its own external wrench, in Es; out: wrench of the mount, in mounting axes about Os",
+    )
     body = Body()
     m = mount.place
     U = body.local("U", (6,), comment="twist of the mount at Os")
@@ -75,11 +82,10 @@ def mount_wrench(lib: Library) -> Function:
     own = body.local("own", (6,), comment="in Es")
     body.copy_array(own, W.place)
     assign(body, list(W.place), derived.turned_forward(), phase | {"W": own})
-    return Function(
+    return body.function(
         "mount_wrench",
         "Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s).",
         (mount, s, c, phi_dot, phi_ddot, V, V_dot, g, W),
-        body.statements,
     )
 
 
@@ -90,7 +96,7 @@ def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], 
     assign(body, list(gm), derived_wrench.rotated_back(), {"C": m.axes, "a": g})
     six: list[Expr] = [*gm, real(0), real(0), real(0)]
     assign(body, list(gs), derived.turned_twist()[:3, :], phase | {"U": six})
-    buoyant = lib.layout.flywheel_buoyancy
+    buoyant = lib.layout.flywheel_displaces
     bound: dict[str, Any] = {"g": gs, "m": m.mass, "mu": m.first_moment}
     if buoyant:
         bound |= {"weight_mass": m.mass - m.displaced_mass, "displaced_moment": m.displaced_moment}
@@ -114,7 +120,7 @@ def mounts(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place)
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     if layout.own_turning:
-        scratch = body.local("scratch", (6,), comment="wrench on the carrier, of no use here")
+        scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
         for element in scratch:
             body.set(element, real(0))
         own_wrenches(lib, body, table.place, x.place, seen.turns, seen.V, wrench, scratch, seen.own)
@@ -134,13 +140,10 @@ def mounts(lib: Library) -> Function:
         body.call(lib["mount_wrench"], *lib.passed("mount_wrench", **named))
         with body.loop("j", 6) as j:
             body.set(out.place[s * integer(6) + j], W[j])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "mounts",
-        "Wrench of the mount on each flywheel: bearing loads, and what shakes the structure.",
+        "Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.",
         (table, mounting, x, V_dot, *phi_ddot, *wrench, out),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )
@@ -150,7 +153,7 @@ def prepare_mounts(lib: Library) -> Function:
     """The table of mounts."""
     layout = lib.layout
     parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
-    mounting = Argument("mounting", layout.mount_table, (), "out", purpose="what mounts needs")
+    mounting = Argument("mounting", layout.mount_table, (), "out", purpose="table for the function mounts")
     p, body = parameters.place, Body()
     lib.begin(body)
     lib.check(body, "check_parameters", p)
@@ -162,17 +165,14 @@ def prepare_mounts(lib: Library) -> Function:
         body.copy_array(m.inertia, w.body.inertia)
         named = {"parameters": p, "w": w, "O": m.origin, "R": m.axes}
         body.call(lib["place_flywheel"], *lib.passed("place_flywheel", **named))
-        if layout.flywheel_buoyancy:
+        if layout.flywheel_displaces:
             body.set(m.displaced_mass, w.body.displaced_mass)
             for i in range(3):
                 body.set(m.displaced_moment[i], w.body.displaced_mass * w.body.displaced_center[i])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "prepare_mounts",
-        "Makes the second table that mounts needs.",
+        "Makes the second table, which the function mounts needs.",
         (parameters, mounting),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=lib["check_parameters"].statuses,
         public=True,
     )

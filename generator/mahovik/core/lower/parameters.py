@@ -1,9 +1,9 @@
-"""What can be wrong with parameters, found before prepare writes anything.
+"""Checks of parameters, before prepare writes anything.
 
-A body can be if and only if its second moments about the centre of mass, int(x x^T) dm, are positive semidefinite. With
-J the inertia about the origin they are P = tr(J)/2 E - J - m c c^T. Their eigenvalues are half of J1 + J2 - J3 and its
-like, of the principal moments about the centre of mass: so this one condition is the triangle inequality, in any axes,
-and with it J >= 0. Added mass is positive semidefinite as it stands.
+A body can exist if and only if its second moments about the centre of mass, int(x x^T) dm, are positive semidefinite.
+With J the inertia about the origin they are P = tr(J)/2 E - J - m c c^T. Their eigenvalues are (J1 + J2 - J3)/2 and so
+on, with the principal moments about the centre of mass: so this one condition is the triangle inequality, in any axes,
+and with it J >= 0. Added mass itself must be positive semidefinite.
 
 Semidefinite to a tolerance: P + t |J| E and Lambda + t diag(Lambda) are positive definite, t of `thresholds`. The stand
 file is refused from half of that on, so whatever it takes is taken here, in float as well. The factors are L D L^T,
@@ -18,20 +18,20 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, magnitude, or_, real, select
+from mahovik.core.program.expression import Expr, Not, Place, and_, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 
 def check_body(lib: Library, struct: Struct) -> Function:
-    """Mass properties of a body that can be; `check_body` or `check_dry_body`, by the struct."""
-    buoyant = struct.field("displaced_mass") is not None
+    """Check of mass properties: can a body have them? `check_body` or `check_dry_body`, by the struct."""
     b = Argument("body", struct)
     body = Body()
     lib.begin(body)
     bound = lib.limits["MAX_PARAMETER"].expression
-    scalars = [b.place.mass] + ([b.place.displaced_mass] if buoyant else [])
-    arrays = [b.place.center_of_mass, b.place.inertia] + ([b.place.displaced_center] if buoyant else [])
+    members = [(getattr(b.place, field.name), bool(field.shape)) for field in struct.fields]
+    scalars = [place for place, is_array in members if not is_array]
+    arrays = [place for place, is_array in members if is_array]
     masses = body.local("masses", (len(scalars),))
     for target, value in zip(masses, scalars, strict=True):
         body.set(target, value)
@@ -43,7 +43,7 @@ def check_body(lib: Library, struct: Struct) -> Function:
     body.ret(call(lib["check_inertia"], b.place.mass, b.place.center_of_mass, b.place.inertia))
     return Function(
         f"check_{struct.name}",
-        "Are the mass properties finite, and those of a body that can be?",
+        "Are the mass properties finite and physically possible?",
         (b,),
         body.statements,
         returns=Kind.STATUS,
@@ -70,7 +70,7 @@ def check_inertia(lib: Library) -> Function:
         about_origin = real(0.5) * (J[(i + 1) % 3] + J[(i + 2) % 3] - J[i]) if i == j else -J[k]
         moment = about_origin - offset[i] * c[j]
         P[j, i] = body.let(f"P{i + 1}{j + 1}", moment + real(tolerance) * size if i == j else moment)
-    body.note("a point mass in its origin has none; nor has what is so small that its tolerance is no number")
+    body.note("a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows")
     none = real(lib.layout.precision.smallest / tolerance)
     largest = magnitude(offset[0] * c[0]) + magnitude(offset[1] * c[1]) + magnitude(offset[2] * c[2])
     with body.when(size + largest > none):
@@ -82,13 +82,10 @@ def check_inertia(lib: Library) -> Function:
         rest = body.let("p32", P[2, 1] - l31 * P[1, 0])
         d3 = body.let("d3", P[2, 2] - l31 * P[2, 0] - rest / d2 * rest)
         lib.guard(body, Not(d3 > 0), "NOT_POSITIVE_DEFINITE")
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "check_inertia",
         "Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia.",
         (mass, center, inertia),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -104,7 +101,7 @@ def check_added_mass(lib: Library) -> Function:
         lib.check(body, "within", m[i], 6, lib.limits["MAX_PARAMETER"].expression)
     with body.loop("i", 6) as i, body.loop("j", i) as j:
         lib.guard(body, or_(m[i][j] < m[j][i], m[i][j] > m[j][i]), "NOT_POSITIVE_DEFINITE")
-    body.note("rows of zeros, of what meets no fluid, are left out")
+    body.note("rows of zeros (directions without added mass) are left out")
     with body.loop("i", 6) as i:
         with body.loop("j", 6) as j:
             touched = or_(m[i][j] < 0, m[i][j] > 0)
@@ -121,13 +118,10 @@ def check_added_mass(lib: Library) -> Function:
         with body.when(m[i][i] > 0):
             lib.guard(body, Not(diagonal > 0), "NOT_POSITIVE_DEFINITE")
         body.set(factor[i][i], select(m[i][i] > 0, diagonal, real(1)))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "check_added_mass",
         "Is the added mass finite, symmetric to the bit and positive semidefinite?",
         (added,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -152,20 +146,17 @@ def translation_block(lib: Library) -> Function:
     r = body.let("r", 1 / d)
     for k in range(6):
         body.set(inverse.place[k], cofactor[k] * r)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "translation_block",
         "Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse.",
         (p, mass, A, inverse),
-        body.statements,
         equation="(2)",
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 
 
 def check_parameters(lib: Library) -> Function:
-    """Everything that can be wrong with parameters, before anything is written."""
+    """Check of all parameters, before anything is written."""
     layout = lib.layout
     parameters = Argument("parameters", layout.parameters)
     p = parameters.place
@@ -173,7 +164,9 @@ def check_parameters(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     total = body.local("mass")
-    size = body.local("size", comment="moment of inertia that no product of the equations may overflow")
+    size = body.local(
+        "size", comment="largest moment of inertia that products in the equations can reach; it must not overflow"
+    )
     points = len(layout.structure.points)
     if layout.flywheels or points:
         O = body.local("O", (3,))
@@ -210,14 +203,11 @@ def check_parameters(lib: Library) -> Function:
         inverse = body.local("A_inv", (6,))
         lib.check(body, "check_added_mass", p.added_mass)
         lib.check(body, "translation_block", p, total, A, inverse)
-    body.ret(Status("OK"))
     mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
-    return Function(
+    return body.checked(
         "check_parameters",
-        "Are the parameters finite, in range, their axes directions, and the bodies such that can be?",
+        "Are the parameters finite and in range, the axes nonzero, and the bodies physically possible?",
         (parameters,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts),
     )
 

@@ -1,7 +1,7 @@
 """Phases for firmware: an angle brought within half a turn, and phases and speeds of encoder counts without drift.
 
-A count is an integer and stays one: turns are taken off by integer division, so that the phase after 10^9 counts is as
-good as that after one. Every int operation here stays within 32 bits, whatever is given.
+A count is an integer and stays one: whole turns are removed by integer division, so that the phase after 10^9 counts is
+as good as that after one. Every int operation here stays within 32 bits for any input.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from mahovik.core.program.expression import (
     Expr,
     Not,
     Place,
-    Status,
     and_,
     equal,
     integer,
@@ -29,40 +28,34 @@ from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 
 MAX_COUNTS = {"double": 1 << 30, "float": 1 << 23}
-"""Counts a turn: twice as many fit an int, and a float has every integer up to 2^24."""
+"""Counts per turn: twice as many fit an int, and a float has every integer up to 2^24."""
 
 MAX_BITS = 32
 """Widest counter: an int."""
 
 
 def wrap(lib: Library) -> Function:
-    """`wrap`: the equal angle in [-pi, pi], with a status."""
+    """`wrap`: the angle wrapped to [-pi, pi], with a status."""
     precision = lib.layout.precision
     phi = Argument("phi", Kind.REAL, unit="rad", purpose="any angle within MAX_PHASE")
-    out = Argument("wrapped", Kind.REAL, (), "out", "rad", "the equal angle, in [-pi, pi]")
+    out = Argument("wrapped", Kind.REAL, (), "out", "rad", "the same angle in [-pi, pi]")
     pi = real(nearest(PI, precision))
     body = Body()
     lib.begin(body)
-    given = body.local("given", (1,))
-    body.set(given[0], phi.place)
-    lib.check(body, "within", given, 1, lib.limits["MAX_PHASE"].expression)
-    k = body.local("k", comment="turns to nearest; next to an odd multiple of pi perhaps one off")
+    lib.check_number(body, phi.place, lib.limits["MAX_PHASE"].expression)
+    k = body.local("k", comment="nearest number of turns; may be off by one next to an odd multiple of pi")
     angle = body.local("angle")
     body.set(k, routines.turns_of_angle(precision, phi.place))
     body.set(angle, call(lib["unwound"], phi.place, k))
     with body.when(or_(angle > pi, angle < -pi)):
         body.set(angle, call(lib["unwound"], phi.place, select(angle > pi, k + 1, k - 1)))
     body.set(out.place, select(angle > pi, pi, select(angle < -pi, -pi, angle)))
-    body.ret(Status("OK"))
     error = {"double": "5e-16", "float": "3e-7"}[precision.name]
-    return Function(
+    return body.checked(
         "wrap",
-        "The equal angle in [-pi, pi] (pi as the nearest real).",
+        "The angle wrapped to [-pi, pi] (pi rounded to the nearest real).",
         (phi, out),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
-        notes=(f"Error below {error} rad, modulo a turn.",),
+        notes=(f"Error below {error} rad, modulo one turn.",),
         public=True,
     )
 
@@ -70,35 +63,30 @@ def wrap(lib: Library) -> Function:
 def phase_of_counts(lib: Library) -> Function:
     """`phase_of_counts`: the phase of a count, to two units in the last place at any count."""
     precision = lib.layout.precision
-    count = Argument("count", Kind.INT, purpose="of the encoder, any; or `place` of accumulate")
+    count = Argument("count", Kind.INT, purpose="any count of the encoder; or `place` of accumulate")
     per_turn = _per_turn(lib)
-    zero = Argument("zero", Kind.REAL, purpose="count at phi = 0, at most a turn")
-    phi = Argument("phi", Kind.REAL, (), "out", "rad", "phase, in [-pi, pi] (pi as the nearest real)")
+    zero = Argument("zero", Kind.REAL, purpose="count at phi = 0, at most one turn in magnitude")
+    phi = Argument("phi", Kind.REAL, (), "out", "rad", "phase, in [-pi, pi] (pi rounded to the nearest real)")
     body = Body()
     lib.begin(body)
     turn = _size_of_turn(lib, body, per_turn.place)
     size = body.let("size", Convert(turn, Kind.REAL))
-    given = body.local("given", (1,))
-    body.set(given[0], zero.place)
-    lib.check(body, "within", given, 1, size)
-    rest = body.let("rest", _remainder(count.place, turn), "whole turns taken off")
-    place = body.local("place", comment="counts from phi = 0, then those within half a turn")
+    lib.check_number(body, zero.place, size)
+    rest = body.let("rest", _remainder(count.place, turn), "whole turns removed")
+    place = body.local("place", comment="counts from phi = 0; then reduced to within half a turn")
     body.set(place, Convert(rest, Kind.REAL) - zero.place)
     half = body.let("half", size * real(0.5))
     with body.loop("i", 2):
         body.set(place, select(place > half, place - size, select(place < -half, place + size, place)))
     body.set(phi.place, place / Convert(per_turn.place, Kind.REAL) * real(nearest(2 * PI, precision)))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "phase_of_counts",
-        "Phase of an encoder's count.",
+        "Phase for a count of an encoder.",
         (count, per_turn, zero, phi),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"),
         notes=(
-            "Error at most 2 units in the last place for whole `zero`, whatever the count: nothing drifts.",
-            "RANGE where |zero| is more than a turn.",
+            "Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.",
+            "Also returns RANGE if |zero| is more than one turn.",
         ),
         public=True,
     )
@@ -107,31 +95,26 @@ def phase_of_counts(lib: Library) -> Function:
 def speed_of_counts(lib: Library) -> Function:
     """`speed_of_counts`: mean speed over a time."""
     precision = lib.layout.precision
-    moved = Argument("moved", Kind.INT, purpose="counts in the time dt: `moved` of accumulate")
+    moved = Argument("moved", Kind.INT, purpose="counts during dt: `moved` of accumulate")
     per_turn = _per_turn(lib)
     dt = Argument("dt", Kind.REAL, unit="s", purpose="greater than 0")
-    phi_dot = Argument("phi_dot", Kind.REAL, (), "out", "rad/s", "mean speed in this time")
+    phi_dot = Argument("phi_dot", Kind.REAL, (), "out", "rad/s", "mean speed during dt")
     body = Body()
     lib.begin(body)
     _size_of_turn(lib, body, per_turn.place, used=False)
-    given = body.local("given", (1,))
-    body.set(given[0], dt.place)
-    lib.check(body, "within", given, 1, lib.limits["MAX_STEP"].expression)
+    lib.check_number(body, dt.place, lib.limits["MAX_STEP"].expression)
     lib.guard(body, Not(dt.place > 0), "BAD_ARGUMENT")
     turns = body.let("turns", Convert(moved.place, Kind.REAL) / Convert(per_turn.place, Kind.REAL))
     speed = body.let("speed", turns * real(nearest(2 * PI, precision)) / dt.place)
     limit = lib.limits["MAX_SPEED"].expression
     lib.guard(body, Not(and_(speed >= -limit, speed <= limit)), "RANGE")
     body.set(phi_dot.place, speed)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "speed_of_counts",
         "Mean speed of a flywheel from the counts of one interval.",
         (moved, per_turn, dt, phi_dot),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"),
-        notes=("RANGE also where the speed is beyond MAX_SPEED. One count more or less is 2 pi/(per_turn dt).",),
+        notes=("Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).",),
         public=True,
     )
 
@@ -140,16 +123,20 @@ def accumulate(lib: Library) -> Function:
     """`accumulate`: one reading of a counter that wraps."""
     layout = lib.layout
     encoder = Argument(
-        "encoder", layout.encoder, (), "inout", purpose="begin with the first reading, place: counts within the turn"
+        "encoder",
+        layout.encoder,
+        (),
+        "inout",
+        purpose="start with counter = first reading, place = its counts within the turn",
     )
-    counter = Argument("counter", Kind.INT, purpose="as it is read; of 32 bits: as signed")
-    bits = Argument("bits", Kind.INT, purpose="of the counter, 2 to 32; 0: it counts 0 to per_turn - 1")
+    counter = Argument("counter", Kind.INT, purpose="counter as read; a 32-bit counter as a signed number")
+    bits = Argument("bits", Kind.INT, purpose="width of the counter, 2 to 32; 0: it counts 0 to per_turn - 1")
     per_turn = _per_turn(lib)
     e = encoder.place
     body = Body()
     turn = _size_of_turn(lib, body, per_turn.place)
     lib.guard(body, Not(and_(e.place >= 0, e.place < turn)), "BAD_ARGUMENT")
-    moved = body.local("moved", (), Kind.INT, "counts since the last reading: the shorter way round")
+    moved = body.local("moved", (), Kind.INT, "counts since the last reading, in the shorter direction")
     with body.when(equal(bits.place, integer(0))):
         inside = [and_(c >= 0, c < turn) for c in (counter.place, e.counter)]
         lib.guard(body, Not(and_(*inside)), "BAD_ARGUMENT")
@@ -168,17 +155,14 @@ def accumulate(lib: Library) -> Function:
     body.set(e.place, select(place < 0, place + turn, select(place < turn, place, place - turn)))
     body.set(e.counter, counter.place)
     body.set(e.moved, moved)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "accumulate",
-        "One reading of an encoder's counter, which may wrap: its place in the turn and the counts moved, exactly.",
+        "Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both exact.",
         (encoder, counter, bits, per_turn),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "BAD_ARGUMENT"),
         notes=(
-            "Read it before the counter has moved by half its range (where bits is 0: half a turn).",
-            "The phase is phase_of_counts of `place`, the speed speed_of_counts of `moved`. Nothing drifts.",
+            "Call it before the counter has moved by half its range (by half a turn if bits is 0).",
+            "phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.",
         ),
         public=True,
     )
@@ -186,7 +170,11 @@ def accumulate(lib: Library) -> Function:
 
 def _per_turn(lib: Library) -> Argument:
     most = MAX_COUNTS[lib.layout.precision.name]
-    return Argument("per_turn", Kind.INT, purpose=f"counts a turn, negative where phi falls as they rise; to {most}")
+    return Argument(
+        "per_turn",
+        Kind.INT,
+        purpose=f"counts per turn, at most {most} in magnitude; negative if phi falls as counts rise",
+    )
 
 
 def _size_of_turn(lib: Library, body: Body, per_turn: Place, used: bool = True) -> Expr:

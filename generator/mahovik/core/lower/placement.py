@@ -7,13 +7,13 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, integer, real
+from mahovik.core.program.expression import Expr, Not, Place, and_, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 
 
 def frame_of_axes(lib: Library) -> Function:
-    """Axes from two directions: first along `axis`, second along the part of `zero` across it, third by the cross."""
+    """Axes from two directions: e1 along `axis`, e2 along the component of `zero` perpendicular to it, e3 = e1 x e2."""
     axis = Argument("axis", Kind.REAL, (3,), purpose="any length")
     zero = Argument("zero", Kind.REAL, (3,), purpose="any length, not along axis")
     R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
@@ -39,14 +39,10 @@ def frame_of_axes(lib: Library) -> Function:
         body.set(R.place[3 * i], e1[i])
         body.set(R.place[3 * i + 1], e2[i])
         body.set(R.place[3 * i + 2], third[i])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "frame_of_axes",
         "Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it.",
         (axis, zero, R),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
     )
 
 
@@ -60,14 +56,14 @@ def _unit(lib: Library, body: Body, a: Place, out: Place, name: str, least: Expr
 
 
 def place_flywheel(lib: Library) -> Function:
-    """Origin and mounting axes of a flywheel in E1, through the instrument that bears it."""
+    """Origin and mounting axes of a flywheel in E1, through the instrument that carries it."""
     return _placed(
         lib, "place_flywheel", lib.layout.flywheel_parameters, "Origin and axes (at phi = 0) of a flywheel in E1."
     )
 
 
 def place_point(lib: Library) -> Function:
-    """Origin and axes of a point in E1, through the instrument that bears it."""
+    """Origin and axes of a point in E1, through the instrument that carries it."""
     return _placed(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
 
 
@@ -100,12 +96,4 @@ def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
             assign(body, list(at), derived_wrench.rotated(), {"C": Rp, "a": w.place.position})
             for i in range(3):
                 body.set(O.place[i], q.position[i] + at[i])
-    body.ret(Status("OK"))
-    return Function(
-        name,
-        purpose,
-        (p, w, O, R),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"),
-    )
+    return body.checked(name, purpose, (p, w, O, R), statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"))

@@ -1,4 +1,4 @@
-"""measure: what an accelerometer and a gyro read at each instrument and point."""
+"""points: readings of an accelerometer and a gyro at each instrument and point."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -29,7 +28,7 @@ def sense(lib: Library) -> Function:
     six, rates = parts_of_twist(V.place), list(V_dot.place)
     O, R = sensor.place.origin, sensor.place.axes
     velocity = body.local("velocity", (3,), comment="in E1")
-    force = body.local("force", (3,), comment="acceleration less gravity, in E1")
+    force = body.local("force", (3,), comment="acceleration minus gravity, in E1")
     bound = six | {"O": O, "velocity": velocity, "v_dot": rates[:3], "omega_dot": rates[3:], "g": g.place}
     assign(body, list(velocity), derived_wrench.twist_at(), bound)
     assign(body, list(force), derived.specific_force(layout.weight), bound)
@@ -43,11 +42,10 @@ def sense(lib: Library) -> Function:
     assign(body, own[3:], back, {"C": R, "a": six["omega"]})
     assign(body, list(out.place.specific_force), back, {"C": R, "a": force})
     assign(body, list(out.place.angular_acceleration), back, {"C": R, "a": rates[3:]})
-    return Function(
+    return body.function(
         "sense",
-        "Reading of one sensor.",
+        "Reading of an accelerometer and a gyro at one instrument or point.",
         (sensor, position, V, V_dot, C, g, out),
-        body.statements,
     )
 
 
@@ -56,7 +54,13 @@ def points(lib: Library) -> Function:
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    out = Argument("out", layout.points_result, (layout.sensor_count,), "out", purpose="a reading each")
+    out = Argument(
+        "out",
+        layout.points_result,
+        (layout.sensor_count,),
+        "out",
+        purpose="one reading for each instrument, then for each point",
+    )
     body = Body()
     check_inputs(lib, body, table, x)
     lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
@@ -70,13 +74,10 @@ def points(lib: Library) -> Function:
     with body.loop("k", layout.sensor_count) as k:
         here = {"sensor": table.place.sensor[k], "out": out.place[k]}
         body.call(lib["sense"], *lib.passed("sense", **named, **here))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "points",
-        "What an accelerometer and a gyro read at each instrument and point.",
+        "Readings of an accelerometer and a gyro at each instrument and point.",
         (table, x, V_dot, out),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
         public=True,
     )

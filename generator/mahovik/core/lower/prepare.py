@@ -65,7 +65,7 @@ class _Totals:
 
 
 def prepare(lib: Library) -> Function:
-    """The whole table but for the laws of the wrenches."""
+    """The whole table except the laws of the wrenches."""
     layout = lib.layout
     parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
     table = Argument(
@@ -73,13 +73,13 @@ def prepare(lib: Library) -> Function:
         layout.table,
         (),
         "inout",
-        purpose="begin with a copy of the default: its laws (gravity, damping, ...) stay",
+        purpose="start with a copy of the default; its laws (gravity, damping, ...) are kept",
     )
     p, out = parameters.place, table.place
     body = Body()
     lib.begin(body)
     lib.check(body, "check_parameters", p)
-    body.note("all is good: from here on the table is written and nothing can fail")
+    body.note("all checks passed: from here on the table is written and nothing can fail")
     totals = _start(layout, body)
     body.note("carrier: its frame is E1")
     origin = body.local("O", (3,), comment="origin of a body in E1")
@@ -127,9 +127,9 @@ def prepare(lib: Library) -> Function:
         returns=Kind.STATUS,
         statuses=lib["check_parameters"].statuses,
         notes=(
-            "The same operations made the table of the generator: for the parameters of the stand file, equal bits.",
-            "RANGE also where a mass is negative or axes have no direction.",
-            "NOT_POSITIVE_DEFINITE where no body is such: moments of inertia about the centre of mass that are "
+            "The generator makes the default table by the same operations: the default parameters give its bits.",
+            "Also returns RANGE if a mass is negative or an axis has no direction.",
+            "NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are "
             "negative or break the triangle inequality"
             + (", added mass that is not symmetric and positive semidefinite" if layout.added_mass else "")
             + f" (to {lib.thresholds.unphysical:g} of the largest element)"
@@ -147,7 +147,7 @@ def _start(layout: Layout, body: Body) -> _Totals:
     body.set(mass, real(0))
     for element in (*mu, *J):
         body.set(element, real(0))
-    if not layout.buoyancy:
+    if not layout.displaces:
         return _Totals(mass, mu, J, None, None)
     weight_mass = body.local("weight_mass")
     displaced = body.local("displaced", (3,))
@@ -159,7 +159,7 @@ def _start(layout: Layout, body: Body) -> _Totals:
 
 @dataclass
 class _Work:
-    """Scratch places of prepare, and what is done for every body."""
+    """Scratch variables of prepare, and the steps common to all bodies."""
 
     lib: Library
     body: Body
@@ -196,7 +196,7 @@ class _Work:
         """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
         if self.totals.weight_mass is None or self.totals.displaced is None:
             return
-        if row is not None and not self.lib.layout.flywheel_buoyancy:
+        if row is not None and not self.lib.layout.flywheel_displaces:
             self.body.add(self.totals.weight_mass, b.mass)
             return
         body, R, center = self.body, self.R, b.displaced_center

@@ -6,6 +6,7 @@ from importlib import import_module
 from importlib.util import find_spec
 
 from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.laws import of_bodies
 from mahovik.core import routines
 from mahovik.core.lower import (
     allocate,
@@ -21,7 +22,6 @@ from mahovik.core.lower import (
     inverse_fast,
     jacobian,
     lanes,
-    laws,
     matrices,
     mounts,
     parameters,
@@ -34,6 +34,7 @@ from mahovik.core.lower import (
     sensitivity,
     solve,
     step,
+    step_carried,
     wrenches,
 )
 from mahovik.core.lower.law import laws_of
@@ -121,6 +122,10 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(inverse_fast.inverse_fast(lib))
         if layout.sine_input:
             lib.add(inverse_fast.inverse_fast(lib, at=True))
+    else:
+        lib.add(demand.factor(lib))
+        lib.add(demand.demand(lib))
+        lib.add(inverse.inverse_alone(lib))
     if layout.sensors:
         lib.add(points.sense(lib))
         lib.add(points.points(lib))
@@ -148,6 +153,7 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(mounts.mount_wrench(lib))
         lib.add(mounts.mounts(lib))
         lib.add(mounts.prepare_mounts(lib))
+    step_carried.add_all(lib)
     _add_others(lib)
     counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
     functions = reachable(lib.functions)
@@ -165,7 +171,7 @@ def _add_others(lib: Library) -> None:
 
 
 def _add_rows(lib: Library) -> None:
-    """What goes over the rows of flywheels: one by one, or by blocks."""
+    """Add the loops over flywheels: one by one, or by blocks."""
     if lib.layout.lanes == 1:
         lib.add(flywheels.add_flywheel(lib))
         return
@@ -185,7 +191,8 @@ def _add_wrenches(lib: Library) -> None:
     if not layout.wrenches:
         return
     if layout.damped:
-        lib.add(laws.damp(lib))
+        for damp in of_bodies("lower", "damp"):
+            lib.add(damp(lib))
     if layout.own:
         lib.add(wrenches.own_wrench(lib))
     for law in laws_of(lib):
@@ -197,7 +204,8 @@ def _add_jacobians(lib: Library) -> None:
     """Derivatives of forward and coupled."""
     layout = lib.layout
     if layout.damped:
-        lib.add(sensitivity.damp_slope(lib))
+        for damp_slope in of_bodies("lower", "damp_slope"):
+            lib.add(damp_slope(lib))
     if layout.own:
         lib.add(sensitivity.own_slope(lib))
     for law in laws_of(lib):
@@ -224,6 +232,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
 
     for struct in (
         layout.state,
+        layout.carry,
         layout.parameters,
         layout.table,
         layout.matrices,
@@ -234,8 +243,11 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.encoder,) if layout.flywheels else ()),
         *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
-        *((layout.coupling, layout.schur, layout.inverse_work) if layout.flywheels else ()),
-        *((layout.inverse_options, layout.inverse_result, layout.coupled_jacobian_result) if layout.flywheels else ()),
+        *((layout.coupling, layout.schur) if layout.flywheels else ()),
+        layout.inverse_work,
+        *((layout.inverse_options,) if layout.flywheels else ()),
+        layout.inverse_result,
+        *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
         layout.forward_jacobian_result,
     ):
         visit(struct)

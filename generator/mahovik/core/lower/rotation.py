@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import Any
+
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.symbolic import assign
@@ -19,29 +22,24 @@ def rotation() -> Function:
     p = q.place
     k = body.let("k", 2 / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]))
     assign(body, list(C.place), derived.rotation_of_quaternion(), {"q": p, "k": k})
-    return Function(
-        "rotation",
-        "Rotation matrix of a quaternion; its length does not matter, so no root is needed.",
-        (q, C),
-        body.statements,
-    )
+    return body.function("rotation", "Rotation matrix of a quaternion of any length: no square root is needed.", (q, C))
 
 
 def rotate_back() -> Function:
     """C^T a."""
-    C = Argument("C", Kind.REAL, (9,))
-    a = Argument("a", Kind.REAL, (3,))
-    out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
-    body = Body()
-    assign(body, list(out.place), derived_wrench.rotated_back(), {"C": C.place, "a": a.place})
-    return Function("rotate_back", "C^T a: from the outer axes to the turned ones.", (C, a, out), body.statements)
+    purpose = "C^T a: components from the outer axes to the rotated axes."
+    return _rotated("rotate_back", purpose, derived_wrench.rotated_back())
 
 
 def rotate() -> Function:
     """C a."""
+    return _rotated("rotate", "C a: from the turned axes to the outer ones.", derived_wrench.rotated())
+
+
+def _rotated(name: str, purpose: str, formula: Iterable[Any]) -> Function:
     C = Argument("C", Kind.REAL, (9,))
     a = Argument("a", Kind.REAL, (3,))
     out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")
     body = Body()
-    assign(body, list(out.place), derived_wrench.rotated(), {"C": C.place, "a": a.place})
-    return Function("rotate", "C a: from the turned axes to the outer ones.", (C, a, out), body.statements)
+    assign(body, list(out.place), formula, {"C": C.place, "a": a.place})
+    return body.function(name, purpose, (C, a, out))

@@ -11,7 +11,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.expression import Expr, Not, Place, and_, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -28,7 +28,7 @@ def _products(column: Sequence[Expr], scaled: Sequence[Expr], rate: Expr) -> dic
 
 def eliminate(lib: Library) -> Function:
     """One free flywheel eliminated from the coupled equations."""
-    column = Argument("I", Kind.REAL, (6,))
+    column = Argument("column", Kind.REAL, (6,), purpose="of I")
     inverse = Argument("spin_inv", Kind.REAL, unit="1/(kg m2)")
     rate = Argument("rate", Kind.REAL, unit="rad/s2", purpose="its acceleration at V* = 0")
     schur = Argument("K", lib.layout.schur, (), "inout")
@@ -40,16 +40,15 @@ def eliminate(lib: Library) -> Function:
     for name, values in _products(list(column.place), list(scaled), rate.place).items():
         for target, value in zip(F.place if name == "F" else schur.place.member(name), values, strict=True):
             body.add(target, -value)
-    return Function(
+    return body.function(
         "eliminate",
         "Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate.",
         (column, inverse, rate, schur, F),
-        body.statements,
     )
 
 
 def eliminate_block(lib: Library) -> Function:
-    """What eliminating the flywheels of a block takes from K and F, lane by lane."""
+    """Terms that eliminating a block of flywheels takes from K and F, lane by lane."""
     drive, first = Argument("drive", lib.layout.lane_coupling), lanes.first_argument()
     inverse = lanes.room_argument(lib, "inverse", "1 / Theta_ff; 0 where a lock holds", unit="1/(kg m2)")
     rate = lanes.room_argument(lib, "rate", "accelerations at V* = 0", unit="rad/s2")
@@ -64,11 +63,10 @@ def eliminate_block(lib: Library) -> Function:
         for name, values in _products(column, scaled, a).items():
             for target, value in zip(lanes.lane(parts.place.member(name), k), values, strict=True):
                 body.add(target, value)
-    return Function(
+    return body.function(
         "eliminate_block",
         "Adds up what eliminating a block of flywheels takes away: I I^T / Theta_ff, I rate, lane by lane.",
         (drive, first, inverse, rate, parts),
-        body.statements,
     )
 
 
@@ -83,7 +81,7 @@ def take_lanes(lib: Library) -> Function:
         with body.loop("i", field.shape[0]) as i:
             body.add(target[i], -lanes.tree(list(parts.place.member(field.name)[i])))
     purpose = "Takes the sums of the lanes, added in a fixed tree, from K and F."
-    return Function("take_lanes", purpose, (parts, schur, F), body.statements)
+    return body.function("take_lanes", purpose, (parts, schur, F))
 
 
 def solve_schur(lib: Library) -> Function:
@@ -118,13 +116,10 @@ def solve_schur(lib: Library) -> Function:
     assign(body, out[:3], derived_carrier.linear_part(True), binding)
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "solve_schur",
         "Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3.",
         (schur, F, y),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 

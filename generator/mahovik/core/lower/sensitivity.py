@@ -1,4 +1,4 @@
-"""What the Jacobians are made of: derivatives of the wrenches by the twist, and of one flywheel's part by its phase."""
+"""Parts of the Jacobians: derivatives of the wrenches by the twist, and of one flywheel's part by its phase."""
 
 from __future__ import annotations
 
@@ -15,51 +15,9 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, integer, magnitude, real, select
+from mahovik.core.program.expression import Expr, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
-
-
-def damp_slope(lib: Library) -> Function:
-    """Derivative of one body's damping by its twist, times a twist."""
-    layout = lib.layout
-    table = lib.table_argument()
-    damper = Argument("damper", layout.damper)
-    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-    change = Argument("change", Kind.REAL, (6,), purpose="of that twist")
-    P = Argument("P", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
-    body = Body()
-    x, dx = None, None
-    if layout.terms or layout.quadratic_damping:
-        x = body.local("x", (12,), comment="u v w p q r and their magnitudes")
-        dx = body.local("dx", (12,), comment="their changes")
-        for k in range(6):
-            body.set(x[k], V.place[k])
-            body.set(x[k + 6], magnitude(V.place[k]))
-            body.set(dx[k], change.place[k])
-            body.set(dx[k + 6], select(V.place[k] < 0, -change.place[k], change.place[k]))
-    if layout.linear_damping:
-        with body.loop("i", 6) as i:
-            row = derived_wrench.row_times("linear", "V")
-            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": change.place}))
-    if layout.quadratic_damping:
-        assert x is not None and dx is not None
-        with body.loop("i", 6) as i, body.loop("j", 6) as j:
-            body.add(P.place[i], -(damper.place.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
-    if layout.terms:
-        assert x is not None and dx is not None
-        first, last = damper.place.first_term, damper.place.last_term
-        with body.loop("t", last, start=first, most=layout.terms) as t:
-            term = table.place.term[t]
-            slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
-            body.add(P.place[term.wrench], term.value * slope)
-    return Function(
-        "damp_slope",
-        "Change of the damping of one body with its twist.",
-        (table, damper, V, change, P),
-        body.statements,
-        equation="(7)",
-    )
 
 
 def own_slope(lib: Library) -> Function:
@@ -68,14 +26,14 @@ def own_slope(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
-    V_change = Argument("V_change", Kind.REAL, (6,), purpose="of that twist")
+    V_change = Argument("V_change", Kind.REAL, (6,), purpose="change of that twist")
     turn_by = Argument("turn_by", Kind.REAL, purpose="change of its phase")
     speed_by = Argument("speed_by", Kind.REAL, purpose="change of its speed")
     wrench = lib.wrench_arguments()
     F = Argument("F", Kind.REAL, (6,), "out", purpose="change of its wrench, in E1 about O1")
     axial = Argument("axial", Kind.REAL, (1,), "out", purpose="change of its moment about the spin axis")
     body = Body()
-    axes = body.local("axes", (9,), comment="of the body in E1")
+    axes = body.local("axes", (9,), comment="axes of the body in E1")
     twist = body.local("twist", (6,), comment="of the body, in its own frame")
     change = body.local("change", (6,), comment="of that twist")
     P = body.local("P", (6,), comment="own wrench, in its own frame")
@@ -120,11 +78,10 @@ def own_slope(lib: Library) -> Function:
     for k in range(3):
         bound = {"O": frame.place.origin, "f": six[:3]}
         body.set(six[3 + k], moment[k] + translate(arm[k], bound))
-    return Function(
+    return body.function(
         "own_slope",
         "Change of the own wrench of an instrument or flywheel with the carrier's twist and its own phase and speed.",
         (table, frame, x, V, V_change, turn_by, speed_by, *wrench, F, axial),
-        body.statements,
         equation="(7)",
     )
 
@@ -149,7 +106,7 @@ def row_slope(lib: Library) -> Function:
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
     out = Argument("out", Kind.REAL, (6,), "out")
     body = Body()
-    changed = body.local("change", (), layout.sums, "of the sums")
+    changed = body.local("change", (), layout.sums, "change of the sums")
     Z = body.local("Z", (6,), comment="change of the momentum screw")
     binding: dict[str, Any] = {name: weights.place[k] for k, name in enumerate(WEIGHTS)}
     binding |= columns_of(row.place)
@@ -162,8 +119,8 @@ def row_slope(lib: Library) -> Function:
     bound["g"] = g.place
     assign(body, z, derived.momentum(), bound)
     assign(body, list(out.place), derived.remainder(layout.weight), bound)
-    if layout.flywheel_buoyancy:
-        body.note("displaced fluid pulls the other way")
+    if layout.flywheel_displaces:
+        body.note("buoyancy is opposite to the weight")
         sunk = body.local("sunk", (3,))
         for i in range(3):
             c, s = binding["c"], binding["s"]
@@ -171,11 +128,10 @@ def row_slope(lib: Library) -> Function:
         arm = derived_wrench.moment_of_force()
         for k in range(3):
             body.add(out.place[3 + k], -translate(arm[k], {"O": sunk, "f": g.place}))
-    return Function(
+    return body.function(
         "row_slope",
-        "Change of F - Phi Z - K* V - (a, g) - K V* with the weights of one flywheel's row.",
+        "Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel.",
         (row, weights, V, V_dot, g, out),
-        body.statements,
         equation="(8)",
     )
 
@@ -196,7 +152,11 @@ def twist_slope(lib: Library) -> Function:
     wrench = lib.wrench_arguments()
     out = Argument("slope", Kind.REAL, (36,), "out", purpose="row by row")
     axial = Argument(
-        "axial", Kind.REAL, (6 * max(1, int(layout.count)),), "out", purpose="of own moments, flywheel by flywheel"
+        "axial",
+        Kind.REAL,
+        (6 * max(1, int(layout.count)),),
+        "out",
+        purpose="derivatives of the flywheels' own axial moments, flywheel by flywheel",
     )
     body = Body()
     z = list(Z.place)
@@ -222,11 +182,10 @@ def twist_slope(lib: Library) -> Function:
             _add_slopes(lib, body, everything, axial.place, j)
             with body.loop("i", 6) as i:
                 body.add(out.place[i * integer(6) + j], F[i])
-    return Function(
+    return body.function(
         "twist_slope",
         "Derivative of F - Phi Z - K* V by the twist.",
         (table, x, V, Z, m, C, *wrench, out, axial),
-        body.statements,
         equation="(8)",
     )
 

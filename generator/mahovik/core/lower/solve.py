@@ -9,7 +9,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, Status, real
+from mahovik.core.program.expression import Not, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -40,12 +40,8 @@ def momentum_screw(lib: Library) -> Function:
     body = Body()
     binding = carrier_binding(lib, table.place, sums.place) | parts_of_twist(V.place)
     assign(body, list(Z.place), derived.momentum(lib.layout.added_mass), binding)
-    return Function(
-        "momentum_screw",
-        "Momentum screw Z = K V + sum I phi' of the sums.",
-        (table, sums, V, Z),
-        body.statements,
-        equation="(2)",
+    return body.function(
+        "momentum_screw", "Momentum screw Z = K V + sum I phi' of the sums.", (table, sums, V, Z), equation="(2)"
     )
 
 
@@ -54,17 +50,16 @@ def subtract_rates(lib: Library) -> Function:
     sums = Argument("sum", lib.layout.sums)
     V = Argument("V", Kind.REAL, (6,))
     Z = Argument("Z", Kind.REAL, (6,))
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in: wrench (7); out: what K V* must equal")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in: wrench (7); out: right-hand side of (8)")
     body = Body()
     z = list(Z.place)
     binding: dict[str, Any] = {f.name: sums.place.member(f.name) for f in lib.layout.sums.fields}
     binding |= parts_of_twist(V.place) | {"p": z[:3], "h": z[3:], "F": F.place}
     assign(body, list(F.place), derived.remainder(), binding)
-    return Function(
+    return body.function(
         "subtract_rates",
-        "F becomes what K V* must equal: F - Phi Z - K* V - the flywheels' terms",
+        "Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms",
         (sums, V, Z, F),
-        body.statements,
         equation="(4), (5)",
     )
 
@@ -95,13 +90,10 @@ def solve3(lib: Library) -> Function:
     body.set(y.place[0], x[0] * r1 - l21 * y2 - l31 * y3)
     body.set(y.place[1], y2)
     body.set(y.place[2], y3)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "solve3",
         "Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T.",
         (S, b, y),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -139,13 +131,10 @@ def solve_carrier(lib: Library) -> Function:
     assign(body, out[:3], derived.linear_part(added), binding)
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "solve_carrier",
-        "Solves K y = F: the translational block of K is constant, so a 3x3 solve is left.",
+        "Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains.",
         (table, sums, F, y),
-        body.statements,
         equation="(8)",
-        returns=Kind.STATUS,
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )

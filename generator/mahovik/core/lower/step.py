@@ -1,4 +1,4 @@
-"""step: the whole state a time step on, by Runge-Kutta of fourth order or by the midpoint rule."""
+"""step: the whole state one time step later, by Runge-Kutta of fourth order or by the midpoint rule."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, as_expr, equal, integer, or_, real
+from mahovik.core.program.expression import Expr, Not, Place, and_, as_expr, equal, integer, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -22,11 +22,10 @@ def add_all(lib: Library) -> None:
     """Adds the step functions: by torques, and by given accelerations of the flywheels."""
     lib.add(_advance(lib))
     lib.add(_finish(lib))
-    if lib.layout.flywheels:
-        lib.add(_rate(lib, torques=True))
-        lib.add(_step(lib, torques=True))
-    lib.add(_rate(lib, torques=False))
-    lib.add(_step(lib, torques=False))
+    for torques in (True, False) if lib.layout.flywheels else (False,):
+        lib.add(_rate(lib, torques))
+        lib.add(_stages(lib, torques))
+        lib.add(_step(lib, torques))
 
 
 def _drive_arguments(lib: Library, torques: bool) -> tuple[Argument, ...]:
@@ -46,7 +45,7 @@ def _rate(lib: Library, torques: bool) -> Function:
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     drive = _drive_arguments(lib, torques)
-    rate = Argument("rate", layout.state, (), "out", purpose="rates of the members of the state")
+    rate = Argument("rate", layout.state, (), "out", purpose="time derivatives of the members of the state")
     body = Body()
     lib.begin(body)
     C = body.local("C", (9,), comment="attitude")
@@ -65,13 +64,10 @@ def _rate(lib: Library, torques: bool) -> Function:
             body.set(out.phi[s], x.place.phi_dot[s])
             if not torques:
                 body.set(out.phi_dot[s], drive[0].place[s])
-    body.ret(Status("OK"))
-    return Function(
-        "rate" if torques or not layout.flywheels else "rate_driven",
-        "Rates of the state under " + ("drive torques." if torques else "given flywheel accelerations."),
+    return body.checked(
+        named(lib, "rate", torques),
+        "Time derivatives of the state under " + ("drive torques." if torques else "given flywheel accelerations."),
         (table, x, *drive, rate),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
@@ -94,11 +90,8 @@ def _advance(lib: Library) -> Function:
             if name == "phi":  # so that the phases of a stage, and their sum at the end, keep their digits
                 start = call(lib["wrapped"], start)
             body.set(to.place.member(name)[i], start + h.place * rate.place.member(name)[i])
-    return Function(
-        "advance",
-        "to = x + h rate, phases from within half a turn.",
-        (x, rate, h, to),
-        body.statements,
+    return body.function(
+        "advance", "Sets to = x + h rate, after wrapping the phases to within half a turn.", (x, rate, h, to)
     )
 
 
@@ -117,75 +110,155 @@ def _finish(lib: Library) -> Function:
     if lib.layout.flywheels:
         with body.loop("s", lib.layout.count) as s:
             body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "finish",
-        "Quaternion to unit length, phases to half a turn; RANGE where the state has left its ranges.",
+        "Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range.",
         (x,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=STATE_STATUSES,
     )
 
 
-def _step(lib: Library, torques: bool) -> Function:
-    """One step of RK4 or of the midpoint rule."""
+def _stages(lib: Library, torques: bool) -> Function:
+    """The evaluations of one step: the weighted sum of the rates, which times h or h/6 is the increment."""
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     drive = _drive_arguments(lib, torques)
-    dt = Argument("dt", Kind.REAL, unit="s", purpose="time step, greater than 0")
-    order = Argument("order", Kind.INT, purpose="4: Runge-Kutta, four evaluations; 2: midpoint rule, two")
-    out = Argument("next", layout.state, (), "out", purpose="state after the step; may be x itself")
-    name = "rate" if torques or not layout.flywheels else "rate_driven"
+    h = Argument("h", Kind.REAL, unit="s")
+    order = Argument("order", Kind.INT, purpose="2 or 4")
+    stage = Argument("y", layout.state, (), "out", purpose="scratch: states of the stages")
+    total = Argument("total", layout.state, (), "out", purpose="order 4: k1 + 2 k2 + 2 k3 + k4; order 2: k2")
     body = Body()
-    if torques:
-        check_drive(lib, body, (table, x, *drive))
-    else:
-        check_inputs(lib, body, table, x, drive[: 1 if layout.flywheels else 0], lib_wrench(drive))
-    h = dt.place
-    given = body.local("given", (1,))
-    body.set(given[0], h)
-    lib.check(body, "within", given, 1, lib.limits["MAX_STEP"].expression)
-    lib.guard(body, Not(h > 0), "BAD_ARGUMENT")
-    known = or_(equal(order.place, integer(4)), equal(order.place, integer(2)))
-    lib.guard(body, Not(known), "BAD_ARGUMENT")
+    lib.begin(body)
     inputs = [a.place for a in drive]
-    k = body.local("k", (), layout.state, "rates of a stage")
-    y = body.local("y", (), layout.state, "state of a stage; then the new state")
-    lib.check(body, name, table.place, x.place, *inputs, k)
-    half = body.let("half", real(0.5) * h)
+    y, sum_ = stage.place, total.place
+    k = body.local("k", (), layout.state, "time derivatives at a stage")
+    lib.check(body, named(lib, "rate", torques), table.place, x.place, *inputs, k)
+    half = body.let("half", real(0.5) * h.place)
     with body.when(equal(order.place, integer(2))):
         body.call(lib["advance"], x.place, k, half, y)
-        lib.check(body, name, table.place, y, *inputs, k)
-        body.call(lib["advance"], x.place, k, h, y)
+        lib.check_as(body, "RANGE", named(lib, "rate", torques), table.place, y, *inputs, sum_)
     with body.otherwise():
-        total = body.local("total", (), layout.state, "k1 + 2 k2 + 2 k3 + k4")
-        body.copy(total, k)
-        for weight, length in ((2, half), (2, half), (1, h)):
+        body.copy(sum_, k)
+        for weight, length in ((2, half), (2, half), (1, h.place)):
             body.call(lib["advance"], x.place, k, length, y)
-            lib.check(body, name, table.place, y, *inputs, k)
-            _accumulate(lib, body, total, k, weight)
-        sixth = body.let("sixth", h / 6)
-        body.call(lib["advance"], x.place, total, sixth, y)
-    lib.check(body, "finish", y)
-    body.copy(out.place, y)
-    body.ret(Status("OK"))
-    what = "drive torques" if torques else "given flywheel accelerations"
-    return Function(
-        "step" if torques or not layout.flywheels else "step_driven",
-        f"State a time step later, under {what} and wrenches held constant.",
-        (table, x, *drive, dt, order, out),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),
-        notes=("RANGE also where the new state would leave its ranges.",),
-        public=True,
+            lib.check_as(body, "RANGE", named(lib, "rate", torques), table.place, y, *inputs, k)
+            _accumulate(lib, body, sum_, k, weight)
+    return body.checked(
+        named(lib, "stages", torques),
+        "Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE.",
+        (table, x, *drive, h, order, stage, total),
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
 
 
-def lib_wrench(drive: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """The run-time wrenches among the arguments."""
-    return tuple(a for a in drive if a.name == "wrench")
+def named(lib: Library, name: str, torques: bool) -> str:
+    """Name of the form of a function for torques, or for given accelerations; one of both without flywheels."""
+    return name if torques or not lib.layout.flywheels else f"{name}_driven"
+
+
+def check_step(lib: Library, body: Body, arguments: tuple[Argument, ...], torques: bool) -> None:
+    """Checks of the arguments of a step."""
+    by_name = {a.name: a for a in arguments}
+    if torques:
+        check_drive(lib, body, arguments)
+    else:
+        accelerations = tuple(a for a in arguments if a.name == "phi_ddot")
+        wrench = tuple(a for a in arguments if a.name == "wrench")
+        check_inputs(lib, body, by_name["table"], by_name["x"], accelerations, wrench)
+    dt, order = by_name["dt"].place, by_name["order"].place
+    lib.check_number(body, dt, lib.limits["MAX_STEP"].expression)
+    lib.guard(body, Not(dt > 0), "BAD_ARGUMENT")
+    lib.guard(body, Not(or_(equal(order, integer(4)), equal(order, integer(2)))), "BAD_ARGUMENT")
+
+
+def step_arguments(lib: Library, torques: bool) -> tuple[Argument, ...]:
+    """table, x, what drives the flywheels, dt, order."""
+    return (
+        lib.table_argument(),
+        lib.state_argument(),
+        *_drive_arguments(lib, torques),
+        Argument("dt", Kind.REAL, unit="s", purpose="time step, greater than 0"),
+        Argument("order", Kind.INT, purpose="4: Runge-Kutta, four evaluations; 2: midpoint rule, two"),
+    )
+
+
+def next_argument(lib: Library) -> Argument:
+    """Where the new state goes."""
+    return Argument("next", lib.layout.state, (), "out", purpose="state after the step; may be x itself")
+
+
+def notes_of_steps(lib: Library) -> tuple[str, ...]:
+    """Notes on step and step_driven for the header."""
+    notes = (
+        "RANGE also if a stage of the step or the new state is out of range.",
+        "COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At this "
+        "bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the speed "
+        "(asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.",
+    )
+    if lib.layout.precision.name == "double":
+        return notes
+    return (
+        *notes,
+        "Of an increment all is lost that is below 6e-8 of the number it goes to: for short steps, slow motions and "
+        "places far from the origin take the function with a carry.",
+    )
+
+
+def increment(lib: Library, body: Body, arguments: tuple[Argument, ...], torques: bool) -> tuple[Place, Place, Place]:
+    """Runs the stages: a state for scratch, the sum of rates, and the time by which to multiply it."""
+    by_name = {a.name: a.place for a in arguments}
+    y = body.local("y", (), lib.layout.state, "state of a stage; then the new state")
+    total = body.local("total", (), lib.layout.state, "sum of the rates at the stages")
+    lib.check(body, named(lib, "stages", torques), *(a.place for a in arguments), y, total)
+    dt = by_name["dt"]
+    over = body.let("over", select(equal(by_name["order"], integer(2)), dt, dt / 6), "times the sum: the increment")
+    return y, total, over
+
+
+def fastest(lib: Library, body: Body, x: Place) -> Place:
+    """Square of the fastest turning of carrier and flywheels, (rad/s)^2."""
+    omega = x.V
+    found = body.local("fastest", comment="square of the fastest turning, (rad/s)^2")
+    body.set(found, omega[3] * omega[3] + omega[4] * omega[4] + omega[5] * omega[5])
+    if lib.layout.flywheels:
+        with body.loop("s", lib.layout.count) as s:
+            square = body.let("square", x.phi_dot[s] * x.phi_dot[s])
+            body.set(found, select(square > found, square, found))
+    return found
+
+
+def finish_step(
+    lib: Library, body: Body, arguments: tuple[Argument, ...], turning: Place, results: tuple[tuple[Place, Place], ...]
+) -> None:
+    """Writes the results, (to, from), and returns COARSE where something turned too far in this step."""
+    by_name = {a.name: a.place for a in arguments}
+    for to, found in results:
+        body.copy(to, found)
+    limits = (lib.limits[name].expression for name in ("MAX_TURN_2", "MAX_TURN_4"))
+    most = body.let("most", select(equal(by_name["order"], integer(2)), *limits), "rad")
+    lib.guard(body, by_name["dt"] * by_name["dt"] * turning > most * most, "COARSE")
+
+
+def _step(lib: Library, torques: bool) -> Function:
+    """One step of RK4 or of the midpoint rule."""
+    arguments, out = step_arguments(lib, torques), next_argument(lib)
+    x = arguments[1]
+    body = Body()
+    check_step(lib, body, arguments, torques)
+    y, total, over = increment(lib, body, arguments, torques)
+    turning = fastest(lib, body, x.place)
+    body.call(lib["advance"], x.place, total, over, y)
+    lib.check_as(body, "RANGE", "finish", y)
+    finish_step(lib, body, arguments, turning, ((out.place, y),))
+    what = "drive torques" if torques else "given flywheel accelerations"
+    return body.checked(
+        named(lib, "step", torques),
+        f"State after one time step; {what} and wrenches are held constant.",
+        (*arguments, out),
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "COARSE"),
+        notes=notes_of_steps(lib),
+        public=True,
+    )
 
 
 def _accumulate(lib: Library, body: Body, total: Place, k: Place, weight: int) -> None:

@@ -11,7 +11,7 @@ from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Negate, Place, real
 
 Binding = Mapping[str, Any]
-"""What a name of a formula stands for: a scalar expression, or something that is indexed (a place, a list)."""
+"""Meaning of a name in a formula: a scalar expression, or something that is indexed (a place, a list)."""
 
 _INDEXED = re.compile(r"(\w+)\[(\d+)\]")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 
+from mahovik.contract.laws import of_bodies
 from mahovik.core.lower.features import Features
 from mahovik.core.program.types import Field, Kind, Struct
 
@@ -17,7 +18,7 @@ class Tables(Features):
     @cached_property
     def state(self) -> Struct:
         fields = [
-            Field("position", REAL, (3,), "m", "of O1, in E0"),
+            Field("position", REAL, (3,), "m", "position of O1, in E0"),
             Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
             Field("V", REAL, (6,), "m/s, rad/s", "twist of the carrier relative to E0, in E1"),
         ]
@@ -28,6 +29,14 @@ class Tables(Features):
             ]
         return Struct("state", "State of the whole system.", tuple(fields))
 
+    @cached_property
+    def carry(self) -> Struct:
+        numbers = sum(int(f.shape[0]) for f in self.state.fields)
+        field = Field("rounding", REAL, (numbers,), "SI", "of each number of the state, in its order")
+        return Struct(
+            "step_carry", "What rounding took from a state: kept from step to step, all zero at first.", (field,)
+        )
+
     def _body(self, name: str, purpose: str, buoyant: bool) -> Struct:
         fields = [
             Field("mass", REAL, (), "kg", ""),
@@ -35,21 +44,18 @@ class Tables(Features):
             Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
         ]
         if buoyant:
-            fields += [
-                Field("displaced_mass", REAL, (), "kg", "of fluid"),
-                Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
-            ]
+            fields += [field for own in of_bodies("lower", "BODY_FIELDS") for field in own]
         return Struct(name, purpose, tuple(fields))
 
     @cached_property
     def body(self) -> Struct:
         """Carrier and instruments."""
-        return self._body("body", "Mass properties of one body, in its own frame.", self.buoyancy)
+        return self._body("body", "Mass properties of one body, in its own frame.", self.displaces)
 
     @cached_property
     def flywheel_body(self) -> Struct:
         """Flywheels: the same struct, unless only fixed bodies displace fluid."""
-        if self.buoyancy == self.flywheel_buoyancy:
+        if self.displaces == self.flywheel_displaces:
             return self.body
         return self._body("dry_body", "Mass properties of a flywheel, in its own frame.", False)
 
@@ -59,7 +65,7 @@ class Tables(Features):
             Field("body", self.body),
             Field("position", REAL, (3,), "m", "Op, in E1"),
             Field("axis", REAL, (3,), "", "first axis of Ep in E1, any length"),
-            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis of Ep"),
+            Field("zero", REAL, (3,), "", "its component perpendicular to the first axis is the second axis of Ep"),
         )
         return Struct("instrument", "An instrument fixed on the carrier.", fields)
 
@@ -69,10 +75,12 @@ class Tables(Features):
             Field("body", self.flywheel_body),
             Field("position", REAL, (3,), "m", "Os, in the frame of the mount"),
             Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
-            Field("zero", REAL, (3,), "", "its part across the axis is the second axis of Es at phi = 0"),
+            Field(
+                "zero", REAL, (3,), "", "its component perpendicular to the axis is the second axis of Es at phi = 0"
+            ),
         ]
         if self.instruments:
-            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+            fields.append(Field("mount", INT, (), "", "index of the instrument it is mounted on; -1: the carrier"))
         return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
 
     @cached_property
@@ -80,10 +88,10 @@ class Tables(Features):
         fields = [
             Field("position", REAL, (3,), "m", "in the frame of the mount"),
             Field("axis", REAL, (3,), "", "first axis in the frame of the mount, any length"),
-            Field("zero", REAL, (3,), "", "its part across the first axis is the second axis"),
+            Field("zero", REAL, (3,), "", "its component perpendicular to the first axis is the second axis"),
         ]
         if self.instruments:
-            fields.append(Field("mount", INT, (), "", "number of the instrument that bears it; -1: the carrier"))
+            fields.append(Field("mount", INT, (), "", "index of the instrument it is mounted on; -1: the carrier"))
         return Struct("point", "A sensor or a place of interest.", tuple(fields))
 
     @cached_property
@@ -99,8 +107,16 @@ class Tables(Features):
         fields = (
             Field("position", REAL, (3,), "m", "in E0"),
             Field("C", REAL, (3, 3), "", "own axes to E0"),
-            Field("twist", REAL, (6,), "m/s, rad/s", "relative to E0, in own axes: a gyro reads the last three"),
-            Field("specific_force", REAL, (3,), "m/s2", "acceleration less gravity, in own axes: an accelerometer"),
+            Field(
+                "twist", REAL, (6,), "m/s, rad/s", "relative to E0, in own axes; the last three are the gyro's reading"
+            ),
+            Field(
+                "specific_force",
+                REAL,
+                (3,),
+                "m/s2",
+                "acceleration minus gravity, in own axes: the accelerometer's reading",
+            ),
             Field("angular_acceleration", REAL, (3,), "rad/s2", "in own axes"),
         )
         return Struct("points_result", "Motion at an instrument or a point.", fields)
@@ -133,41 +149,26 @@ class Tables(Features):
             Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
             Field("spin_inv", REAL, (), "1/(kg m2)", ""),
         ]
-        if self.flywheel_buoyancy:
+        if self.flywheel_displaces:
             fields += [
                 Field("displaced_c", REAL, (3,), "kg m", "first moment of displaced fluid: cos phi"),
                 Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
             ]
-        return Struct("row", "Table of one flywheel: harmonics of what it adds to (8), in E1 about O1.", tuple(fields))
+        return Struct("row", "Table of one flywheel: harmonics of its terms in (8), in E1 about O1.", tuple(fields))
 
     @cached_property
     def block(self) -> Struct:
         """Rows of flywheels side by side; places beyond the last flywheel hold zeros."""
         fields = tuple(replace(f, shape=(*f.shape, self.lane_count)) for f in self.row.fields)
-        purpose = "Table of flywheels side by side: harmonics of what each adds to (8), in E1 about O1."
+        purpose = "Table of flywheels side by side: harmonics of their terms in (8), in E1 about O1."
         return Struct("block", purpose, fields)
 
     @cached_property
-    def term(self) -> Struct:
-        fields = (
-            Field("wrench", INT, (), "", "component of the wrench, 0..5 = X Y Z K M N"),
-            Field("first", INT, (), "", "0..5 = u v w p q r, 6..11 their magnitudes"),
-            Field("second", INT, (), "", "likewise"),
-            Field("value", REAL, (), "SI", "wrench += value * first * second"),
-        )
-        return Struct("term", "A hydrodynamic derivative.", fields)
-
-    @cached_property
     def damper(self) -> Struct:
-        fields = []
-        if self.linear_damping:
-            fields.append(Field("linear", REAL, (6, 6), "SI", "wrench -= linear V"))
-        if self.quadratic_damping:
-            fields.append(Field("quadratic", REAL, (6, 6), "SI", "wrench -= quadratic (V |V|)"))
-        if self.terms:
-            fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
-            fields.append(Field("last_term", INT))
-        return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+        """Data of one body for the laws of its own twist."""
+        (struct,) = of_bodies("lower", "damper_struct")
+        found: Struct = struct(self.structure)
+        return found
 
     @cached_property
     def frame(self) -> Struct:
@@ -176,20 +177,20 @@ class Tables(Features):
             Field("axes", REAL, (9,), "", "C, row by row; of a flywheel at phi = 0"),
         ]
         if self.own_turning:
-            fields.append(Field("flywheel", INT, (), "", "its number, whose phase turns the axes; -1: no flywheel"))
+            fields.append(Field("flywheel", INT, (), "", "index of the flywheel whose phase turns the axes; -1: none"))
         if self.own_fixed:
-            fields.append(Field("instrument", INT, (), "", "its number; -1: no instrument"))
+            fields.append(Field("instrument", INT, (), "", "index of the instrument; -1: none"))
         if self.own_damped:
             fields.append(Field("damper", self.damper))
         if self.own_inputs:
-            fields.append(Field("wrench", INT, (), "", "its row of the run-time wrenches; -1: none"))
+            fields.append(Field("wrench", INT, (), "", "its row in the run-time wrenches; -1: none"))
         return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
 
     @cached_property
     def table(self) -> Struct:
         """The prepared stand: constants of the equations, then the laws of the wrenches."""
         fields = [
-            Field("mass", REAL, (), "kg", "of all bodies"),
+            Field("mass", REAL, (), "kg", "mass of all bodies"),
             Field("mass_inverse", REAL, (), "1/kg", ""),
             Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
             Field(
@@ -206,9 +207,9 @@ class Tables(Features):
                 Field("A_inv", REAL, (6,), "1/kg", ""),
                 Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
             ]
-        if self.buoyancy:
+        if self.displaces:
             fields += [
-                Field("weight_mass", REAL, (), "kg", "mass less displaced mass"),
+                Field("weight_mass", REAL, (), "kg", "mass minus displaced mass"),
                 Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
             ]
         if self.flywheels:
@@ -222,7 +223,9 @@ class Tables(Features):
             fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
         fields += self.laws
         return Struct(
-            "table", "The stand as the equations need it. Made by prepare, but for the laws at the end.", tuple(fields)
+            "table",
+            "The constants of the equations. Made by prepare, except the laws at the end (gravity, ...).",
+            tuple(fields),
         )
 
     @property
@@ -235,6 +238,5 @@ class Tables(Features):
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
-        if self.terms:
-            laws.append(Field("term", self.term, (self.terms,)))
+        laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]
         return laws + [f for law in self.law_tables for f in law.fields(self.structure)]

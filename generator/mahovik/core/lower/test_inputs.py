@@ -58,7 +58,7 @@ class Input:
 
 
 def inputs(program: Program) -> tuple[Argument, ...]:
-    """What the public functions take and a test must choose, each argument once. Raises ValueError.
+    """Arguments of the public functions that a test must choose, each once. Raises ValueError.
 
     Arguments of one name are one input: the functions of a stand give one name to one thing.
     """
@@ -75,17 +75,17 @@ def inputs(program: Program) -> tuple[Argument, ...]:
 
 def plan(program: Program) -> tuple[Input, ...]:
     """All inputs in the order in which they are drawn."""
-    found = [each for a in inputs(program) for each in _drawn(a.name, a.type, a.shape, ())]
+    found = [each for a in inputs(program) for each in _inputs_of(a.name, a.type, a.shape, ())]
     return (*found, Input((MASS_FACTOR,), Draw.FACTOR, (), 0.125))
 
 
-def _drawn(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
+def _inputs_of(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
     path = (*within, name)
     if isinstance(type_, Struct):
         if shape:
             raise ValueError(f"{name}: arrays of structs are not drawn")
         for f in type_.fields:
-            yield from _drawn(f.name, f.type, f.shape, path)
+            yield from _inputs_of(f.name, f.type, f.shape, path)
         return
     row = QUANTITIES.get(name)
     draw = row.draw if row else Draw.FLAGS if type_ is Kind.INT else Draw.REALS
@@ -178,7 +178,7 @@ def _shaped(numbers: list[Any], shape: tuple[Any, ...]) -> Any:
 
 
 def sweep_factors(state: int) -> dict[str, float]:
-    """What is multiplied in a state of a sweep, by its number from 0."""
+    """Factors in a state of a sweep, by its number from 0."""
     factors: dict[str, float] = {}
     if state % FAST_EVERY == FAST_EVERY - 1:
         factors |= dict.fromkeys(FAST_INPUTS, float(FAST))

@@ -13,7 +13,7 @@ from mahovik.core.program.types import Precision
 
 @dataclass(frozen=True)
 class Thresholds:
-    """What is compared, and with what.
+    """Thresholds of comparisons.
 
     rank           inverse: singular value over the largest, below which it counts as zero (stand.md)
     unreachable    inverse: scaled residual over scaled demand, above which the target is out of reach (stand.md)
@@ -51,37 +51,25 @@ class Thresholds:
     small_square: float
 
 
+_OF_DOUBLE_AND_FLOAT = {
+    "rank": (1e-9, 1e-5),
+    "unreachable": (1e-9, 1e-4),
+    "near_singular": (1e-6, 1e-3),
+    "weight": (1e-6, 1e-6),
+    "regular": (1e-12, 1e-4),
+    "gram_pivot": (1e-13, 1e-5),
+    "zero_length": (1e-9, 1e-6),
+    "parallel": (5e-10, 1e-4),
+    "least": (1e-30, 1e-15),
+    "unphysical": (1e-9, 1e-5),
+    "inertia": (1e60, 1e20),
+    "table": (1e300, 1e20),
+    "small_square": (1e-30, 1e-30),
+}
+
 THRESHOLDS = {
-    "double": Thresholds(
-        rank=1e-9,
-        unreachable=1e-9,
-        near_singular=1e-6,
-        weight=1e-6,
-        regular=1e-12,
-        gram_pivot=1e-13,
-        zero_length=1e-9,
-        parallel=5e-10,
-        least=1e-30,
-        unphysical=1e-9,
-        inertia=1e60,
-        table=1e300,
-        small_square=1e-30,
-    ),
-    "float": Thresholds(
-        rank=1e-5,
-        unreachable=1e-4,
-        near_singular=1e-3,
-        weight=1e-6,
-        regular=1e-4,
-        gram_pivot=1e-5,
-        zero_length=1e-6,
-        parallel=1e-4,
-        least=1e-15,
-        unphysical=1e-5,
-        inertia=1e20,
-        table=1e20,
-        small_square=1e-30,
-    ),
+    name: Thresholds(**{key: values[place] for key, values in _OF_DOUBLE_AND_FLOAT.items()})
+    for place, name in enumerate(("double", "float"))
 }
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.laws import of_bodies
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
@@ -21,7 +22,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
 from mahovik.core.stand.model import Body as StandBody
-from mahovik.core.stand.model import Damping, Flywheel, Instrument, MountingAngles, Point, Stand
+from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Point, Stand
 from mahovik.errors import StandError
 
 
@@ -62,26 +63,16 @@ def _about_origin() -> Function:
     return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
 
 
-class Values:
-    """Parameters and table of one stand, from the interpreter of its program."""
+class _Parameters:
+    """Reads the parameters of a stand, with what only the generator has to convert."""
 
-    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
-        self._layout = layout
+    def __init__(self, stand: Stand, layout: Layout) -> None:
         self._stand = stand
+        self._layout = layout
         self._conversions = Interpreter(conversions())
-        self._program = Interpreter(program)
-        self.parameters = self._parameters()
-        self._check_range("parameters", self.parameters)
-        self.table = self._table()
-        self.mounting = self._mounting() if layout.flywheels else None
-        self.options = self._options() if layout.flywheels else None
 
-    @property
-    def interpreter(self) -> Interpreter:
-        """The interpreter of the stand's program."""
-        return self._program
-
-    def _parameters(self) -> dict[str, Any]:
+    def read(self) -> dict[str, Any]:
+        """Input of `prepare`, by the names of its struct."""
         layout, stand = self._layout, self._stand
         found: dict[str, Any] = {"carrier": self._body(stand.carrier)}
         if layout.added_mass:
@@ -103,10 +94,10 @@ class Values:
             given = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
             inertia = self._conversions.run("about_origin", given)[1]["J"]
         found = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
-        dry = isinstance(b, Flywheel) and not self._layout.flywheel_buoyancy
-        if self._layout.buoyancy and not dry:
-            found["displaced_mass"] = b.buoyancy.displaced_mass if b.buoyancy else 0.0
-            found["displaced_center"] = list(b.buoyancy.center) if b.buoyancy else [0.0] * 3
+        dry = isinstance(b, Flywheel) and not self._layout.flywheel_displaces
+        if self._layout.displaces and not dry:
+            for values in of_bodies("lower", "body_values"):
+                found |= values(b)
         return found
 
     def _axes(self, angles: tuple[float, float, float]) -> dict[str, Any]:
@@ -130,6 +121,44 @@ class Values:
         """Number of the instrument of that name, -1 for the carrier; nothing where there are no instruments."""
         names = [p.name for p in self._stand.instruments]
         return {"mount": names.index(name) if name in names else -1} if names else {}
+
+
+def parameters_of(stand: Stand, layout: Layout) -> dict[str, Any]:
+    """Input of `prepare` for a stand: masses, inertias, mountings. Raises StandError where a number is out of range."""
+    found = _Parameters(stand, layout).read()
+    _check_range(stand, layout, "parameters", found)
+    return found
+
+
+def _check_range(stand: Stand, layout: Layout, name: str, value: Any) -> None:
+    """StandError where a number could make products overflow in the element type."""
+    largest, precision = thresholds(layout.precision).table, layout.precision.name
+    if isinstance(value, dict):
+        for key, each in value.items():
+            _check_range(stand, layout, f"{name}.{key}", each)
+    elif isinstance(value, list | tuple):
+        for number, each in enumerate(value):
+            _check_range(stand, layout, f"{name}[{number}]", each)
+    elif isinstance(value, float) and not abs(value) <= largest:
+        raise StandError([f"stand {stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"])
+
+
+class Values:
+    """Parameters and table of one stand, from the interpreter of its program."""
+
+    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
+        self._layout = layout
+        self._stand = stand
+        self._program = Interpreter(program)
+        self.parameters = parameters_of(stand, layout)
+        self.table = self._table()
+        self.mounting = self._mounting() if layout.flywheels else None
+        self.options = self._options() if layout.flywheels else None
+
+    @property
+    def interpreter(self) -> Interpreter:
+        """The interpreter of the stand's program."""
+        return self._program
 
     def _table(self) -> dict[str, Any]:
         """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
@@ -158,20 +187,6 @@ class Values:
         found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
         return found
 
-    def _check_range(self, name: str, value: Any) -> None:
-        """StandError where a number could make products overflow in the element type."""
-        largest, precision = thresholds(self._layout.precision).table, self._layout.precision.name
-        if isinstance(value, dict):
-            for key, each in value.items():
-                self._check_range(f"{name}.{key}", each)
-        elif isinstance(value, list | tuple):
-            for number, each in enumerate(value):
-                self._check_range(f"{name}[{number}]", each)
-        elif isinstance(value, float) and not abs(value) <= largest:
-            raise StandError(
-                [f"stand {self._stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"]
-            )
-
     def _laws(self) -> Any:
         """A table whose laws are filled in, the rest zero."""
         layout, stand = self._layout, self._stand
@@ -182,8 +197,8 @@ class Values:
         if stand.stream is not None:
             laws["stream"] = list(stand.stream)
         terms: list[dict[str, Any]] = []
-        if stand.carrier.damping is not None:
-            laws["damper"] = self._damper(stand.carrier.damping, terms)
+        if layout.carrier_damped:
+            laws["damper"] = self._damper(stand.carrier, terms)
         for k, own in enumerate(layout.own):
             frame = table.frame[k]
             for name, value in (("flywheel", own.flywheel), ("instrument", own.instrument), ("wrench", own.input)):
@@ -191,33 +206,22 @@ class Values:
                     setattr(frame, name, value)
             if layout.own_damped:
                 body = stand.bodies[own.index]
-                damper = self._damper(body.damping, terms)
-                self._check_range(f"{body.name}.damping", damper)
+                damper = self._damper(body, terms)
+                _check_range(stand, layout, f"{body.name}.damping", damper)
                 frame.damper = self._program.filled(layout.damper, damper)
-        if layout.terms:
+        if terms:
             laws["term"] = terms
         for law in layout.law_tables:
             laws |= law.values(stand, self._program.run)
         for name, value in laws.items():
             field = layout.table.field(name)
             assert field is not None
-            self._check_range(name, value)
+            _check_range(stand, layout, name, value)
             setattr(table, name, self._program.filled(field.type, value, field.shape))
         return table
 
-    def _damper(self, damping: Damping | None, terms: list[dict[str, Any]]) -> dict[str, Any]:
+    def _damper(self, body: StandBody, terms: list[dict[str, Any]]) -> dict[str, Any]:
         """One damper; its hydrodynamic derivatives are appended to the table of terms."""
-        zero = ((0.0,) * 6,) * 6
-        layout = self._layout
-        found: dict[str, Any] = {}
-        if layout.linear_damping:
-            found["linear"] = damping.linear if damping and damping.linear else zero
-        if layout.quadratic_damping:
-            found["quadratic"] = damping.quadratic if damping and damping.quadratic else zero
-        if layout.terms:
-            found["first_term"] = len(terms)
-            for term in damping.terms if damping else ():
-                first, second = (f.component + 6 * f.absolute for f in term.of)
-                terms.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
-            found["last_term"] = len(terms)
+        (values,) = of_bodies("lower", "damper_values")
+        found: dict[str, Any] = values(body, self._layout.damper, terms)
         return found

@@ -22,7 +22,7 @@ def external(lib: Library) -> Function:
     """F of (7) from checked inputs."""
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
-    sums = Argument("sum", layout.sums, purpose="first moment mu: the weight acts along it")
+    sums = Argument("sum", layout.sums, purpose="their mu gives the moment of the weight")
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
     V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
     g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
@@ -65,7 +65,7 @@ def _kinds(lib: Library) -> str:
     layout = lib.layout
     kinds = {
         "weight": layout.weight,
-        "buoyancy": layout.buoyancy,
+        "buoyancy": layout.displaces,
         "damping": layout.damped,
         **dict.fromkeys((law.words for law in layout.law_tables), True),
         "run-time wrenches": bool(layout.inputs),
@@ -105,10 +105,10 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
     """Weight of every body at its mass centre, less the Archimedes force."""
     layout = lib.layout
     binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": table.mass}
-    if layout.buoyancy:
+    if layout.displaces:
         binding["weight_mass"] = table.weight_mass
         binding["displaced_moment"] = table.displaced_moment
-    if layout.flywheel_buoyancy:
+    if layout.flywheel_displaces:
         moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
         body.copy_array(moment, table.displaced_moment)
         with body.loop("s", layout.count) as s:
@@ -117,8 +117,8 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
         binding["displaced_moment"] = moment
-    body.note("weight of every body: its line of action moves with the flywheels")
-    assign(body, list(F), derived.weight(layout.buoyancy), binding, add=True)
+    body.note("weight of all bodies: its line of action moves with the flywheels")
+    assign(body, list(F), derived.weight(layout.displaces), binding, add=True)
 
 
 def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
@@ -131,12 +131,12 @@ def own_wrench(lib: Library) -> Function:
     table, x = lib.table_argument(), lib.state_argument()
     frame = Argument("frame", layout.frame)
     V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; is added to")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; this wrench is added to it")
     own = own_argument(lib)
     given, wrench = lib.turn_arguments(), lib.wrench_arguments()
     body = Body()
     origin = frame.place.origin
-    axes = body.local("axes", (9,), comment="of the body in E1")
+    axes = body.local("axes", (9,), comment="axes of the body in E1")
     P = body.local("P", (6,), comment="in the body's own frame")
     body.copy_array(axes, frame.place.axes)
     for element in P:
@@ -160,7 +160,7 @@ def own_wrench(lib: Library) -> Function:
     add_force(body, list(F.place), origin, list(force), list(moment))
     return Function(
         "own_wrench",
-        "Adds the wrench of one instrument or flywheel that acts in its own frame.",
+        "Adds the wrench that acts on one instrument or flywheel in its own frame.",
         (table, frame, x, *given, V, *wrench, F, own),
         body.statements,
         equation="(7)",

@@ -38,7 +38,7 @@ def parse(text: str) -> Any:
         found: dict[str, Any] = {}
         for key, value in pairs:
             if key in found:
-                raise ValueError(f"key {show(key)} is there twice")
+                raise ValueError(f"key {show(key)} appears twice")
             found[key] = value
         return found
 

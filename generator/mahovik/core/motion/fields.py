@@ -8,17 +8,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Sequence
 from decimal import Decimal
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, BeforeValidator, PlainValidator, ValidationInfo
 
 from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import SPEED, TIME, Dimension, QuantityError, number, show
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 FREQUENCY = Dimension("a frequency", "Hz")
 _LONGEST = 10**9
+
+Row = TypeVar("Row")
 
 
 def context_validator(read: Callable[[Any, dict[str, Any]], Any]) -> PlainValidator:
@@ -56,7 +58,7 @@ def short_integer(raw: Any) -> int:
     return int(raw)
 
 
-def whole(least: int, most: int) -> PlainValidator:
+def whole_number(least: int, most: int) -> PlainValidator:
     """A validator of a whole number within bounds."""
 
     def read(raw: Any) -> int:
@@ -70,15 +72,7 @@ def whole(least: int, most: int) -> PlainValidator:
 
 def integers(raw: Any) -> tuple[int, ...]:
     """A list of whole numbers. Raises QuantityError."""
-    if not isinstance(raw, list):
-        raise QuantityError(f"expected a list, found {show(raw)}")
-    found = []
-    for i, one in enumerate(raw):
-        try:
-            found.append(short_integer(one))
-        except QuantityError as error:
-            raise QuantityError(f"[{i}]: {error}") from None
-    return tuple(found)
+    return rows(raw, short_integer)
 
 
 def choice(*names: str) -> PlainValidator:
@@ -86,7 +80,7 @@ def choice(*names: str) -> PlainValidator:
 
     def read(raw: Any) -> str:
         if text(raw) not in names:
-            raise QuantityError(f"unknown {show(raw)}{meant(raw, names)}")
+            raise QuantityError(f"unknown {show(raw)}{suggestion(raw, names)}")
         return str(raw)
 
     return validator(read)
@@ -94,14 +88,12 @@ def choice(*names: str) -> PlainValidator:
 
 def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
     """Places in `known` of the names of a list, in the list's order. Raises QuantityError."""
-    if not isinstance(raw, list):
-        raise QuantityError(f"expected a list, found {show(raw)}")
     found: list[int] = []
-    for name in raw:
+    for name in listed(raw):
         if name not in known:
-            raise QuantityError(f"unknown {show(name)}{meant(str(name), known)}")
+            raise QuantityError(f"unknown {show(name)}{suggestion(str(name), known)}")
         if known.index(name) in found:
-            raise QuantityError(f"{show(name)} is there twice")
+            raise QuantityError(f"{show(name)} appears twice")
         found.append(known.index(name))
     return tuple(found)
 
@@ -119,22 +111,25 @@ def angular_speed(raw: Any) -> float:
             found = math.nan
         if math.isnan(found):
             raise QuantityError(str(error)) from None
-    return require_bounds(found, "rad/s", above=0.0)
+    return require_bounds(found, "rad/s", above=0.0, raw=raw)
 
 
 def times(raw: Any) -> tuple[float, ...]:
     """A list of times, s, of any length. Raises QuantityError."""
+    return vector(raw, (len(listed(raw)),), TIME)
+
+
+def listed(raw: Any) -> list[Any]:
+    """A list of anything. Raises QuantityError."""
     if not isinstance(raw, list):
         raise QuantityError(f"expected a list, found {show(raw)}")
-    return vector(raw, (len(raw),), TIME)
+    return raw
 
 
-def rows(raw: Any, read: Callable[[Any], tuple[float, ...]]) -> tuple[tuple[float, ...], ...]:
+def rows(raw: Any, read: Callable[[Any], Row]) -> tuple[Row, ...]:
     """A list of rows, each read by `read`. Raises QuantityError for the first that cannot be read."""
-    if not isinstance(raw, list):
-        raise QuantityError(f"expected a list, found {show(raw)}")
     found = []
-    for i, row in enumerate(raw):
+    for i, row in enumerate(listed(raw)):
         try:
             found.append(read(row))
         except QuantityError as error:

@@ -37,7 +37,7 @@ def _file(raw: Any) -> str:
     return raw
 
 
-def _within(dimension: Dimension, most: float) -> Any:
+def _bounded_number(dimension: Dimension, most: float) -> Any:
     def read(raw: Any) -> float:
         found = number(raw, dimension)
         if (out := ranges.out_of_range(dimension.words, found, most, dimension.si)) is not None:
@@ -53,7 +53,7 @@ SweepSpeed = Annotated[float, validator(_sweep_speed)]
 
 
 class RampTable(Table):
-    """`ramp`: a speed that changes evenly."""
+    """`ramp`: a speed that changes linearly."""
 
     from_: Annotated[float, scalar(SPEED)] = Field(0.0, alias="from")
     to: Annotated[float, scalar(SPEED)]
@@ -66,7 +66,7 @@ class RampTable(Table):
 
 
 class SweepTable(Table):
-    """`sweep`: a speed that changes evenly, or its logarithm does."""
+    """`sweep`: a speed that changes linearly or logarithmically."""
 
     from_: SweepSpeed = Field(alias="from")
     to: SweepSpeed
@@ -119,8 +119,8 @@ class DrivenTable(Table):
     torque: Annotated[float | None, scalar(TORQUE)] = None
     run_up: Annotated[RunUpTable | None, table_with(RunUpTable)] = None
     table: Annotated[str, validator(_file)] = ""
-    phase: Annotated[float | None, _within(ANGLE, ranges.MAX_PHASE)] = None
-    initial_speed: Annotated[float | None, _within(SPEED, ranges.MAX_SPEED)] = None
+    phase: Annotated[float | None, _bounded_number(ANGLE, ranges.MAX_PHASE)] = None
+    initial_speed: Annotated[float | None, _bounded_number(SPEED, ranges.MAX_SPEED)] = None
 
     def law(self) -> Law | None:
         """The law; None if it is a table in a file. Raises PydanticCustomError."""

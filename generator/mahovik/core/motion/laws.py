@@ -14,16 +14,20 @@ Motion = tuple[Array, Array, Array]
 """phi counted from its value at t = 0 (rad), phi' (rad/s), phi'' (rad/s2), at the times asked for."""
 
 
-@dataclass(frozen=True)
-class Constant:
-    """One speed, rad/s. Zero: the flywheel is held."""
-
-    speed: float
+class _Law:
+    """What laws have in common: most are smooth."""
 
     @property
     def breaks(self) -> tuple[float, ...]:
         """Times at which the law is not smooth, s."""
         return ()
+
+
+@dataclass(frozen=True)
+class Constant(_Law):
+    """One speed, rad/s. Zero: the flywheel is held."""
+
+    speed: float
 
     def motion(self, t: Array) -> Motion:
         """Motion at the times t (s)."""
@@ -31,7 +35,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Ramp:
+class Ramp(_Law):
     """Speed `low` until `start`, then evenly to `high` in `duration`, then `high`. Also the linear sweep."""
 
     low: float
@@ -56,18 +60,8 @@ class Ramp:
 
 
 @dataclass(frozen=True)
-class LogSweep:
+class LogSweep(Ramp):
     """Speed `low` until `start`, then `low` (high/low)^(t/duration), then `high`; both of one sign, not zero."""
-
-    low: float
-    high: float
-    start: float
-    duration: float
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """Where it begins and ends."""
-        return (self.start, self.start + self.duration)
 
     def motion(self, t: Array) -> Motion:
         """Motion at the times t (s)."""
@@ -82,18 +76,13 @@ class LogSweep:
 
 
 @dataclass(frozen=True)
-class Harmonic:
+class Harmonic(_Law):
     """phi' = mean + amplitude sin(2 pi frequency t + phase)."""
 
     mean: float
     amplitude: float
     frequency: float
     phase: float
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """None: it is smooth."""
-        return ()
 
     def motion(self, t: Array) -> Motion:
         """Motion at the times t (s)."""
@@ -105,7 +94,7 @@ class Harmonic:
 
 
 @dataclass(frozen=True, eq=False)
-class SpeedTable:
+class SpeedTable(_Law):
     """Speeds at times, joined by the cubic spline with continuous second derivative (not-a-knot ends)."""
 
     times: Array
@@ -113,7 +102,7 @@ class SpeedTable:
 
     @classmethod
     def of(cls, times: Array, speeds: Array) -> SpeedTable:
-        """From columns of equal length; times rise."""
+        """A table from columns of equal length, with rising times."""
         from scipy.interpolate import CubicSpline  # SciPy takes a second to start, and few regimes have a table
 
         return cls(times, CubicSpline(times, speeds))
@@ -129,38 +118,32 @@ class SpeedTable:
         return whole(t) - whole(0.0), self.spline(t), self.spline(t, 1)
 
 
+class _OfTorque(_Law):
+    """A law of the torque commanded."""
+
+    def steepness(self, low: float, high: float) -> float:
+        """Largest change of the torque by speed between two speeds (rad/s), N m s; speed does not matter to most."""
+        return 0.0
+
+
 @dataclass(frozen=True)
-class Torque:
+class Torque(_OfTorque):
     """One commanded torque, N m."""
 
     value: float
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
 
     def command(self, t: float, speed: float) -> float:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return self.value
 
-    def steepness(self, low: float, high: float) -> float:
-        """None: speed does not matter."""
-        return 0.0
-
 
 @dataclass(frozen=True)
-class RunUp:
+class RunUp(_OfTorque):
     """Torque towards a speed: value tanh((to - phi') / band). Far from it the whole torque, near it a governor."""
 
     value: float
     to: float
     band: float
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """None: it is smooth."""
-        return ()
 
     def command(self, t: float, speed: float) -> float:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
@@ -173,7 +156,7 @@ class RunUp:
 
 
 @dataclass(frozen=True, eq=False)
-class TorqueTable:
+class TorqueTable(_OfTorque):
     """Torques at times, joined by straight lines."""
 
     times: Array
@@ -187,10 +170,6 @@ class TorqueTable:
     def command(self, t: float, speed: float) -> float:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return float(np.interp(t, self.times, self.values))
-
-    def steepness(self, low: float, high: float) -> float:
-        """None: speed does not matter."""
-        return 0.0
 
 
 SpeedLaw = Constant | Ramp | LogSweep | Harmonic | SpeedTable

@@ -1,4 +1,4 @@
-"""What a motor of the stand file can give, and its friction (stand file, `[flywheel.motor]`)."""
+"""Torque that a motor of the stand file can give, and its friction (stand file, `[flywheel.motor]`)."""
 
 from __future__ import annotations
 
@@ -46,5 +46,5 @@ def steepness(motor: Motor | None, command: float, low: float, high: float) -> f
 
 
 def needed(motor: Motor, tau: float, speed: float) -> float:
-    """What the motor itself must give where the whole drive torque is `tau` (N m)."""
+    """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
     return tau - friction(motor, speed)

@@ -1,4 +1,4 @@
-"""What of a regime a state can hold: the ranges of the evaluation contract, for laws as they are given."""
+"""Checks that the laws of a regime stay in the ranges of a state."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
 
 
 def problem(law: Law) -> str | None:
-    """What of a law is out of range somewhere in time, in words; None where nothing is."""
+    """The part of a law that leaves its range at some time, in words, or None."""
     if isinstance(law, Torque | RunUp | TorqueTable):
         most = np.abs(law.values).max() if isinstance(law, TorqueTable) else abs(law.value)
         found = out_of_range("a torque", most, MAX_WRENCH, "N m")
@@ -36,11 +36,11 @@ def _largest(law: Constant | Ramp | LogSweep | Harmonic | SpeedTable) -> tuple[f
     match law:
         case Constant():
             return abs(law.speed), 0.0
-        case Ramp():
-            return max(abs(law.low), abs(law.high)), abs(law.high / law.duration - law.low / law.duration)
         case LogSweep():
             fastest = max(abs(law.low), abs(law.high))
             return fastest, fastest * abs(np.log(law.high / law.low)) / law.duration
+        case Ramp():
+            return max(abs(law.low), abs(law.high)), abs(law.high / law.duration - law.low / law.duration)
         case Harmonic():
             return abs(law.mean) + abs(law.amplitude), abs(law.amplitude) * 2 * np.pi * law.frequency
         case SpeedTable():

@@ -22,7 +22,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import SPEED, TORQUE, Dimension, QuantityError, number, show
 from mahovik.errors import RegimeError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 _FORCE, _MOMENT = Dimension("a force", "N"), Dimension("a moment", "N m")
 _WRENCH = {"X": _FORCE, "Y": _FORCE, "Z": _FORCE, "K": _MOMENT, "M": _MOMENT, "N": _MOMENT}
@@ -69,24 +69,24 @@ def loads(
     given = validate_table(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
     reader = _Reader(problems, until, folder)
     flywheels = _flywheels(reader, given, stand)
-    bodies = _known(problems, "wrench", given.wrench, [b.name for b in stand.bodies], "body")
+    bodies = _known_tables(problems, "wrench", given.wrench, [b.name for b in stand.bodies], "body")
     wrenches = {body: reader.wrench(f"wrench {show(body)}", raw) for body, raw in bodies.items()}
     if problems.lines:
         raise RegimeError(problems.lines)
     return Regime(given.name or Path(source).stem, flywheels, {body: w for body, w in wrenches.items() if w})
 
 
-def _known(problems: Problems, key: str, given: dict[str, Any], names: list[str], what: str) -> dict[str, Any]:
+def _known_tables(problems: Problems, key: str, given: dict[str, Any], names: list[str], what: str) -> dict[str, Any]:
     """Return the tables with a name of the stand; note a problem for every other table."""
     for name in given:
         if name not in names:
-            problems.add(key, f"unknown {what} {show(name)}{meant(name, names, 'the stand has none')}")
+            problems.add(key, f"unknown {what} {show(name)}{suggestion(name, names, 'the stand has none')}")
     return {name: value for name, value in given.items() if name in names}
 
 
 def _flywheels(reader: _Reader, top: RegimeTable, stand: Stand) -> tuple[Driven, ...]:
     names = [s.name for s in stand.flywheels]
-    given = _known(reader.problems, "flywheel", top.flywheel, names, "flywheel")
+    given = _known_tables(reader.problems, "flywheel", top.flywheel, names, "flywheel")
     if top.default is not None:
         reader.driven("default", "default", top.default)  # its problems, once
     found = []

@@ -15,7 +15,7 @@ import numpy as np
 from mahovik.core.motion.laws import Array
 from mahovik.core.stand.content import TABLE, content
 from mahovik.core.stand.units import TIME, Dimension, QuantityError, factor, show
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 _HEAD = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
 
@@ -63,9 +63,9 @@ def _heads(name: str, cells: list[str], known: Mapping[str, Dimension]) -> list[
         head = _HEAD.fullmatch(cell)
         key = head[1] if head else cell
         if head is None or key not in known:
-            raise TableError(f"{name}: unknown column {show(cell)}{meant(key, known)}")
+            raise TableError(f"{name}: unknown column {show(cell)}{suggestion(key, known)}")
         if key in (each for each, _ in found):
-            raise TableError(f'{name}: column "{key}" is there twice')
+            raise TableError(f'{name}: column "{key}" appears twice')
         try:
             found.append((key, float(factor(head[2].strip(), known[key])) if head[2] else 1.0))
         except QuantityError as error:

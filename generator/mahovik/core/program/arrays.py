@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
@@ -104,45 +104,3 @@ def _fill(of: Sequence[Member], place: Any, value: Mapping[str, Any]) -> None:
                 _fill(each.members, place[each.name][i], inner)
         else:
             _fill(each.members, place[each.name], value[each.name])
-
-
-def members_to_plain(of: Sequence[Member]) -> list[dict[str, Any]]:
-    """Dicts and lists, which `json` can write."""
-    return [asdict(each) for each in of]
-
-
-def to_plain(functions: Sequence[ArrayFunction]) -> list[dict[str, Any]]:
-    """Dicts and lists, which `json` can write."""
-    return [asdict(function) for function in functions]
-
-
-def from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[ArrayFunction, ...]:
-    """What `to_plain` gave, after `json` has read it."""
-    return tuple(
-        ArrayFunction(
-            f["name"],
-            f["purpose"],
-            f["wide"],
-            tuple(
-                ArgumentLayout(a["name"], a["direction"], a["order"], members_from_plain(a["members"]))
-                for a in f["arguments"]
-            ),
-        )
-        for f in found
-    )
-
-
-def members_from_plain(found: Sequence[Mapping[str, Any]]) -> tuple[Member, ...]:
-    """What `members_to_plain` gave, after `json` has read it."""
-    return tuple(
-        Member(
-            m["name"],
-            m["kind"],
-            tuple(m["shape"]),
-            tuple(m["axes"]),
-            m["unit"],
-            m["meaning"],
-            members_from_plain(m["members"]),
-        )
-        for m in found
-    )

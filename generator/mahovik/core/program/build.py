@@ -6,10 +6,13 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Expr, Operand, Place, Variable, as_expr
+from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind, NamedCount, Struct
+
+CHECKED = ("OK", "NOT_FINITE", "RANGE")
+"""Statuses of a function that checks its inputs."""
 
 
 class Body:
@@ -23,7 +26,7 @@ class Body:
 
     @property
     def statements(self) -> tuple[Statement, ...]:
-        """What was collected; all blocks must be closed."""
+        """The collected statements; all blocks must be closed."""
         assert len(self._blocks) == 1
         return tuple(self._blocks[0])
 
@@ -71,6 +74,33 @@ class Body:
     def call(self, function: Function, *arguments: Operand, comment: str = "") -> None:
         """A call whose results are its output arguments."""
         self._add(Do(_call(function, arguments), comment))
+
+    def function(
+        self,
+        name: str,
+        purpose: str,
+        arguments: tuple[Argument, ...],
+        equation: str = "",
+        returns: Kind | None = None,
+        notes: tuple[str, ...] = (),
+        public: bool = False,
+    ) -> Function:
+        """The function of this body, without a status."""
+        return Function(name, purpose, arguments, self.statements, equation, returns, (), notes, public)
+
+    def checked(
+        self,
+        name: str,
+        purpose: str,
+        arguments: tuple[Argument, ...],
+        statuses: tuple[str, ...] = CHECKED,
+        equation: str = "",
+        notes: tuple[str, ...] = (),
+        public: bool = False,
+    ) -> Function:
+        """The function of this body, which returns OK where it has not returned another status before."""
+        self.ret(Status("OK"))
+        return Function(name, purpose, arguments, self.statements, equation, Kind.STATUS, statuses, notes, public)
 
     def ret(self, value: Expr) -> None:
         """return value"""
@@ -123,11 +153,12 @@ def _call(function: Function, arguments: Sequence[Operand]) -> Call:
     if len(arguments) != len(function.arguments):
         raise TypeError(f"{function.name} takes {len(function.arguments)} arguments, not {len(arguments)}")
     return Call(
-        function.signature, tuple(_passed(a, p, function) for a, p in zip(arguments, function.arguments, strict=True))
+        function.signature,
+        tuple(_checked_argument(a, p, function) for a, p in zip(arguments, function.arguments, strict=True)),
     )
 
 
-def _passed(value: Operand, parameter: Argument, function: Function) -> Expr:
+def _checked_argument(value: Operand, parameter: Argument, function: Function) -> Expr:
     """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
     where = f"{function.name}, argument {parameter.name}"
     if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from mahovik.core.program.expression import Expr, Place, Variable
-from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.program.types import Kind, Shape, Struct
 
 
 @dataclass(frozen=True, eq=False)
 class Argument:
-    """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader."""
+    """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader.
+
+    `optional`: an array whose address may be null in a call of a public function: then it is zeros.
+    """
 
     name: str
     type: Kind | Struct
-    shape: tuple[int | NamedCount, ...] = ()
+    shape: Shape = ()
     direction: str = "in"
     unit: str = ""
     purpose: str = ""
+    optional: bool = False
     variable: Variable = field(init=False)
 
     def __post_init__(self) -> None:
@@ -48,3 +53,15 @@ class Call(Expr):
         self.arguments = arguments
         if signature.returns is not None:
             self.kind = signature.returns
+
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        return self.arguments
+
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        return Call(self.signature, tuple(part(a) for a in self.arguments))
+
+    @property
+    def passed(self) -> Iterator[tuple[Argument, Expr]]:
+        """Each parameter with its argument."""
+        return zip(self.signature.arguments, self.arguments, strict=True)

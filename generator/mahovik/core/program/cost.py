@@ -1,7 +1,7 @@
 """Operation counts of a program: what a function costs by its own tree, loops and calls included.
 
 These are counts of arithmetic on reals, the same for every compiler; instructions, cycles and stack depend on it
-and are measured elsewhere. Of two branches the dearer is counted, so a count is an upper bound.
+and are measured elsewhere. Of two branches the more expensive one is counted, so a count is an upper bound.
 """
 
 from __future__ import annotations
@@ -10,23 +10,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import (
-    Binary,
-    BitCast,
-    Compare,
-    Const,
-    Convert,
-    Expr,
-    Logic,
-    Negate,
-    Not,
-    Place,
-    Select,
-)
+from mahovik.core.program.expression import Binary, Compare, Const, Expr, Place, Select
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import Block, Loop, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import inside
+from mahovik.core.program.walk import inside, own, statements
 
 
 @dataclass(frozen=True)
@@ -84,29 +72,23 @@ class _Counter:
             self._done[key] = self.block(self._functions[name].body, bound)
         return self._done[key]
 
-    def block(self, body: tuple[Statement, ...], bound: dict[str, int]) -> Cost:
+    def block(self, body: Statements, bound: dict[str, int]) -> Cost:
         """Operations of statements, with these integer arguments known."""
         return sum((self._statement(s, bound) for s in body), ZERO)
 
     def _statement(self, s: Statement, bound: dict[str, int]) -> Cost:
+        found = sum((self._expr(e, bound) for e in own(s)), ZERO)
         match s:
-            case Note() | Declare() | Copy():
-                return ZERO
-            case Let(_, value) | Return(value):
-                return self._expr(value, bound)
-            case Set(_, value, _, add):
-                extra = Cost(additions=1) if add and value.kind is Kind.REAL else ZERO
-                return self._expr(value, bound) + extra
-            case Do(call):
-                return self._expr(call, bound)
+            case Set(_, value, _, True) if value.kind is Kind.REAL:
+                return found + Cost(additions=1)
             case Block(body):
                 return self.block(body, bound)
             case Loop():
-                return self._loop(s, bound)
-            case When(condition, body, otherwise):
+                return found + self._loop(s, bound)
+            case When(_, body, otherwise):
                 one, two = self.block(body, bound), self.block(otherwise, bound)
-                return self._expr(condition, bound) + (one if one.total >= two.total else two)
-        raise TypeError(f"unknown statement {type(s).__name__}")
+                return found + (one if one.total >= two.total else two)
+        return found
 
     def _loop(self, loop: Loop, bound: dict[str, int]) -> Cost:
         """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
@@ -119,43 +101,24 @@ class _Counter:
         return self.block(loop.body, bound).times(max(0, stop - start))
 
     def _expr(self, e: Expr, bound: dict[str, int]) -> Cost:
+        found = sum((self._expr(part, bound) for part in e.operands if not isinstance(e, Place)), ZERO)
         match e:
-            case Negate() | Not() | Convert() | BitCast():
-                return self._expr(e.operand, bound)
-            case Binary():
-                inner = self._expr(e.left, bound) + self._expr(e.right, bound)
-                if e.kind is not Kind.REAL:
-                    return inner
-                own = {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
-                return inner + own
-            case Compare():
-                own = Cost(comparisons=1) if e.left.kind is Kind.REAL else ZERO
-                return own + self._expr(e.left, bound) + self._expr(e.right, bound)
-            case Logic():
-                return self._expr(e.left, bound) + self._expr(e.right, bound)
-            case Select():
-                own = Cost(comparisons=1) if e.kind is Kind.REAL else ZERO
-                return own + self._expr(e.condition, bound) + self._expr(e.yes, bound) + self._expr(e.no, bound)
+            case Binary() if e.kind is Kind.REAL:
+                return found + {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
+            case Compare() if e.left.kind is Kind.REAL:
+                return found + Cost(comparisons=1)
+            case Select() if e.kind is Kind.REAL:
+                return found + Cost(comparisons=1)
             case Call():
-                passed = zip(e.signature.arguments, e.arguments, strict=True)
-                known = {p.name: int(a.value) for p, a in passed if isinstance(a, Const) and a.kind is Kind.INT}
-                inner = sum((self._expr(a, bound) for a in e.arguments if not isinstance(a, Place)), ZERO)
-                return inner + self._call(e.signature.name, known)
-        return ZERO
+                known = {p.name: int(a.value) for p, a in e.passed if isinstance(a, Const) and a.kind is Kind.INT}
+                return found + self._call(e.signature.name, known)
+        return found
 
 
-def _names_in_bounds(body: tuple[Statement, ...]) -> set[str]:
+def _names_in_bounds(body: Statements) -> set[str]:
     """Names of the variables in the bounds of the loops of a body."""
-    found: set[str] = set()
-    for s in body:
-        if isinstance(s, Loop):
-            found |= {e.root.name for side in (s.start, s.stop) for e in inside(side) if isinstance(e, Place)}
-            found |= _names_in_bounds(s.body)
-        elif isinstance(s, Block):
-            found |= _names_in_bounds(s.body)
-        elif isinstance(s, When):
-            found |= _names_in_bounds((*s.body, *s.otherwise))
-    return found
+    bounds = (side for s in statements(body) if isinstance(s, Loop) for side in (s.start, s.stop))
+    return {e.root.name for side in bounds for e in inside(side) if isinstance(e, Place)}
 
 
 def _literal(e: Expr, bound: dict[str, int]) -> int | None:

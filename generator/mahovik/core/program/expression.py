@@ -6,7 +6,7 @@ integers is `equal(a, b)`: `==` stays Python's own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, TypeAlias
 
@@ -16,68 +16,45 @@ Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
 
 
+def _operators(symbol: str) -> tuple[Callable[[Expr, Operand], Expr], Callable[[Expr, Operand], Expr]]:
+    """The methods that a Python operator calls on its left operand, and on its right one."""
+    return lambda self, other: binary(symbol, self, other), lambda self, other: binary(symbol, other, self)
+
+
+def _comparison(symbol: str) -> Callable[[Expr, Operand], Expr]:
+    return lambda self, other: compare(symbol, self, other)
+
+
 class Expr:
     """A scalar expression of one kind. Subclasses are immutable."""
 
     __slots__ = ("kind",)
     kind: Kind
 
-    def __add__(self, other: Operand) -> Expr:
-        return binary("+", self, other)
-
-    def __radd__(self, other: Operand) -> Expr:
-        return binary("+", other, self)
-
-    def __sub__(self, other: Operand) -> Expr:
-        return binary("-", self, other)
-
-    def __rsub__(self, other: Operand) -> Expr:
-        return binary("-", other, self)
-
-    def __mul__(self, other: Operand) -> Expr:
-        return binary("*", self, other)
-
-    def __rmul__(self, other: Operand) -> Expr:
-        return binary("*", other, self)
-
-    def __truediv__(self, other: Operand) -> Expr:
-        return binary("/", self, other)
-
-    def __rtruediv__(self, other: Operand) -> Expr:
-        return binary("/", other, self)
-
-    def __mod__(self, other: Operand) -> Expr:
-        return binary("%", self, other)
+    __add__, __radd__ = _operators("+")
+    __sub__, __rsub__ = _operators("-")
+    __mul__, __rmul__ = _operators("*")
+    __truediv__, __rtruediv__ = _operators("/")
+    __mod__, _ = _operators("%")
+    __and__, _ = _operators("&")
+    __or__, _ = _operators("|")
+    __xor__, _ = _operators("^")
+    __lshift__, _ = _operators("<<")
+    __rshift__, _ = _operators(">>")
+    __lt__, __le__ = _comparison("<"), _comparison("<=")
+    __gt__, __ge__ = _comparison(">"), _comparison(">=")
 
     def __neg__(self) -> Expr:
         return Negate(self)
 
-    def __and__(self, other: Operand) -> Expr:
-        return binary("&", self, other)
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        """The expressions that it is made of; of a place its indices."""
+        return ()
 
-    def __or__(self, other: Operand) -> Expr:
-        return binary("|", self, other)
-
-    def __xor__(self, other: Operand) -> Expr:
-        return binary("^", self, other)
-
-    def __lshift__(self, other: Operand) -> Expr:
-        return binary("<<", self, other)
-
-    def __rshift__(self, other: Operand) -> Expr:
-        return binary(">>", self, other)
-
-    def __lt__(self, other: Operand) -> Expr:
-        return compare("<", self, other)
-
-    def __le__(self, other: Operand) -> Expr:
-        return compare("<=", self, other)
-
-    def __gt__(self, other: Operand) -> Expr:
-        return compare(">", self, other)
-
-    def __ge__(self, other: Operand) -> Expr:
-        return compare(">=", self, other)
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        """The same node with `part` of each operand; places, literals and statuses as they are."""
+        return self
 
     def __bool__(self) -> bool:
         raise TypeError("an expression of a program has no truth value in Python; use When or select")
@@ -121,6 +98,10 @@ class Place(Expr):
         self.shape = shape
         if isinstance(type_, Kind):
             self.kind = type_
+
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        return tuple(step for step in self.path if isinstance(step, Expr))
 
     @property
     def is_scalar(self) -> bool:
@@ -188,18 +169,59 @@ class Variable:
         return Place(self, (), self.type, self.shape)
 
 
-class Negate(Expr):
-    """-a"""
+class Unary(Expr):
+    """An expression of one operand, of its kind if no other is given."""
 
     __slots__ = ("operand",)
 
-    def __init__(self, operand: Expr) -> None:
+    def __init__(self, operand: Expr, kind: Kind | None = None) -> None:
         self.operand = operand
-        self.kind = operand.kind
+        self.kind = kind or operand.kind
+
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        return (self.operand,)
+
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        return type(self)(part(self.operand), self.kind)
 
 
-class Binary(Expr):
-    """a op b for + - * / (reals, ints), % (ints not below 0) and + - * & | ^ << >> (words, modulo their width)."""
+class Negate(Unary):
+    """-a"""
+
+    __slots__ = ()
+
+
+class Not(Unary):
+    """!a"""
+
+    __slots__ = ()
+
+
+class Convert(Unary):
+    """A change of kind by value: int to real, word to int and back. Never real to int, which C may leave undefined."""
+
+    __slots__ = ()
+
+    def __init__(self, operand: Expr, kind: Kind) -> None:
+        if operand.kind is Kind.REAL:
+            raise TypeError("a real is never converted to an integer by value: use the bits")
+        super().__init__(operand, kind)
+
+
+class BitCast(Unary):
+    """The same bits as another kind: real to word, or word to real."""
+
+    __slots__ = ()
+
+    def __init__(self, operand: Expr, kind: Kind) -> None:
+        if {operand.kind, kind} != {Kind.REAL, Kind.WORD}:
+            raise TypeError("bits are cast between real and word")
+        super().__init__(operand, kind)
+
+
+class Pair(Expr):
+    """An operator between two operands; what it gives is a truth value."""
 
     __slots__ = ("left", "operator", "right")
 
@@ -207,41 +229,36 @@ class Binary(Expr):
         self.operator = operator
         self.left = left
         self.right = right
+        self.kind = Kind.BOOL
+
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        return (self.left, self.right)
+
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        return type(self)(self.operator, part(self.left), part(self.right))
+
+
+class Binary(Pair):
+    """a op b for + - * / (reals, ints), % (ints not below 0) and + - * & | ^ << >> (words, modulo their width)."""
+
+    __slots__ = ()
+
+    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
+        super().__init__(operator, left, right)
         self.kind = left.kind
 
 
-class Compare(Expr):
+class Compare(Pair):
     """a < b and the like; `==` and `!=` for integers only."""
 
-    __slots__ = ("left", "operator", "right")
-
-    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
-        self.operator = operator
-        self.left = left
-        self.right = right
-        self.kind = Kind.BOOL
+    __slots__ = ()
 
 
-class Logic(Expr):
+class Logic(Pair):
     """a && b, a || b."""
 
-    __slots__ = ("left", "operator", "right")
-
-    def __init__(self, operator: str, left: Expr, right: Expr) -> None:
-        self.operator = operator
-        self.left = left
-        self.right = right
-        self.kind = Kind.BOOL
-
-
-class Not(Expr):
-    """!a"""
-
-    __slots__ = ("operand",)
-
-    def __init__(self, operand: Expr) -> None:
-        self.operand = operand
-        self.kind = Kind.BOOL
+    __slots__ = ()
 
 
 class Select(Expr):
@@ -255,29 +272,12 @@ class Select(Expr):
         self.no = no
         self.kind = yes.kind
 
+    @property
+    def operands(self) -> tuple[Expr, ...]:
+        return (self.condition, self.yes, self.no)
 
-class Convert(Expr):
-    """A change of kind by value: int to real, word to int and back. Never real to int, which C may leave undefined."""
-
-    __slots__ = ("operand",)
-
-    def __init__(self, operand: Expr, kind: Kind) -> None:
-        if operand.kind is Kind.REAL:
-            raise TypeError("a real is never converted to an integer by value: use the bits")
-        self.operand = operand
-        self.kind = kind
-
-
-class BitCast(Expr):
-    """The same bits as another kind: real to word, or word to real."""
-
-    __slots__ = ("operand",)
-
-    def __init__(self, operand: Expr, kind: Kind) -> None:
-        if {operand.kind, kind} != {Kind.REAL, Kind.WORD}:
-            raise TypeError("bits are cast between real and word")
-        self.operand = operand
-        self.kind = kind
+    def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
+        return Select(part(self.condition), part(self.yes), part(self.no))
 
 
 def as_expr(value: Operand, kind: Kind) -> Expr:

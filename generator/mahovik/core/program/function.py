@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from mahovik.core.program.call import Argument, Signature
 from mahovik.core.program.statement import Statement
@@ -30,19 +29,8 @@ class Function:
 
     @property
     def signature(self) -> Signature:
-        """What a call of the function needs to know."""
+        """Facts that a call of the function needs."""
         return Signature(self.name, self.arguments, self.returns)
-
-
-@dataclass(frozen=True, eq=False)
-class Constant:
-    """A `const` object of the emitted code: a nested value of dicts (structs), lists (arrays) and numbers."""
-
-    name: str
-    type: Struct
-    purpose: str
-    value: Any
-    columns: str = ""
 
 
 @dataclass(frozen=True, eq=False)

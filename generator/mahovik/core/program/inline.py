@@ -18,7 +18,7 @@ from mahovik.core.program.types import Kind, Struct
 from mahovik.core.program.walk import used_variables
 
 LONGEST = 6
-"""Turns of a loop that is written out."""
+"""Most iterations of a loop that is unrolled."""
 
 
 class Inliner:

@@ -19,15 +19,13 @@ import numpy as np
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
-    Binary,
     BitCast,
-    Compare,
     Const,
     Convert,
     Expr,
-    Logic,
     Negate,
     Not,
+    Pair,
     Place,
     Select,
     Status,
@@ -144,7 +142,7 @@ def _function_name(name: str) -> str:
 
 
 def _runtime(precision: Precision) -> dict[str, Any]:
-    """What the generated Python uses besides operators."""
+    """Functions that the generated Python uses besides operators."""
     scalar, word, number = precision.scalar, precision.word, _number(precision)
 
     def copy_value(value: Any) -> Any:
@@ -263,18 +261,14 @@ class _Transpiler:
             case Negate():
                 text = f"(-{self._expr(e.operand)})"
                 return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
-            case Binary() if e.operator == "/" and e.kind is Kind.INT:
-                return f"quotient({self._expr(e.left)}, {self._expr(e.right)})"
-            case Binary() if e.operator == "/" and e.kind is Kind.REAL:
-                return f"divided({self._expr(e.left)}, {self._expr(e.right)})"
-            case Binary():
-                text = f"({self._expr(e.left)} {e.operator} {self._expr(e.right)})"
+            case Pair(operator="/"):
+                return (
+                    f"{'divided' if e.kind is Kind.REAL else 'quotient'}({self._expr(e.left)}, {self._expr(e.right)})"
+                )
+            case Pair():
+                operator = {"&&": "and", "||": "or"}.get(e.operator, e.operator)
+                text = f"({self._expr(e.left)} {operator} {self._expr(e.right)})"
                 return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
-            case Compare():
-                return f"({self._expr(e.left)} {e.operator} {self._expr(e.right)})"
-            case Logic():
-                operator = {"&&": "and", "||": "or"}[e.operator]
-                return f"({self._expr(e.left)} {operator} {self._expr(e.right)})"
             case Not():
                 return f"(not {self._expr(e.operand)})"
             case Select():
@@ -287,8 +281,7 @@ class _Transpiler:
             case BitCast():
                 return f"{'bits_of' if e.kind is Kind.WORD else 'real_of_bits'}({self._expr(e.operand)})"
             case Call():
-                pairs = zip(e.signature.arguments, e.arguments, strict=True)
-                passed = ", ".join(self._argument(parameter, value) for parameter, value in pairs)
+                passed = ", ".join(self._argument(parameter, value) for parameter, value in e.passed)
                 return f"{_function_name(e.signature.name)}({passed})"
         raise TypeError(f"unknown expression {type(e).__name__}")
 

@@ -1,9 +1,9 @@
 """Functions without early returns: what they would return becomes a number, `refused`, and computing goes on.
 
 States side by side cannot leave a function one by one. So a function of a status becomes one without result, and gets
-an argument `refused`: 0 for a good state, else the negative of the first status that it would have returned. All
-statuses that are returned so are OK or negative. After a refusal numbers without meaning are computed, which nobody
-reads; bounds of loops and indices never depend on them.
+an argument `refused`: 0 for a good state, else a code of the first status that it would have returned. After a refusal
+numbers without meaning are computed, which nobody reads; bounds of loops and indices never depend on them. A positive
+status refuses nothing: it is returned last, after the results are written.
 
 Checks that only look at inputs are done twice. First a `probe`: is anything wrong, in any order? It costs less, and
 mostly all is well; only where not the check itself says what.
@@ -18,12 +18,15 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import Declare, Do, Let, Loop, Note, Return, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import called
+from mahovik.core.program.walk import called, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
+
+POSITIVE = 256
+"""Codes: the negative of a negative status; this number and a positive status."""
 
 
 def without_returns(functions: tuple[Function, ...]) -> dict[str, Function]:
@@ -45,29 +48,36 @@ def _probe_name(function: Function | Signature) -> str:
     return f"{function.name}_probe"
 
 
-def _checks(body: tuple[Statement, ...]) -> Iterator[tuple[Call | None, Statement]]:
-    """Statements one by one; `status = f(..); if (status != OK) return status;` comes as the call."""
+def _checks(body: Statements) -> Iterator[tuple[Call | None, Statement]]:
+    """Statements one by one; `status = f(..); if (status != OK) return ..;` comes as the call and the return."""
     position = 0
     while position < len(body):
         s = body[position]
         following = body[position + 1] if position + 1 < len(body) else None
         if isinstance(s, Set) and isinstance(s.value, Call) and s.place.kind is Kind.STATUS:
-            if not _returns_it(following, s.place):
+            returned = _returned(following, s.place)
+            if returned is None:
                 raise TypeError(f"the status of {s.value.signature.name} is not returned at once")
-            yield s.value, s
+            yield s.value, returned
             position += 2
             continue
         yield None, s
         position += 1
 
 
-def _returns_it(s: Statement | None, status: Place) -> bool:
-    """Is it `if (status != OK) return status`?"""
+def _returned(s: Statement | None, status: Place) -> Return | None:
+    """What `if (status != OK) return ..` returns: the status, or another one; None of another statement."""
     if not isinstance(s, When) or not isinstance(s.condition, Compare) or s.condition.operator != "!=":
-        return False
+        return None
     left, right = s.condition.left, s.condition.right
     same = isinstance(left, Place) and left.root is status.root and isinstance(right, Status) and right.name == "OK"
-    return same and len(s.body) == 1 and isinstance(s.body[0], Return) and not s.otherwise
+    only = s.body[0] if same and len(s.body) == 1 and not s.otherwise else None
+    return only if isinstance(only, Return) else None
+
+
+def _code(status: Status) -> int:
+    value = STATUS_VALUES[status.name]
+    return POSITIVE + value if value > 0 else -value
 
 
 class _Refusing:
@@ -86,23 +96,35 @@ class _Refusing:
             function, arguments=arguments, body=self._body(function.body), returns=None, statuses=(), public=False
         )
 
-    def _body(self, body: tuple[Statement, ...]) -> tuple[Statement, ...]:
+    def _body(self, body: Statements) -> Statements:
         found: list[Statement] = []
         looks: list[Call] = []
         for call, s in _checks(body):
-            if call is not None and self._probes and _only_looks(call.signature):
+            other = s if isinstance(s, Return) and isinstance(s.value, Status) else None
+            if call is not None and other is None and self._probes and _only_looks(call.signature):
                 looks.append(call)
                 continue
             found += self._looked(looks)
             looks = []
-            if call is not None:
-                found.append(self._do(call))
-            else:
+            if call is None:
                 found += self._statement(s)
+            elif other is not None:
+                found += self._renamed(call, other)
+            else:
+                found.append(self._do(call))
         return (*found, *self._looked(looks))
 
-    def _do(self, call: Call) -> Do:
-        return Do(Call(self._done[call.signature.name].signature, (*call.arguments, self._refused.place)))
+    def _do(self, call: Call, refused: Place | None = None) -> Do:
+        code = self._refused.place if refused is None else refused
+        return Do(Call(self._done[call.signature.name].signature, (*call.arguments, code)))
+
+    def _renamed(self, call: Call, s: Return) -> Iterator[Statement]:
+        """A call after which another status is returned than its own."""
+        failed = Variable("failed", Kind.WORD, written=True)
+        yield Declare(failed, "not 0: without an answer")
+        yield Set(failed.place, word(0))
+        yield self._do(call, failed.place)
+        yield When(unequal(failed.place, word(0)), tuple(self._statement(s)))  # of a refused state nothing changes
 
     def _looked(self, looks: list[Call]) -> Iterator[Statement]:
         """Probes of checks that follow one another; the checks themselves where one of them finds something."""
@@ -122,18 +144,12 @@ class _Refusing:
             case Return(value):
                 if not isinstance(value, Status):
                     raise TypeError("only a status by name can be returned here")
-                code = -STATUS_VALUES[value.name]
+                code = _code(value)
                 if code:
                     place = self._refused.place
                     yield Set(place, select(equal(place, word(0)), word(code), place))
-            case Loop():
-                yield replace(s, body=self._body(s.body))
-            case Block():
-                yield replace(s, body=self._body(s.body))
-            case When():
-                yield replace(s, body=self._body(s.body), otherwise=self._body(s.otherwise))
             case _:
-                yield s
+                yield with_blocks(s, self._body)
 
 
 class _Probing:
@@ -155,7 +171,7 @@ class _Probing:
             public=False,
         )
 
-    def _body(self, body: tuple[Statement, ...]) -> Iterator[Statement]:
+    def _body(self, body: Statements) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
                 yield Do(

@@ -6,19 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import (
-    Binary,
-    BitCast,
-    Compare,
-    Convert,
-    Expr,
-    Logic,
-    Negate,
-    Not,
-    Place,
-    Select,
-    Variable,
-)
+from mahovik.core.program.expression import Binary, Expr, Logic, Place, Variable
 
 Leaf = Callable[[Place], Expr]
 
@@ -32,39 +20,15 @@ def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> 
     if isinstance(e, Place):
         steps = tuple(again(step) if isinstance(step, Expr) else step for step in e.path)
         return leaf(Place(e.root, steps, e.type, e.shape))
-    found = with_parts(e, again)
+    found = e.with_operands(again)
     return call(found) if call is not None and isinstance(found, Call) else found
-
-
-def with_parts(e: Expr, part: Callable[[Expr], Expr]) -> Expr:
-    """The same node with `part` of each operand; places, literals and statuses as they are."""
-    match e:
-        case Negate():
-            return Negate(part(e.operand))
-        case Not():
-            return Not(part(e.operand))
-        case Convert():
-            return Convert(part(e.operand), e.kind)
-        case BitCast():
-            return BitCast(part(e.operand), e.kind)
-        case Binary():
-            return Binary(e.operator, part(e.left), part(e.right))
-        case Compare():
-            return Compare(e.operator, part(e.left), part(e.right))
-        case Logic():
-            return Logic(e.operator, part(e.left), part(e.right))
-        case Select():
-            return Select(part(e.condition), part(e.yes), part(e.no))
-        case Call():
-            return Call(e.signature, tuple(part(a) for a in e.arguments))
-    return e
 
 
 def unbranched(e: Expr) -> Expr:
     """The same value where `&&` and `||` become `&` and `|`: both sides are computed, so a loop has no branch."""
     if isinstance(e, Logic):
         return Binary(e.operator[0], unbranched(e.left), unbranched(e.right))
-    return with_parts(e, unbranched)
+    return e.with_operands(unbranched)
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:

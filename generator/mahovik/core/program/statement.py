@@ -59,7 +59,7 @@ class Loop:
     index: Variable
     start: Expr
     stop: Expr
-    body: tuple[Statement, ...]
+    body: Statements
     comment: str = ""
     most: int = 1
 
@@ -69,8 +69,8 @@ class When:
     """if (condition) ... else ..."""
 
     condition: Expr
-    body: tuple[Statement, ...]
-    otherwise: tuple[Statement, ...] = ()
+    body: Statements
+    otherwise: Statements = ()
     comment: str = ""
 
 
@@ -92,7 +92,9 @@ class Note:
 class Block:
     """{ ... }: locals of their own."""
 
-    body: tuple[Statement, ...]
+    body: Statements
 
 
 Statement = Block | Let | Declare | Set | Copy | Do | Loop | When | Return | Note
+Statements = tuple[Statement, ...]
+"""Statements of a function or a block."""

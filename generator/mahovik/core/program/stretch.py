@@ -6,7 +6,7 @@ that is passed to a function, gets an array of lanes. What is the same in all la
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 from mahovik.core.program.call import Call
@@ -33,7 +33,7 @@ class _Stretch:
 
 
 @dataclass(eq=False)
-class _Around:
+class _Nested:
     """A loop, a condition that is the same for all, a call or a copy, with the stretches inside."""
 
     statement: Statement
@@ -41,7 +41,7 @@ class _Around:
     otherwise: list[_Item] = field(default_factory=list)
 
 
-_Item = _Stretch | _Around
+_Item = _Stretch | _Nested
 
 
 class Stretches:
@@ -78,11 +78,11 @@ class Stretches:
             stretch = _Stretch()
             match s:
                 case Loop():
-                    items.append(_Around(s, self._split(s.body)))
+                    items.append(_Nested(s, self._split(s.body)))
                 case When():
-                    items.append(_Around(s, self._split(s.body), self._split(s.otherwise)))
+                    items.append(_Nested(s, self._split(s.body), self._split(s.otherwise)))
                 case _:
-                    items.append(_Around(s))
+                    items.append(_Nested(s))
         return [*items, stretch]
 
     def _into(self, s: Statement, stretch: _Stretch) -> bool:
@@ -96,7 +96,7 @@ class Stretches:
                 stretch.lanes.append(s)
             case Set(place, value) if self._varying.place(place) or self._varying.expression(value):
                 stretch.lanes.append(s)
-            case Set(place) if id(place.root) not in _roots(stretch.lanes):
+            case Set(place) if id(place.root) not in used_variables(stretch.lanes):
                 stretch.before.append(s)
             case _:
                 return False
@@ -106,10 +106,12 @@ class Stretches:
         """Record the stretches, calls and copies that use each variable."""
         for item in items:
             if isinstance(item, _Stretch):
-                self._use(id(item), _roots(item.lanes) | {id(s.variable) for s in item.lanes if isinstance(s, Let)})
+                self._use(
+                    id(item), used_variables(item.lanes) | {id(s.variable) for s in item.lanes if isinstance(s, Let)}
+                )
             elif isinstance(item.statement, Do | Copy):
-                self._use(id(item), _roots([item.statement]))
-                self._use(0, _roots([item.statement]))  # a second user: what is passed on needs all its lanes
+                self._use(id(item), used_variables([item.statement]))
+                self._use(0, used_variables([item.statement]))  # a second user: what is passed on needs all its lanes
             else:
                 self._count(item.body)
                 self._count(item.otherwise)
@@ -175,7 +177,7 @@ class Stretches:
                 return replace(s, place=self._place(place, None), value=self._expr(value, None))
         return s
 
-    def _around(self, item: _Around) -> Statement:
+    def _around(self, item: _Nested) -> Statement:
         s = item.statement
         match s:
             case Loop():
@@ -205,8 +207,3 @@ class Stretches:
         if wide is None or wide is place.root:
             return place
         return self._wide.place(place, wide, lane)
-
-
-def _roots(statements: Iterable[Statement]) -> set[int]:
-    """`id` of every variable that statements read or write."""
-    return used_variables(tuple(statements))

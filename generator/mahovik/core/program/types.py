@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any
+from math import prod
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -59,7 +61,7 @@ class Field:
 
     name: str
     type: Kind | Struct
-    shape: tuple[int | NamedCount, ...] = ()
+    shape: Shape = ()
     unit: str = ""
     comment: str = ""
 
@@ -76,6 +78,10 @@ class NamedCount:
         return self.value
 
 
+Shape: TypeAlias = tuple[int | NamedCount, ...]
+"""Lengths of an array, the outermost first; () is a scalar."""
+
+
 @dataclass(frozen=True)
 class Struct:
     """A record type. `name` has no prefix: the printer puts the stand's name before it."""
@@ -87,3 +93,30 @@ class Struct:
     def field(self, name: str) -> Field | None:
         """The member of that name, or None."""
         return next((f for f in self.fields if f.name == name), None)
+
+    def held(self) -> Iterator[Struct]:
+        """The structs that it holds, directly or not, each after those that it holds itself; it comes last."""
+        found: dict[str, Struct] = {}
+        for f in self.fields:
+            if isinstance(f.type, Struct):
+                found |= {struct.name: struct for struct in f.type.held() if struct.name not in found}
+        yield from found.values()
+        yield self
+
+
+def leaves(type_: Kind | Struct, shape: Shape, value: Any) -> Iterator[tuple[Kind, Any]]:
+    """Kind and number of every scalar of a value of dicts (structs), lists (arrays) and numbers, in C's order."""
+    if shape:
+        for element in value:
+            yield from leaves(type_, shape[1:], element)
+    elif isinstance(type_, Struct):
+        for f in type_.fields:
+            yield from leaves(f.type, f.shape, value[f.name])
+    else:
+        yield type_, value
+
+
+def numbers(type_: Kind | Struct, shape: Shape = ()) -> int:
+    """How many scalars a value has."""
+    one = sum(numbers(f.type, f.shape) for f in type_.fields) if isinstance(type_, Struct) else 1
+    return one * prod(map(int, shape))

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.statement import Block, Declare, Let, Loop, Return, Statement, When
+from mahovik.core.program.statement import Declare, Let, Loop, Statements
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import called, expressions, used_variables
+from mahovik.core.program.walk import blocks, called, inside, own, statements, used_variables
 
 
 def validate(program: Program) -> None:
@@ -26,58 +24,32 @@ def validate(program: Program) -> None:
         scope = {a.name: id(a.variable) for a in function.arguments}
         _check_block(function, function.body, scope)
         used = used_variables(function.body)
-        for variable in _declared(function.body):
-            if id(variable) not in used:
-                raise ValueError(f"{function.name}: {variable.name} is never used")
+        for s in statements(function.body):
+            if isinstance(s, Let | Declare) and id(s.variable) not in used:
+                raise ValueError(f"{function.name}: {s.variable.name} is never used")
 
 
-def _declared(body: tuple[Statement, ...]) -> Iterator[Variable]:
-    for statement in body:
-        match statement:
-            case Let(variable) | Declare(variable):
-                yield variable
-            case Loop(_, _, _, inner) | Block(inner):
-                yield from _declared(inner)
-            case When(_, inner, otherwise):
-                yield from _declared(inner)
-                yield from _declared(otherwise)
-
-
-def _check_block(function: Function, body: tuple[Statement, ...], scope: dict[str, int]) -> None:
+def _check_block(function: Function, body: Statements, scope: dict[str, int]) -> None:
     scope = dict(scope)
-    for statement in body:
-        match statement:
-            case Let(variable, value):
-                _check_uses(function, value, scope)
-                _declare(function, variable.name, id(variable), scope)
-            case Declare(variable):
-                _declare(function, variable.name, id(variable), scope)
-            case Loop(index, start, stop, inner):
-                _check_uses(function, start, scope)
-                _check_uses(function, stop, scope)
-                nested = dict(scope)
-                _declare(function, index.name, id(index), nested)
-                _check_block(function, inner, nested)
-            case Block(inner):
-                _check_block(function, inner, scope)
-            case When(condition, inner, otherwise):
-                _check_uses(function, condition, scope)
-                _check_block(function, inner, scope)
-                _check_block(function, otherwise, scope)
-            case _:
-                for e in expressions((statement,)):
-                    _check_place(function, e, scope)
+    for s in body:
+        for e in own(s):
+            for part in inside(e):
+                _check_place(function, part, scope)
+        within = scope
+        match s:
+            case Let(variable) | Declare(variable):
+                _declare(function, variable, scope)
+            case Loop(index):
+                within = dict(scope)
+                _declare(function, index, within)
+        for inner in blocks(s):
+            _check_block(function, inner, within)
 
 
-def _declare(function: Function, name: str, identity: int, scope: dict[str, int]) -> None:
-    if name in scope:
-        raise ValueError(f"{function.name}: {name} hides another {name}")
-    scope[name] = identity
-
-
-def _check_uses(function: Function, value: Expr, scope: dict[str, int]) -> None:
-    for e in expressions((Return(value),)):
-        _check_place(function, e, scope)
+def _declare(function: Function, variable: Variable, scope: dict[str, int]) -> None:
+    if variable.name in scope:
+        raise ValueError(f"{function.name}: {variable.name} hides another {variable.name}")
+    scope[variable.name] = id(variable)
 
 
 def _check_place(function: Function, e: Expr, scope: dict[str, int]) -> None:

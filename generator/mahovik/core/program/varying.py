@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Copy, Do, Let, Loop, Set, Statement, When
+from mahovik.core.program.statement import Copy, Do, Let, Set, Statements, When
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import inside
+from mahovik.core.program.walk import blocks, inside
 
 
 class Varying:
@@ -39,8 +39,7 @@ class Varying:
 
     def arguments(self, call: Call) -> frozenset[str]:
         """Names of the parameters of a call that get something that varies, results included."""
-        pairs = zip(call.signature.arguments, call.arguments, strict=True)
-        return frozenset(p.name for p, value in pairs if p.direction != "in" or self.expression(value))
+        return frozenset(p.name for p, value in call.passed if p.direction != "in" or self.expression(value))
 
     def _mark(self, place: Expr) -> bool:
         assert isinstance(place, Place)
@@ -49,7 +48,7 @@ class Varying:
         self._found.add(id(place.root))
         return True
 
-    def _spread(self, body: tuple[Statement, ...], condition: bool) -> bool:
+    def _spread(self, body: Statements, condition: bool) -> bool:
         """One pass over a body; `condition`: it is done by some states only. True where something new was found."""
         new = False
         for s in body:
@@ -61,13 +60,10 @@ class Varying:
                 case Copy(target, source) if condition or self.expression(source):
                     new |= self._mark(target)
                 case Do(call):
-                    for parameter, value in zip(call.signature.arguments, call.arguments, strict=True):
+                    for parameter, value in call.passed:
                         if parameter.direction != "in":
                             new |= self._mark(value)
-                case Loop(_, _, _, inner):
-                    new |= self._spread(inner, condition)
-                case When(test, inner, otherwise):
-                    now = condition or self.expression(test)
-                    new |= self._spread(inner, now)
-                    new |= self._spread(otherwise, now)
+            now = condition or (isinstance(s, When) and self.expression(s.condition))
+            for inner in blocks(s):
+                new |= self._spread(inner, now)
         return new

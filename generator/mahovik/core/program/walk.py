@@ -1,73 +1,82 @@
-"""Walks over programs: which variables and functions a body uses."""
+"""Walks over programs: their statements and expressions, which variables and functions a body uses."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Binary, BitCast, Compare, Convert, Expr, Logic, Negate, Not, Place, Select
+from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import Block, Copy, Do, Let, Loop, Return, Set, Statement, Statements, When
 
 
-def expressions(body: tuple[Statement, ...]) -> Iterator[Expr]:
-    """Every expression of a body, from the outside in; places that are written are there as well."""
-    for statement in body:
-        yield from _of_statement(statement)
+def statements(body: Iterable[Statement]) -> Iterator[Statement]:
+    """Every statement of a body, each before those inside it."""
+    for s in body:
+        yield s
+        for inner in blocks(s):
+            yield from statements(inner)
 
 
-def _of_statement(s: Statement) -> Iterator[Expr]:
+def blocks(s: Statement) -> tuple[Statements, ...]:
+    """The bodies inside a statement."""
     match s:
-        case Note() | Declare():
-            return
+        case Loop() | Block():
+            return (s.body,)
+        case When():
+            return (s.body, s.otherwise)
+    return ()
+
+
+def with_blocks(s: Statement, block: Callable[[Statements], Statements]) -> Statement:
+    """The same statement with `block` of each body inside it."""
+    match s:
+        case Loop() | Block():
+            return replace(s, body=block(s.body))
+        case When():
+            return replace(s, body=block(s.body), otherwise=block(s.otherwise))
+    return s
+
+
+def own(s: Statement) -> tuple[Expr, ...]:
+    """The expressions of a statement, without those of the statements inside it."""
+    match s:
         case Let(_, value) | Return(value):
-            yield from inside(value)
+            return (value,)
         case Set(place, value):
-            yield from inside(place)
-            yield from inside(value)
+            return (place, value)
         case Copy(target, source):
-            yield from inside(target)
-            yield from inside(source)
+            return (target, source)
         case Do(call):
-            yield from inside(call)
-        case Block(body):
-            yield from expressions(body)
-        case Loop(_, start, stop, body):
-            yield from inside(start)
-            yield from inside(stop)
-            yield from expressions(body)
-        case When(condition, body, otherwise):
-            yield from inside(condition)
-            yield from expressions(body)
-            yield from expressions(otherwise)
+            return (call,)
+        case Loop(_, start, stop):
+            return (start, stop)
+        case When(condition):
+            return (condition,)
+    return ()
+
+
+def expressions(body: Iterable[Statement]) -> Iterator[Expr]:
+    """Every expression of a body, from the outside in; places that are written are included."""
+    for s in statements(body):
+        for e in own(s):
+            yield from inside(e)
 
 
 def inside(e: Expr) -> Iterator[Expr]:
     """An expression and all its parts, from the outside in."""
     yield e
-    match e:
-        case Place():
-            children: tuple[Expr, ...] = tuple(step for step in e.path if isinstance(step, Expr))
-        case Negate() | Not() | Convert() | BitCast():
-            children = (e.operand,)
-        case Binary() | Compare() | Logic():
-            children = (e.left, e.right)
-        case Select():
-            children = (e.condition, e.yes, e.no)
-        case Call():
-            children = e.arguments
-        case _:
-            children = ()
-    for child in children:
-        yield from inside(child)
+    for part in e.operands:
+        yield from inside(part)
 
 
-def used_variables(body: tuple[Statement, ...]) -> set[int]:
+def used_variables(body: Iterable[Statement]) -> set[int]:
     """`id` of every variable that a body reads or writes."""
     return {id(e.root) for e in expressions(body) if isinstance(e, Place)}
 
 
-def called(body: tuple[Statement, ...]) -> set[str]:
+def called(body: Statements) -> set[str]:
     """Names of the functions that a body calls itself."""
     return {e.signature.name for e in expressions(body) if isinstance(e, Call)}
 

@@ -46,7 +46,7 @@ class Wide:
         return Variable(v.name, self.of(v.type), v.shape)
 
     def place(self, place: Place, wide: Variable, lane: Expr | None) -> Place:
-        """What a place becomes when its root becomes `wide`: of a scalar, its element at `lane`."""
+        """A place after its root has become `wide`; for a scalar, its element at `lane`."""
         type_ = self.of(place.type)
         whole = Place(wide, place.path, type_, place.shape)
         if place.shape or type_ is place.type or lane is None or not isinstance(place.type, Kind):

@@ -15,10 +15,11 @@ from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, se
 from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.rewrite import FreshNames
-from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
+from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
 from mahovik.core.program.stretch import LANE, Stretches
 from mahovik.core.program.types import Kind
 from mahovik.core.program.varying import Varying
+from mahovik.core.program.walk import statements
 from mahovik.core.program.wide import Wide
 
 RESERVED = (LANE, "where", "any")
@@ -61,8 +62,9 @@ class _Widening:
         self._narrow = narrow
         self._names = names
         self._varying = Varying(narrow, names)
-        locals_ = _declared(narrow.body)
-        self._fresh = FreshNames(locals_ | {a.name for a in narrow.arguments})
+        local = {s.variable.name for s in statements(narrow.body) if isinstance(s, Let | Declare)}
+        local |= {s.index.name for s in statements(narrow.body) if isinstance(s, Loop)}
+        self._fresh = FreshNames(local | {a.name for a in narrow.arguments})
         self._unset: set[int] = set()
 
     def function(self) -> Function:
@@ -83,7 +85,7 @@ class _Widening:
 
     # -- conditions that vary become choices ---------------------------------------------------------------------------
 
-    def _chosen(self, body: tuple[Statement, ...], where: Expr | None) -> list[Statement]:
+    def _chosen(self, body: Statements, where: Expr | None) -> list[Statement]:
         """Statements under the condition `where` that varies, without conditions that vary."""
         found: list[Statement] = []
         for s in body:
@@ -147,33 +149,16 @@ class _Widening:
         return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), body)]
 
 
-def _only_refuse(body: tuple[Statement, ...]) -> bool:
+def _only_refuse(body: Statements) -> bool:
     """Do statements write nothing but `refused`?"""
-    for s in body:
+    for s in statements(body):
         match s:
             case Do(call):
-                results = [a.name for a in call.signature.arguments if a.direction != "in"]
-                fine = results == [REFUSED]
+                fine = [a.name for a in call.signature.arguments if a.direction != "in"] == [REFUSED]
             case Set(place):
                 fine = place.root.name == REFUSED
-            case When():
-                fine = _only_refuse((*s.body, *s.otherwise))
             case _:
-                fine = isinstance(s, Let | Declare | Note)
+                fine = isinstance(s, Let | Declare | Note | When)
         if not fine:
             return False
     return True
-
-
-def _declared(body: tuple[Statement, ...]) -> set[str]:
-    """Names of the local variables of a body."""
-    found: set[str] = set()
-    for s in body:
-        match s:
-            case Let(variable) | Declare(variable):
-                found.add(variable.name)
-            case Loop():
-                found |= {s.index.name} | _declared(s.body)
-            case When():
-                found |= _declared((*s.body, *s.otherwise))
-    return found

@@ -83,7 +83,7 @@ def atan2(precision: Precision) -> Function:
     b.note("The angle of (major, minor) is atan(t), or pi/4 + atan(t) where minor > major/2; in both |t| <= 1/2.")
     beyond = b.let("beyond", minor + minor > major)
     above = b.let("above", select(beyond, minor - major, minor))
-    below = b.let("below", select(beyond, minor + major, select(major > 0.0, major, 1.0)), "1 for 0/0")
+    below = b.let("below", select(beyond, minor + major, select(major > 0.0, major, 1.0)), "1 avoids 0/0")
     octant = b.let("octant", select(beyond, real(1.0), 0.0))
 
     b.note("Octants: |y| > |x| is pi/2 - angle, a negative x (or -0, as in C) pi - angle.")
@@ -102,11 +102,10 @@ def atan2(precision: Precision) -> Function:
     angle = b.let("angle", sum_ + (lost + (fitted + octant_2 * quarter_lo)))
     b.ret(real_of_bits(bits_of(angle) | (bits_of(y.place) & word(sign))))
 
-    return Function(
+    return b.function(
         name="atan2",
         purpose="angle of the vector (x, y), in [-pi, pi]",
         arguments=(y, x),
-        body=b.statements,
         returns=Kind.REAL,
         notes=("x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0.",),
     )

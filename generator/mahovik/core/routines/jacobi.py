@@ -45,7 +45,7 @@ def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, prec
             body.add(g, w.W[p][j] * w.W[q][j])
         body.note("tangent of the smaller angle that makes the rows orthogonal")
         size = body.let("size", magnitude(b - a) + 2 * magnitude(g))
-        unit = body.let("unit", select(size > 0, size, real(1)), "of size 1, so that no square underflows")
+        unit = body.let("unit", select(size > 0, size, real(1)), "scaled to size 1, so that no square underflows")
         d = body.let("d", (b - a) / unit)
         h = body.let("h", 2 * g / unit)
         root = body.let("root", call(square_root, d * d + h * h))
@@ -73,9 +73,8 @@ def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, prec
         with body.loop("j", count) as j:
             body.add(total, w.W[i][j] * w.W[i][j])
         body.set(w.sigma[i], call(square_root, total))
-    return Function(
+    return body.function(
         "orthogonalise",
         "One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition.",
         (work,),
-        body.statements,
     )

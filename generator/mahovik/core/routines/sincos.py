@@ -93,12 +93,8 @@ def sincos(precision: Precision) -> Function:
     cosine = Argument("cosine", Kind.REAL, direction="out", purpose="cos(x)")
     body = Body()
     _compute(body, x.place, sine.place, cosine.place, precision)
-    return Function(
-        name="sincos",
-        purpose="sine and cosine of an angle",
-        arguments=(x, sine, cosine),
-        body=body.statements,
-        notes=_notes(precision),
+    return body.function(
+        name="sincos", purpose="sine and cosine of an angle", arguments=(x, sine, cosine), notes=_notes(precision)
     )
 
 
@@ -118,11 +114,10 @@ def sincos_each(precision: Precision, count: NamedCount, room: int | NamedCount)
         with body.loop("s", room, start=count) as s:
             body.set(sine.place[s], real(0))
             body.set(cosine.place[s], real(0))
-    return Function(
+    return body.function(
         name="sincos_each",
         purpose="sines and cosines of all phases",
         arguments=(x, sine, cosine),
-        body=body.statements,
         notes=_notes(precision),
     )
 
@@ -131,7 +126,7 @@ def _notes(precision: Precision) -> tuple[str, ...]:
     absolute = "1e-16" if precision.name == "double" else "6e-8"
     return (
         f"|x| <= {precision.max_phase:.0e}, which the caller checks. Error at most 1 unit in the last place",
-        f"for |x| <= 8 pi, and {absolute} absolute beyond. Other x give meaningless results, nothing worse.",
+        f"for |x| <= 8 pi, and {absolute} absolute beyond. Other x give meaningless results, but the call is safe.",
     )
 
 
@@ -143,7 +138,7 @@ def _compute(b: Body, x: Place, sine: Place, cosine: Place, precision: Precision
     sign = sign_bit(precision)
     top = precision.width - 2  # moves bit 1 of the quadrant to the sign
 
-    b.note("k = x/(pi/2) to nearest: the large constant leaves k in the last bits of the sum.")
+    b.note("k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum.")
     shifted = b.let("shifted", x * nearest(Fraction(2) / PI, precision) + to_integer)
     quadrant = b.let("quadrant", bits_of(shifted), "mod 4: its last two bits")
     k = b.let("k", shifted - to_integer)
@@ -155,7 +150,7 @@ def _compute(b: Body, x: Place, sine: Place, cosine: Place, precision: Precision
     r_tail = b.let("r_tail", ((r_hi - rest) + second) + k * part_3, "rounding error of r_hi, and the third part")
     z = b.let("z", r_hi * r_hi)
 
-    b.note("cos r_hi = 1 - z/2 + z^2 C(z); 1 - z/2 is rounded, what it loses is added back.")
+    b.note("cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back.")
     half_z = b.let("half_z", z * 0.5)
     flat = b.let("flat", 1.0 - half_z)
     cos_fit = b.let("cos_fit", polynomial(fits.cosine, z))

@@ -39,44 +39,43 @@ def square_root(precision: Precision) -> Function:
     x = Argument("x", Kind.REAL, purpose="not negative, finite")
     fraction_bits = precision.significand - 1
     hidden = 1 << fraction_bits
-    raised = precision.significand + precision.significand % 2  # even, so that its half can be taken off again
+    raised = precision.significand + precision.significand % 2  # even, so that its half can be subtracted again
     smallest = 2.0 ** (1 - precision.bias)
 
     b = Body()
-    b.note("x = m 4^j, m in [1, 4), by its bits; subnormals are scaled up first.")
+    b.note("x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first.")
     subnormal = b.let("subnormal", x.place < smallest)
     lift = b.let("lift", select(subnormal, 2.0**raised, 1.0))
     lowered = b.let("lowered", select(subnormal, word(raised // 2), word(0)))
     bits = b.let("bits", bits_of(x.place * lift))
     exponent = b.let("exponent", bits >> fraction_bits)
-    odd = b.let("odd", (exponent & 1) ^ 1, "the bias is odd")
+    odd = b.let("odd", (exponent & 1) ^ 1, "the exponent's bias is odd")
     fraction = b.let("fraction", bits & (hidden - 1))
     m_bits = b.let("m_bits", fraction + ((odd + precision.bias) << fraction_bits))
     m = b.let("m", real_of_bits(m_bits))
     half_m = b.let("half_m", m * 0.5)
 
-    b.note("y = 1/sqrt(m): a shift of the bits, then Newton steps.")
+    b.note("y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it.")
     y = b.let("y0", real_of_bits(SEED[precision.name] - (m_bits >> 1)))
     for step in range(1, NEWTON_STEPS[precision.name] + 1):
         y = b.let(f"y{step}", y * (1.5 - half_m * y * y))
     s = b.let("s", m * y)
     close = b.let("close", s + (m - s * s) * (y * 0.5), "within 1.5 units in the last place")
 
-    b.note("The last bit, exactly, with integers modulo 2^width: d = m - s^2 against s, in units of the last place.")
+    b.note("The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last place.")
     one = precision.bias << fraction_bits
     root = b.let("root", bits_of(close) - word(one - hidden), "s as an integer")
     d = b.let("d", (((fraction + hidden) << odd) << fraction_bits) - root * root)
-    up = b.let("up", (root - d) >> (precision.width - 1), "1 where d > s: the next larger is nearer")
-    down = b.let("down", (d + root - 1) >> (precision.width - 1), "1 where d <= -s: the next smaller is")
+    up = b.let("up", (root - d) >> (precision.width - 1), "1 if d > s: the next larger number is nearer")
+    down = b.let("down", (d + root - 1) >> (precision.width - 1), "1 if d <= -s: the next smaller number is nearer")
     halved = b.let("halved", ((exponent + precision.bias - odd) >> 1) - lowered)
     result = b.let("result", real_of_bits(root + up - down + ((halved - 1) << fraction_bits)))
     b.ret(select(x.place > 0.0, result, x.place))
 
-    return Function(
+    return b.function(
         name="sqrt",
         purpose="square root, correctly rounded",
         arguments=(x,),
-        body=b.statements,
         returns=Kind.REAL,
         notes=("x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0.",),
     )

@@ -27,19 +27,24 @@ def turns_of_angle(precision: Precision, phi: Expr) -> Expr:
     return phi * real(nearest(1 / (2 * PI), precision)) + real(magic) - real(magic)
 
 
+def turn_parts(precision: Precision) -> tuple[float, float, float]:
+    """2 pi in three parts: their products with whole numbers of turns are exact, but for those of the third."""
+    first, second, third = (4 * part for part in half_pi_parts(precision))
+    return first, second, third
+
+
 def unwind(precision: Precision) -> Function:
     """`unwound`: an angle less a whole number of turns."""
     phi = Argument("phi", Kind.REAL, unit="rad")
     k = Argument("k", Kind.REAL, purpose="turns, a whole number")
-    first, second, third = (4 * part for part in half_pi_parts(precision))
+    first, second, third = turn_parts(precision)
     body = Body()
     turns = k.place
     body.ret(phi.place - turns * real(first) - turns * real(second) - turns * real(third))
-    return Function(
+    return body.function(
         "unwound",
-        "phi - k 2 pi, with 2 pi in three parts: the product with the first is exact.",
+        "Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact.",
         (phi, k),
-        body.statements,
         returns=Kind.REAL,
     )
 
@@ -48,14 +53,13 @@ def wrap(precision: Precision, unwound: Function) -> Function:
     """`wrapped`: an angle as the equal one in [-pi, pi], to rounding."""
     phi = Argument("phi", Kind.REAL, unit="rad")
     body = Body()
-    body.note("k = phi / (2 pi) to nearest: the large constant leaves k in the last bits of the sum.")
+    body.note("k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the sum.")
     k = body.let("k", turns_of_angle(precision, phi.place), "turns")
     body.ret(call(unwound, phi.place, k))
-    return Function(
+    return body.function(
         "wrapped",
-        "The equal angle within half a turn of zero.",
+        "The angle wrapped to within half a turn of zero.",
         (phi,),
-        body.statements,
         returns=Kind.REAL,
-        notes=(f"|phi| <= {precision.max_phase:g}: beyond it the result is meaningless, nothing worse.",),
+        notes=(f"|phi| <= {precision.max_phase:g}: beyond this the result is meaningless, but the call is safe.",),
     )

@@ -6,15 +6,14 @@ import math
 from typing import Any
 
 from mahovik.core.stand import datasheet
+from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import (
     About,
-    Buoyancy,
     Carrier,
-    Damping,
-    DampingTerm,
     Encoder,
     Flywheel,
     Instrument,
+    LawData,
     Mat3,
     Motor,
     MountingAngles,
@@ -72,8 +71,7 @@ def flywheel(table: FlywheelTable, where: str, problems: Problems) -> Flywheel |
         center_of_mass=center,
         inertia=inertia,
         inertia_about=about,
-        buoyancy=_buoyancy(table),
-        damping=_damping(table),
+        laws=_laws(table),
         wrench_input=table.wrench_input,
         mount=table.mount,
         position=table.position,
@@ -93,14 +91,13 @@ def _common(table: BodyTable, where: str, problems: Problems) -> dict[str, Any]:
     return {
         "center_of_mass": table.center_of_mass,
         "inertia_about": _about(table, where, problems),
-        "buoyancy": _buoyancy(table),
-        "damping": _damping(table),
+        "laws": _laws(table),
         "wrench_input": table.wrench_input,
     }
 
 
 def _about(table: BodyTable, where: str, problems: Problems) -> About:
-    """Without a centre of mass off the origin the two meanings are one, and the key may be left out."""
+    """Point that the inertia is about; if the centre of mass is the origin, the key may be left out."""
     if table.inertia_about is not None:
         return table.inertia_about
     if any(table.center_of_mass):
@@ -112,19 +109,11 @@ def _about(table: BodyTable, where: str, problems: Problems) -> About:
     return "origin"
 
 
-def _buoyancy(table: BodyTable) -> Buoyancy | None:
-    given = table.buoyancy
-    return Buoyancy(given.displaced_mass, given.center) if given and given.displaced_mass else None
-
-
-def _damping(table: BodyTable) -> Damping | None:
-    given = table.damping
-    if given is None:
-        return None
-    terms = tuple(DampingTerm(term.wrench, term.of, term.value) for term in given.terms if term.value)
-    if given.linear is None and given.quadratic is None and not terms:
-        return None
-    return Damping(given.linear, given.quadratic, terms)
+def _laws(table: BodyTable) -> tuple[LawData, ...]:
+    """The data of the laws that act on a body."""
+    given = ((law, getattr(table, law.key)) for law in body_schemas())
+    found = (law.read(own) for law, own in given if own is not None)
+    return tuple(data for data in found if data is not None)
 
 
 def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingAngles | MountingAxes | None:
@@ -141,7 +130,7 @@ def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingA
         problems.add(where, "zero", "required with axis (direction of the second axis at phi_s = 0), but missing")
         return None
     if _sine(table.axis, table.zero) < _PARALLEL:
-        problems.add(where, "zero", "parallel to axis, expected a direction with a part across it")
+        problems.add(where, "zero", "parallel to axis, expected another direction")
         return None
     return MountingAxes(table.axis, table.zero)
 

@@ -1,4 +1,4 @@
-"""The content of a file that a user names: never more than such a file can be."""
+"""Content of a file named by the user, up to a limit of size."""
 
 from __future__ import annotations
 

@@ -6,8 +6,11 @@ Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. A
 
 from __future__ import annotations
 
+import math
+from decimal import ROUND_CEILING, Decimal
+
 from mahovik.core.stand.model import Mat3, Vec3
-from mahovik.core.stand.schema import UnbalanceTable
+from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 
 _DIGITS = 40  # rounded once to a double: the same bits on every machine, which no libm promises
 
@@ -26,6 +29,45 @@ def inertia(spin: float, transverse: tuple[float, ...], unbalance: UnbalanceTabl
     if unbalance is not None and unbalance.dynamic != 0.0:
         j12, j13 = _polar(-unbalance.dynamic, unbalance.dynamic_at, 1.0)
     return ((spin, j12, j13), (j12, transverse[0], 0.0), (j13, 0.0, transverse[1]))
+
+
+def least_transverse(mass: float, spin: float, unbalance: UnbalanceTable | None) -> float | None:
+    """An equal transverse inertia, kg m2, with which a body of this spin inertia and unbalance can be: a thin disc's.
+
+    `spin/2` without dynamic unbalance. None where the static unbalance alone needs more spin inertia.
+    """
+    static, dynamic = (0.0, 0.0) if unbalance is None else (unbalance.static, unbalance.dynamic)
+    thickness = spin / 2 - (
+        static * static / mass if mass > 0.0 else 0.0
+    )  # least second moment of mass across the axis
+    if dynamic == 0.0:
+        return spin / 2 if thickness >= 0.0 else None
+    return spin / 2 + dynamic * dynamic / thickness if thickness > 0.0 else None
+
+
+def thin_disc(table: FlywheelTable) -> str:
+    """What to write where the transverse inertia of a flywheel's data sheet is below that of a thin disc; else ""."""
+    if table.spin_inertia is None or table.transverse_inertia is None:
+        return ""
+    least = least_transverse(table.mass, table.spin_inertia, table.unbalance)
+    if (
+        least is None
+        or not math.isfinite(least)
+        or sum(table.transverse_inertia) / len(table.transverse_inertia) >= least
+    ):
+        return ""
+    half = table.spin_inertia / 2
+    more = "" if least == half else f", with this unbalance {_rounded_up(least)}"
+    return (
+        f"no disc has less than spin_inertia/2 = {_rounded_up(half)} kg m^2 across its axis{more}: "
+        f"for a thin disc write transverse_inertia = {_rounded_up(least)}"
+    )
+
+
+def _rounded_up(x: float) -> str:
+    """`x` > 0 with six digits, not below it."""
+    exact = Decimal(repr(x))  # the shortest decimal: 2.25e-05 stays that
+    return f"{float(exact.quantize(Decimal(1).scaleb(exact.adjusted() - 5), ROUND_CEILING)):g}"
 
 
 def _polar(length: float, angle: float, divisor: float) -> tuple[float, float]:

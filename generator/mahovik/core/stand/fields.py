@@ -1,4 +1,4 @@
-"""What the keys of a stand file's tables take: vocabulary of every table, those of the laws among them.
+"""Types of the keys in a stand file's tables, also in those of laws.
 
 A field holds its value in SI already.
 """
@@ -6,6 +6,8 @@ A field holds its value in SI already.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from decimal import Decimal
 from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, PlainValidator
@@ -38,7 +40,14 @@ def refuse(error: str, key: str = "") -> PydanticCustomError:
     return PydanticCustomError("stand", "{reason}", {"reason": error, "key": key})
 
 
-def validator(read: Callable[[Any], T]) -> PlainValidator:
+@dataclass(frozen=True)
+class QuantityValidator(PlainValidator):
+    """A validator that knows the dimension of the numbers that it reads; None where they have none in common."""
+
+    dimension: Dimension | None = None
+
+
+def validator(read: Callable[[Any], T], dimension: Dimension | None = None) -> QuantityValidator:
     """A validator that reads a raw value by `read`, which raises QuantityError."""
 
     def validate(raw: Any) -> T:
@@ -47,14 +56,19 @@ def validator(read: Callable[[Any], T]) -> PlainValidator:
         except QuantityError as error:
             raise refuse(str(error)) from None
 
-    return PlainValidator(validate)
+    return QuantityValidator(validate, dimension=dimension)
 
 
 def require_bounds(
-    value: float, unit: str, least: float | None = None, above: float | None = None, most: float | None = None
+    value: float,
+    unit: str,
+    least: float | None = None,
+    above: float | None = None,
+    most: float | None = None,
+    raw: Any = None,
 ) -> float:
-    """`value` itself, in `unit`. Raises QuantityError if it is out of bounds."""
-    found = f"{repr(value).removesuffix('.0')} {unit}".rstrip()
+    """`value` itself, in `unit`. Raises QuantityError if it is out of bounds, with `raw`, the number in the file."""
+    found = echo(raw, value, unit) or f"{repr(value).removesuffix('.0')} {unit}".rstrip()
     if above is not None and most is not None and not above < value <= most:
         raise QuantityError(f"{found}: expected above {above:g}, at most {most:g}")
     if above is not None and value <= above:
@@ -68,9 +82,23 @@ def require_bounds(
 
 def scalar(
     dimension: Dimension, *, least: float | None = None, above: float | None = None, most: float | None = None
-) -> PlainValidator:
+) -> QuantityValidator:
     """A validator of a number within bounds."""
-    return validator(lambda raw: require_bounds(number(raw, dimension), dimension.si, least, above, most))
+    si = dimension.si
+    return validator(lambda raw: require_bounds(number(raw, dimension), si, least, above, most, raw), dimension)
+
+
+def written(raw: Any) -> str | None:
+    """The text of a number that has a unit in the file: "1.5 g mm"; None without a unit."""
+    if isinstance(raw, dict) and set(raw) == {"value", "unit"} and isinstance(raw["value"], int | Decimal):
+        return f"{raw['value']} {raw['unit']}"
+    return " ".join(raw.split()) if isinstance(raw, str) else None
+
+
+def echo(raw: Any, value: float, unit: str) -> str | None:
+    """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
+    own = written(raw)
+    return None if own is None else f"{own} ({value:.6g} {unit})"
 
 
 def integer(raw: Any) -> int:

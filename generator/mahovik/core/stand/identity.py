@@ -8,9 +8,10 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from mahovik.contract.laws import parts
+from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.laws import parts
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,11 @@ def identities(stand: Stand) -> Identities:
     del numbers["laws"]
     for law in parts("schema"):
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
+    body_of = {body.name: body for body in stand.bodies}
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
+        given = {type(law): asdict(law) for law in body_of[body["name"]].laws}
+        del body["laws"]
+        body |= {law.key: given.get(law.data) for law in body_schemas()}
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))

@@ -1,13 +1,19 @@
-"""What the folder of a law says of the stand file: its tables, and its part of identities and of written files."""
+"""The part of a law about the stand file: its tables, and its part of identities and of written files."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cache
+from typing import Any, TypeVar
 
+from pydantic import create_model
+
+from mahovik.contract.laws import of_bodies
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import LawData, Stand
+
+AnyTable = TypeVar("AnyTable", bound=Table)
 
 Given = Mapping[str, Sequence[Any]]
 """The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
@@ -37,6 +43,40 @@ class LawSchema:
     tables: Mapping[str, type[Table]] = field(default_factory=dict)
     arrays: Mapping[str, type[Table]] = field(default_factory=dict)
     mounted: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class BodyLawSchema:
+    """One law in the tables of bodies: SCHEMA of the module `schema` of its folder.
+
+    data       class of its raw data
+    key        its key in the table of a body
+    table      what that key takes
+    read       makes the data of the valid table; None where it does nothing
+    lines      the data as lines of a stand file: what stands in the table of the key
+    structure  what of all bodies decides the text of the C, by key
+    limited    members that the emitted C takes up to a largest size only
+    """
+
+    data: type[LawData]
+    key: str
+    table: type[Table]
+    read: Callable[[Any], LawData | None]
+    lines: Callable[[Any], list[str]]
+    structure: Callable[[Stand], dict[str, Any]]
+    limited: tuple[str, ...] = ()
+
+
+def body_schemas() -> tuple[BodyLawSchema, ...]:
+    """Schemas of all laws that have data of bodies."""
+    return of_bodies("schema", "SCHEMA")
+
+
+@cache
+def with_laws(table: type[AnyTable]) -> type[AnyTable]:
+    """The table of a body with the keys of the laws."""
+    keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas()}
+    return create_model(table.__name__, __base__=table, **keys)
 
 
 def keys_of(table: type[Table]) -> list[str]:

@@ -7,8 +7,8 @@ tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, for
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Literal, TypeVar
+from dataclasses import dataclass, field, replace
+from typing import Literal, Self, TypeVar
 
 Vec3 = tuple[float, float, float]
 Vec6 = tuple[float, float, float, float, float, float]
@@ -24,49 +24,50 @@ TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
 
 
 @dataclass(frozen=True)
-class Buoyancy:
-    """Archimedes force `-displaced_mass * gravity` at `center` (in the body's frame)."""
+class LawData:
+    """Raw data of one law of wrenches: each folder of `laws/` has its own class."""
 
-    displaced_mass: float
-    center: Vec3
+    @property
+    def nonlinear(self) -> bool:
+        """Whether a law of bodies is not linear in the body's twist."""
+        return False
+
+    @property
+    def kinked(self) -> bool:
+        """Whether a law of bodies depends on magnitudes of the twist, so that its derivatives jump."""
+        return False
 
 
-@dataclass(frozen=True)
-class Factor:
-    """One factor of a hydrodynamic derivative: component 0..5 of V_r, or its magnitude."""
-
-    component: int
-    absolute: bool
-
-
-@dataclass(frozen=True)
-class DampingTerm:
-    """Hydrodynamic derivative as published: wrench component `wrench` (0..5) += value * product of the two factors."""
-
-    wrench: int
-    of: tuple[Factor, Factor]
-    value: float
+Law = TypeVar("Law", bound=LawData)
 
 
 @dataclass(frozen=True)
-class Damping:
-    """Damping of one body, in its own frame, of its twist relative to the fluid V_r.
+class WithLaws:
+    """What laws of wrenches act on: the stand by those between E0 and the carrier, a body by its own. See `law`."""
 
-    Wrench `-(linear V_r) - (quadratic (V_r |V_r|))` (product element by element) plus the sum of `terms`.
-    `None` where a matrix is absent or all zero.
-    """
+    laws: tuple[LawData, ...] = field(default=(), kw_only=True)
 
-    linear: Mat6 | None
-    quadratic: Mat6 | None
-    terms: tuple[DampingTerm, ...]
+    def law(self, kind: type[Law]) -> Law | None:
+        """The data of one law; None where it does not act."""
+        return next((found for found in self.laws if isinstance(found, kind)), None)
+
+    def with_laws(self, *given: LawData) -> Self:
+        """The same with the given laws instead of its own of the same kinds."""
+        kinds = {type(law): law for law in (*self.laws, *given)}
+        return replace(self, laws=tuple(kinds.values()))
+
+    def without_laws(self, *kinds: type[LawData]) -> Self:
+        """The same without some kinds of law; with no kind named, without any."""
+        return replace(self, laws=tuple(law for law in self.laws if kinds and not isinstance(law, kinds)))
 
 
 @dataclass(frozen=True)
-class Body:
+class Body(WithLaws):
     """What carrier, instruments and flywheels have in common, in the body's own frame.
 
     `inertia` is the full symmetric tensor as the file gives it, about the point named by `inertia_about`.
-    `damping` is None where nothing acts. `wrench_input`: the emitted C takes a run-time wrench on this body.
+    `laws`: data of the laws that act on it in its own frame, weight aside.
+    `wrench_input`: the emitted C takes a run-time wrench on this body.
     """
 
     name: str
@@ -74,8 +75,6 @@ class Body:
     center_of_mass: Vec3
     inertia: Mat3
     inertia_about: About
-    buoyancy: Buoyancy | None
-    damping: Damping | None
     wrench_input: bool
 
 
@@ -134,7 +133,7 @@ class Motor:
 
 @dataclass(frozen=True)
 class Encoder:
-    """Encoder of a flywheel: counts a turn (with sign), count at phi_s = 0, latency in s."""
+    """Encoder of a flywheel: counts per turn (with sign), count at phi_s = 0, latency in s."""
 
     counts: int
     zero: float
@@ -157,14 +156,6 @@ class Flywheel(Body):
 
 
 @dataclass(frozen=True)
-class LawData:
-    """Raw data of one law of wrenches: each folder of `laws/` has its own class. A stand without the law has none."""
-
-
-Law = TypeVar("Law", bound=LawData)
-
-
-@dataclass(frozen=True)
 class Point:
     """A sensor or place of interest on the carrier or an instrument; axes C3(psi) C2(theta) C1(phi)."""
 
@@ -175,10 +166,10 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Stand:
+class Stand(WithLaws):
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
-    `laws`: data of the laws of wrenches that the stand has, see `law`.
+    `laws`: data of the laws between E0 and the carrier that the stand has.
     `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
     """
 
@@ -191,25 +182,16 @@ class Stand:
     flywheels: tuple[Flywheel, ...]
     points: tuple[Point, ...]
     phase_input: PhaseInput = "angle"
-    laws: tuple[LawData, ...] = ()
-
-    def law(self, kind: type[Law]) -> Law | None:
-        """The data of one law; None where the stand does not have it."""
-        return next((found for found in self.laws if isinstance(found, kind)), None)
-
-    def with_laws(self, *given: LawData) -> Stand:
-        """The same stand with the given laws instead of its own of the same kinds."""
-        kinds = {type(law): law for law in (*self.laws, *given)}
-        return replace(self, laws=tuple(kinds.values()))
-
-    def without_laws(self, *kinds: type[LawData]) -> Stand:
-        """The same stand without some kinds of law; with no kind named, without any."""
-        return replace(self, laws=tuple(law for law in self.laws if kinds and not isinstance(law, kinds)))
 
     @property
     def bodies(self) -> tuple[Body, ...]:
         """Carrier, instruments, flywheels, in this order."""
         return (self.carrier, *self.instruments, *self.flywheels)
+
+    @property
+    def kinked(self) -> bool:
+        """Whether a law of any body has derivatives that jump."""
+        return any(law.kinked for body in self.bodies for law in body.laws)
 
     def __repr__(self) -> str:
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}

@@ -1,12 +1,14 @@
-"""What a body and a whole stand must obey to be physical; its own code, shared with no derivation."""
+"""Conditions that make a body and a whole stand physical; its own code, shared with no derivation."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
+from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.problems import Problems
 
@@ -16,15 +18,15 @@ LEAST_EIGENVALUE = 1e-12  # stand.md
 RELATIVE = 1e-9  # stand.md: a flat disc, rounded, is a body
 
 
-LARGEST = 1e15
+LARGEST = BOUNDS["MAX_PARAMETER"].value
 """SI; mass properties and lengths up to here are taken by the emitted C (MAX_PARAMETER)."""
 
 
 def check_size(body: Body, where: str, problems: Problems) -> bool:
     """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
     given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
-    if body.buoyancy is not None:
-        given |= {"displaced_mass": body.buoyancy.displaced_mass, "center": body.buoyancy.center}
+    for law in body_schemas():
+        given |= {key: getattr(data, key) for key in law.limited if (data := body.law(law.data)) is not None}
     if isinstance(body, Instrument | Flywheel):
         given["position"] = body.position
     if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
@@ -39,8 +41,8 @@ def check_size(body: Body, where: str, problems: Problems) -> bool:
     return True
 
 
-def check_body(body: Body, where: str, problems: Problems) -> None:
-    """Note what is unphysical in one body."""
+def check_body(body: Body, where: str, problems: Problems, advice: str = "") -> None:
+    """Note what is unphysical in one body; `advice` says what to write if the triangle inequality is broken."""
     if not check_size(body, where, problems):
         return
     with np.errstate(all="ignore"):  # overflow is caught by isfinite
@@ -62,7 +64,7 @@ def check_body(body: Body, where: str, problems: Problems) -> None:
                 where,
                 "inertia",
                 "principal moments about the centre of mass break the triangle inequality, "
-                f"{a:.12g} + {b:.12g} < {c:.12g}",
+                f"{a:.12g} + {b:.12g} < {c:.12g}{'; ' * bool(advice)}{advice}",
             )
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(

@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from mahovik.core.stand.units import show
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 _ELEMENT = re.compile(r"((?:\[\d+\])+): (.*)", re.DOTALL)  # what `shapes` says of one element
 
@@ -41,7 +41,7 @@ class Problems:
                 known = _known_keys(_table_at(table, location[:-1]))
                 path, reason = (
                     location[:-1],
-                    f"unknown key {show(location[-1])}{meant(str(location[-1]), known)}",
+                    f"unknown key {show(location[-1])}{suggestion(str(location[-1]), known)}",
                 )
             elif kind == "missing":
                 path, reason = location, "required, but missing"

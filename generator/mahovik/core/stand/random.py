@@ -13,14 +13,11 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.laws import LAWS, of_bodies, part
 from mahovik.core.stand.draw import Draw, rows
 from mahovik.core.stand.model import (
-    Buoyancy,
     Carrier,
-    Damping,
-    DampingTerm,
     Encoder,
-    Factor,
     Flywheel,
     Instrument,
     Mat3,
@@ -33,7 +30,6 @@ from mahovik.core.stand.model import (
     Stand,
 )
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
-from mahovik.laws import LAWS, part
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 
@@ -44,9 +40,9 @@ SEQUENCES: tuple[Sequence, ...] = ("ship", "aircraft", "euler")
 
 @dataclass(frozen=True)
 class Features:
-    """What a random stand has. None: drawn.
+    """Features of a random stand. None: drawn.
 
-    fluid           added mass, buoyancy (on flywheels as well) and damping by matrices and terms
+    fluid           added mass, and the laws of bodies (on flywheels as well)
     wrench_inputs   some bodies take a run-time wrench
     laws            how many of each law of `laws/`, by its folder; where there can be one only, 1 or more gives it
     """
@@ -104,7 +100,7 @@ def random_stand(
     )
     gravity = draw.vec3(6.0) if draw.flag(features.gravity) else (0.0, 0.0, 0.0)
     stream = draw.vec3(0.8) if draw.flag(features.stream) else None
-    laws = [part(law, "random").drawn(draw, features.laws.get(law), mounts) for law in LAWS]
+    laws = [part(law, "random").random_law(draw, features.laws.get(law), mounts) for law in LAWS]
     return Stand(
         name=name,
         angles=angles,
@@ -125,7 +121,7 @@ class _Bodies(Draw):
     """Bodies and what belongs to one."""
 
     def body(self, name: str, mass: float, size: float, fluid: bool, inputs: bool) -> dict[str, Any]:
-        """What any Body has: a cloud of eight point masses, off the origin by a third of its size."""
+        """Fields of any body: a cloud of eight point masses, off the origin by a third of its size."""
         rng = self.rng
         parts = rng.uniform(0.5, 1.5, 8) * mass / 8
         at = rng.normal(size=(8, 3)) * size + rng.normal(size=3) * size / 3
@@ -142,34 +138,14 @@ class _Bodies(Draw):
             "center_of_mass": (float(center[0]), float(center[1]), float(center[2])),
             "inertia": cast(Mat3, rows(J)),
             "inertia_about": "center_of_mass" if about_center else "origin",
-            "buoyancy": Buoyancy(float(rng.uniform(0.5, 1.2) * total), self.vec3(size / 3)) if fluid else None,
-            "damping": self.damping(mass) if fluid else None,
+            "laws": tuple(make(self, mass, total, size) for make in of_bodies("random", "random_data"))
+            if fluid
+            else (),
             "wrench_input": inputs and bool(rng.random() < 0.6),
         }
 
     def added_mass(self, size: float) -> Mat6:
         return cast(Mat6, rows(self.definite6(size)))
-
-    def damping(self, size: float) -> Damping:
-        rng = self.rng
-        linear, quadratic = self.definite6(0.8 * size), self.definite6(0.6 * size)
-        terms = tuple(
-            DampingTerm(
-                int(rng.integers(6)),
-                (
-                    Factor(int(rng.integers(6)), bool(rng.random() < 0.3)),
-                    Factor(int(rng.integers(6)), bool(rng.random() < 0.5)),
-                ),
-                float(rng.normal() * 0.2 * size),
-            )
-            for _ in range(int(rng.integers(4)))
-        )
-        with_linear, with_quadratic = rng.random(2) < 0.7
-        return Damping(
-            cast(Mat6, rows(linear)) if with_linear or not (with_quadratic or terms) else None,
-            cast(Mat6, rows(quadratic)) if with_quadratic else None,
-            terms,
-        )
 
     def mounting(self) -> MountingAngles | MountingAxes:
         if self.rng.random() < 0.6:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 from pydantic import ValidationError
 
-from mahovik.core.stand import build, physical
+from mahovik.contract.laws import parts
+from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.law import LawSchema, keys_of
+from mahovik.core.stand.law import AnyTable, LawSchema, keys_of, with_laws
 from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import (
@@ -23,10 +24,7 @@ from mahovik.core.stand.schema import (
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
-from mahovik.laws import parts
-from mahovik.nearest import alike, meant, nearest
-
-AnyTable = TypeVar("AnyTable", bound=Table)
+from mahovik.nearest import alike, nearest, suggestion
 
 _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
@@ -71,12 +69,12 @@ def read(document: dict[str, Any], source: str) -> Stand:
     if any(line.endswith("this version reads schema 1") for line in problems.lines):
         raise StandError([line for line in problems.lines if "schema" in line])  # all else would be noise
 
-    carrier_table = _table(problems, document, "carrier", CarrierTable)
+    carrier_table = _table(problems, document, "carrier", with_laws(CarrierTable))
     if "carrier" not in document:
         problems.add("carrier", "required, but missing")
     laws = [_law(problems, document, part.SCHEMA) for part in parts("schema")]
-    instrument_tables = _array(problems, document, "instrument", InstrumentTable)
-    flywheel_tables = _array(problems, document, "flywheel", FlywheelTable)
+    instrument_tables = _array(problems, document, "instrument", with_laws(InstrumentTable))
+    flywheel_tables = _array(problems, document, "flywheel", with_laws(FlywheelTable))
     point_tables = _array(problems, document, "point", PointTable)
     _check_names(problems, document)
     if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
@@ -91,8 +89,9 @@ def read(document: dict[str, Any], source: str) -> Stand:
         physical.check_body(carrier, "carrier", problems)
     for instrument in instruments:
         physical.check_body(instrument, f'instrument "{instrument.name}"', problems)
-    for flywheel in flywheels:
-        physical.check_body(flywheel, f'flywheel "{flywheel.name}"', problems)
+    for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
+        if wheel is not None:
+            physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, datasheet.thin_disc(table))
 
     if problems.lines or header is None or carrier is None:
         raise StandError(problems.lines)
@@ -123,7 +122,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
         if key not in known:
-            problems.add(f"unknown key {show(key)}{meant(key, known)}")
+            problems.add(f"unknown key {show(key)}{suggestion(key, known)}")
     return _validate(problems, "", Header, own)
 
 
@@ -213,5 +212,5 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
             if mount in flywheels:
                 reason = f'{show(mount)} is a flywheel, expected "carrier" or an instrument'
             else:
-                reason = f"unknown {show(mount)}{meant(mount, mounts)}"
+                reason = f"unknown {show(mount)}{suggestion(mount, mounts)}"
             problems.add(f"{key} {show(name)}", "mount", reason)

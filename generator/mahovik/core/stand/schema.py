@@ -6,11 +6,12 @@ whole stand must obey is in `physical` and `read`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from decimal import Decimal
 from typing import Annotated, Any
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.fields import (
     ZERO3,
@@ -20,23 +21,23 @@ from mahovik.core.stand.fields import (
     Flag,
     Inertia3,
     Length3,
-    LinearDamping6,
     Mass,
     Name,
-    QuadraticDamping6,
     StandName,
     Table,
     Text,
     integer,
-    refuse,
+    require_bounds,
     scalar,
     text,
     validator,
 )
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, About, Factor, PhaseInput, Vec3
+from mahovik.core.stand.model import About, PhaseInput, Vec3
 from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.shapes import vec3, vector
-from mahovik.core.stand.units import Dimension, QuantityError, number, show
+from mahovik.core.stand.units import QuantityError, number, show
+
+_WEIGHT = BOUNDS["MAX_WEIGHT"].value
 
 SEQUENCES: dict[str, AngleSequence] = {
     "ship": "ship", "zyx": "ship", "aircraft": "aircraft", "yzx": "aircraft", "euler": "euler", "zxz": "euler",
@@ -45,7 +46,7 @@ SEQUENCES: dict[str, AngleSequence] = {
 
 def _schema(raw: Any) -> int:
     if integer(raw) != 1:
-        raise QuantityError(f"{raw} is not known, this version reads schema 1")
+        raise QuantityError(f"unknown version {raw}, this program reads schema 1")
     return 1
 
 
@@ -71,29 +72,11 @@ def _phase_input(raw: Any) -> PhaseInput:
     raise QuantityError(f'expected "angle" or "sincos", found {show(raw)}')
 
 
-def _letter(letters: tuple[str, ...]) -> Callable[[Any], int]:
-    def read(raw: Any) -> int:
-        if text(raw) not in letters:
-            raise QuantityError(f"expected one of {' '.join(letters)}, found {show(raw)}")
-        return letters.index(raw)
-
-    return read
-
-
-def _factors(raw: Any) -> tuple[Factor, Factor]:
-    if not isinstance(raw, list) or len(raw) != 2:
-        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected two factors such as ["r", "|v|"], found {found}')
-    read = _letter(TWIST_LETTERS)
-    factors = []
-    for item in raw:
-        bars = len(text(item)) == 3 and item[0] == item[2] == "|"
-        try:
-            factors.append(Factor(read(item[1] if bars else item), bars))
-        except QuantityError:
-            letters = " ".join(TWIST_LETTERS)
-            raise QuantityError(f"expected one of {letters}, with or without bars, found {show(item)}") from None
-    return factors[0], factors[1]
+def _gravity(raw: Any) -> Vec3:
+    """Three numbers, or 0 for none at all."""
+    if not isinstance(raw, bool) and isinstance(raw, int | Decimal) and raw == 0:
+        return ZERO3
+    return vec3(raw, units.ACCELERATION)
 
 
 class Header(Table):
@@ -102,54 +85,16 @@ class Header(Table):
     schema_: Annotated[int, validator(_schema)] = Field(alias="schema")
     name: StandName
     angles: Annotated[AngleSequence, validator(_sequence)] = "ship"
-    gravity: Annotated[Vec3, validator(lambda raw: vec3(raw, units.ACCELERATION))] = ZERO3
+    gravity: Annotated[Vec3, validator(_gravity)] = ZERO3
     stream: Annotated[Vec3, validator(lambda raw: vec3(raw, units.VELOCITY))] | None = None
     phase_input: Annotated[PhaseInput, validator(_phase_input)] = "angle"
 
 
-class BuoyancyTable(Table):
-    """`buoyancy` of a body."""
-
-    displaced_mass: Mass
-    center: Length3 = ZERO3
-
-
-class TermTable(Table):
-    """One of `damping.terms`: a hydrodynamic derivative."""
-
-    wrench: Annotated[int, validator(_letter(WRENCH_LETTERS))]
-    of: Annotated[tuple[Factor, Factor], validator(_factors)]
-    value: Any
-
-    @model_validator(mode="after")
-    def _value_in_si(self) -> TermTable:
-        """The unit of a derivative follows from the wrench component and the two factors."""
-        angular = sum(factor.component >= 3 for factor in self.of)
-        moment = "N m" if self.wrench >= 3 else "N"
-        per = {0: "s^2/m^2", 1: "s^2/m/rad", 2: "s^2/rad^2"}[angular]
-        try:
-            value = number(self.value, Dimension("a hydrodynamic derivative", f"{moment} {per}"))
-        except QuantityError as error:
-            raise refuse(str(error), "value") from None
-        object.__setattr__(self, "value", value)
-        return self
-
-
-class DampingTable(Table):
-    """`damping` of a body."""
-
-    linear: LinearDamping6 = None
-    quadratic: QuadraticDamping6 = None
-    terms: list[TermTable] = Field(default_factory=list)
-
-
 class BodyTable(Table):
-    """What any body may have."""
+    """Keys that any body may have; those of the laws are added to them, see `law.with_laws`."""
 
     center_of_mass: Length3 = ZERO3
     inertia_about: Annotated[About, validator(_about)] | None = None
-    buoyancy: BuoyancyTable | None = None
-    damping: DampingTable | None = None
     wrench_input: Flag = False
 
 
@@ -196,7 +141,7 @@ class MotorTable(Table):
 
 def _counts(raw: Any) -> int:
     if integer(raw) == 0:
-        raise QuantityError("0 counts a turn measure nothing")
+        raise QuantityError("expected at least 1 count per turn, found 0")
     return int(raw)
 
 
@@ -217,8 +162,8 @@ def _transverse(raw: Any) -> tuple[float, ...]:
         pair = vector(raw, (2,), units.INERTIA)
     else:
         pair = (number(raw, units.INERTIA),) * 2
-    if min(pair) < 0:
-        raise QuantityError(f"{min(pair):.17g} is negative")
+    for value in pair:
+        require_bounds(value, units.INERTIA.si, least=0.0, raw=raw)
     return pair
 
 
@@ -234,9 +179,9 @@ class FlywheelTable(BodyTable):
     mass: Mass
     inertia: Inertia3 | None = None
     spin_inertia: Annotated[float, scalar(units.INERTIA, least=0.0)] | None = None
-    transverse_inertia: Annotated[tuple[float, ...], validator(_transverse)] | None = None
+    transverse_inertia: Annotated[tuple[float, ...], validator(_transverse, units.INERTIA)] | None = None
     unbalance: UnbalanceTable | None = None
-    inverse_weight: Annotated[float, scalar(units.PLAIN, least=1e-6, most=1e6)] = 1.0
+    inverse_weight: Annotated[float, scalar(units.PLAIN, least=1.0 / _WEIGHT, most=_WEIGHT)] = 1.0
     motor: MotorTable | None = None
     encoder: EncoderTable | None = None
 

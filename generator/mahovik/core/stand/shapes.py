@@ -58,7 +58,7 @@ def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None
     The four blocks differ in unit, so one unit for all is refused; an element may have its own.
     """
     if isinstance(raw, dict):
-        raise QuantityError("a 6x6 mixes units (metres and radians), so it takes no unit for all: write SI numbers")
+        raise QuantityError("a 6x6 mixes units (metres and radians), so one unit cannot be for all: write SI numbers")
     if not isinstance(raw, list) or len(raw) != 6:
         found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
         raise QuantityError(f"expected six rows of six numbers, or a diagonal of six, found {found}")

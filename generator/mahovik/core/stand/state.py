@@ -20,7 +20,7 @@ class State:
     quaternion  w first, of x0 = C x1; unit length to rounding (it was normalised where it was read)
     V, V_dot    twist of the carrier relative to E0 in E1, linear part first; V_dot: derivative of its components
     phi, phi_dot, phi_ddot   flywheel phases, speeds, accelerations, one each, rad
-    tau         drive torques, one a flywheel, N m
+    tau         drive torques, one per flywheel, N m
     wrench      run-time wrench by body name, in the body's own frame about its origin (a flywheel's turns with phi_s)
     """
 

@@ -1,4 +1,4 @@
-"""What `mahovik check` tells of a stand: masses, unbalance and asymmetry in workshop units, reach, warnings."""
+"""Figures that `mahovik check` prints: masses, inertia, unbalance in workshop units, capacity, reach, warnings."""
 
 from __future__ import annotations
 
@@ -6,15 +6,13 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from mahovik.core.stand.frames import mount_of, placement
+from mahovik.contract.laws import body_parts, parts
+from mahovik.core.stand.balance import eccentric_velocity, grade
+from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
-from mahovik.core.stand.model import Flywheel, Instrument, Stand, Vec3
-from mahovik.laws import parts
-
-Array = NDArray[np.float64]
+from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
+from mahovik.core.stand.slips import slips
+from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3
 
 DEFAULT_SPEED = 100 * math.pi  # 3000 rpm, rad/s
 _NEAR = math.radians(5.0)
@@ -38,37 +36,56 @@ class UnbalanceRow:
     """Unbalance and asymmetry of one flywheel, and what they do at a speed.
 
     static          mass times distance of the centre of mass from the axis, g mm
+    static_at       its angle from axis 2, rad; None without it
     dynamic         sqrt(J12^2 + J13^2) about the origin, g mm2
+    dynamic_at      its angle from axis 2, rad, as in the stand file; None without it
     dynamic_center  the same about the centre of mass, g mm2
     asymmetry       J22 - J33 about the origin, g mm2
     product         J23 about the origin, g mm2
     speed           rad/s: as asked, else the motor's no-load speed, else 3000 rpm
+    eccentric_velocity  distance of the centre of mass from the axis times speed, mm/s
+    grade           the finest grade G of ISO 21940-11 that admits it, mm/s; None above the coarsest
     force           static unbalance times speed^2, N
     moment          dynamic unbalance about the origin times speed^2, N m
     """
 
     name: str
     static: float
+    static_at: float | None
     dynamic: float
+    dynamic_at: float | None
     dynamic_center: float
     asymmetry: float
     product: float
     spin_inertia: float
     speed: float
+    eccentric_velocity: float
+    grade: float | None
     force: float
     moment: float
 
 
 @dataclass(frozen=True)
 class Summary:
-    """Figures of a whole stand. `force` is the worst case, N: the unbalance forces of all flywheels in one line."""
+    """Figures of a whole stand, in E1, flywheels at phi = 0.
+
+    inertia            (3, 3) about the centre of mass, kg m2; without added mass
+    principal_inertia  (3), rising, kg m2; principal_axes: a unit vector in E1 for each
+    momentum, torque   capacity of the flywheels whose motors have a speed, N m s, or a torque, N m
+    force              worst case, N: the unbalance forces of all flywheels in one line
+    """
 
     name: str
     bodies: tuple[BodyRow, ...]
     mass: float
     center_of_mass: Vec3
+    inertia: Mat3
+    principal_inertia: Vec3
+    principal_axes: Mat3
     unbalance: tuple[UnbalanceRow, ...]
     force: float
+    momentum: Capacity
+    torque: Capacity
     warnings: tuple[str, ...]
 
     def as_dict(self) -> dict[str, Any]:
@@ -78,37 +95,29 @@ class Summary:
 
 def summarize(stand: Stand, speed: float | None = None) -> Summary:
     """Figures of `stand`; `speed` (rad/s) of all flywheels, default each motor's no-load speed, else 3000 rpm."""
-    rows = [BodyRow("carrier", "carrier", "", stand.carrier.mass, stand.carrier.center_of_mass)]
-    for instrument in stand.instruments:
-        rows.append(BodyRow(instrument.name, "instrument", "carrier", instrument.mass, _center(stand, instrument)))
-    for flywheel in stand.flywheels:
-        rows.append(BodyRow(flywheel.name, "flywheel", flywheel.mount, flywheel.mass, _center(stand, flywheel)))
-    mass = math.fsum(row.mass for row in rows)
+    bodies = []
+    for each in placed_bodies(stand):
+        body = each.body
+        kind = "flywheel" if isinstance(body, Flywheel) else "instrument" if isinstance(body, Instrument) else "carrier"
+        mount = body.mount if isinstance(body, Flywheel) else "carrier" if isinstance(body, Instrument) else ""
+        bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(each.center_of_mass)))
+    whole = mass_properties(stand)
     unbalance = tuple(_unbalance(flywheel, speed) for flywheel in stand.flywheels)
+    known = [speed is not None or bool(s.motor and s.motor.speed) for s in stand.flywheels]
     return Summary(
         name=stand.name,
-        bodies=tuple(rows),
-        mass=mass,
-        center_of_mass=_vec3(np.array([row.mass * np.array(row.center_of_mass) for row in rows]).sum(axis=0) / mass),
+        bodies=tuple(bodies),
+        mass=whole.mass,
+        center_of_mass=whole.center_of_mass,
+        inertia=whole.inertia,
+        principal_inertia=whole.principal_inertia,
+        principal_axes=whole.principal_axes,
         unbalance=unbalance,
         force=math.fsum(row.force for row in unbalance),
-        warnings=tuple(_warnings(stand)),
+        momentum=momentum_capacity(stand),
+        torque=torque_capacity(stand),
+        warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known)),
     )
-
-
-def _center(stand: Stand, body: Instrument | Flywheel) -> Vec3:
-    """Centre of mass of an instrument or flywheel in E1 at phi = 0."""
-    position, C = placement(body)
-    at = position + C @ np.array(body.center_of_mass)
-    mount = mount_of(stand, body)
-    if mount is not None:
-        position, C = placement(mount)
-        at = position + C @ at
-    return _vec3(at)
-
-
-def _vec3(a: Array) -> Vec3:
-    return (float(a[0]), float(a[1]), float(a[2]))
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None) -> UnbalanceRow:
@@ -117,18 +126,28 @@ def _unbalance(flywheel: Flywheel, asked: float | None) -> UnbalanceRow:
     static = flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     J, central = inertia_about_origin(flywheel), inertia_about_center(flywheel)
     dynamic = math.hypot(J[0, 1], J[0, 2])
+    velocity = eccentric_velocity(flywheel, speed)
     return UnbalanceRow(
         name=flywheel.name,
         static=static * 1e6,
+        static_at=_angle(flywheel.center_of_mass[1], flywheel.center_of_mass[2]),
         dynamic=dynamic * 1e9,
+        dynamic_at=_angle(-float(J[0, 1]), -float(J[0, 2])),
         dynamic_center=math.hypot(central[0, 1], central[0, 2]) * 1e9,
         asymmetry=float(J[1, 1] - J[2, 2]) * 1e9,
         product=float(J[1, 2]) * 1e9,
         spin_inertia=float(J[0, 0]),
         speed=speed,
+        eccentric_velocity=velocity,
+        grade=grade(velocity),
         force=static * speed**2,
         moment=dynamic * speed**2,
     )
+
+
+def _angle(second: float, third: float) -> float | None:
+    """Angle of a vector across the axis from axis 2, rad; None for the zero vector."""
+    return math.atan2(third + 0.0, second + 0.0) if second or third else None  # no -0.0, which would turn by pi
 
 
 def _warnings(stand: Stand) -> list[str]:
@@ -142,11 +161,10 @@ def _warnings(stand: Stand) -> list[str]:
             f"{_FIRST_AXIS[stand.angles] + 1} of E0: a turn about the vertical passes there, it is a heading"
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
         )
-    texts = [law for law in parts("text") if law.CARRIES_WEIGHT]
-    carried = any(law.short(stand) for law in texts) or any(body.buoyancy for body in stand.bodies)
-    if any(stand.gravity) and not carried:
-        names = ", ".join(law.NAME for law in texts)
-        found.append(f"nothing carries the weight (no {names} or buoyancy): the stand falls freely")
+    texts = [law for law in (*parts("text"), *body_parts("text")) if law.CARRIES_WEIGHT]
+    if any(stand.gravity) and not any(law.short(stand) for law in texts):
+        *names, last = (law.NAME for law in texts)
+        found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
     return found
 
 

@@ -8,19 +8,21 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from mahovik.core.stand.unit_spellings import as_product, hint, readings
 from mahovik.core.stand.usual_units import UNITS, usual
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 
 @dataclass(frozen=True)
 class Dimension:
-    """What a key measures: in words for messages, and its SI unit as pint reads it ("" for a plain number).
+    """Dimension of a key: in words for messages, and its SI unit as pint reads it ("" for a plain number).
 
     Radians count: an angle takes degrees but no `mm/m`, a speed takes rpm but no Hz (50 Hz is not 50 rad/s).
     Elsewhere `rad` may be left out, as in N m for N m/rad; `radians` are further powers of it that mean the same.
@@ -52,7 +54,7 @@ PLAIN = Dimension("a plain number", "")
 
 
 class QuantityError(ValueError):
-    """A value cannot be read as the quantity its key wants; the text says what was found and what was expected."""
+    """A value cannot be read as the quantity of its key; the text says what was found and what was expected."""
 
 
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\d.])\s*(.*)", re.DOTALL)
@@ -100,14 +102,35 @@ def split_value_unit(raw: dict[str, Any], outer: str | None) -> tuple[Any, str]:
 @cache
 def factor(unit: str, dimension: Dimension) -> Fraction:
     """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""
+    try:
+        return _literal_factor(unit, dimension)
+    except QuantityError as error:
+        for reading in readings(unit):
+            with suppress(QuantityError):
+                return _literal_factor(reading, dimension)
+        raise QuantityError(_refusal(str(error), unit, dimension)) from None
+
+
+def _refusal(literal: str, unit: str, dimension: Dimension) -> str:
+    """The message on a unit without a fitting reading; `literal` is the one on the unit as it is spelt."""
+    more = hint(unit, dimension.si)
+    product = as_product(unit)
+    if product != unit:
+        with suppress(QuantityError):
+            _root(product)
+            return f'unit {show(unit)}, read as "{product}", does not fit, expected {_expected(dimension)}{more}'
+    return literal.partition(", did you mean")[0] + more if more else literal
+
+
+def _literal_factor(unit: str, dimension: Dimension) -> Fraction:
     ours, our_powers = _root(dimension.si)
     theirs, their_powers = _root(unit)
     radians, our_radians = their_powers.get("radian", 0), our_powers.get("radian", 0)
     same = _without_radian(their_powers) == _without_radian(our_powers)
     fitting = (our_radians,) if dimension in (ANGLE, SPEED) else (our_radians, 0, *dimension.radians)
     if not same or radians not in fitting:
-        hint = ", a frequency is not one: write rpm or rad/s" if dimension == SPEED and same else ""
-        raise QuantityError(f"unit {show(unit)} does not fit, expected {_expected(dimension)}{hint}")
+        frequency = ", a frequency is not one: write rpm or rad/s" if dimension == SPEED and same else ""
+        raise QuantityError(f"unit {show(unit)} does not fit, expected {_expected(dimension)}{frequency}")
     return theirs / ours
 
 
@@ -179,16 +202,16 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     except QuantityError:
         raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
-        raise QuantityError(f"{show(unit)} is not a known unit{_meant(unit)}") from error
+        raise QuantityError(f"{show(unit)} is not a known unit{_misspelt_unit(unit)}") from error
     powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):
         raise QuantityError(f"unit {show(unit)} has a power that is not whole")
     return Fraction(scale), {name: int(power) for name, power in powers.items()}
 
 
-def _meant(unit: str) -> str:
+def _misspelt_unit(unit: str) -> str:
     """The usual unit that a single misspelt word may be; nothing for products and powers."""
-    near = meant(unit, UNITS) if unit.isalpha() else ""
+    near = suggestion(unit, UNITS) if unit.isalpha() else ""
     return near if near.endswith("?") else ""
 
 

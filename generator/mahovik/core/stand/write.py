@@ -5,26 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
+from mahovik.contract.laws import parts
+from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import (
-    TWIST_LETTERS,
-    WRENCH_LETTERS,
     Body,
     Carrier,
-    Damping,
-    Factor,
     Flywheel,
     Instrument,
     MountingAngles,
     Stand,
 )
-from mahovik.core.stand.toml import fields, line_of, value_of
-from mahovik.laws import parts
+from mahovik.core.stand.toml import fields, line_of
 
 _NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
 def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
-    """The stand as TOML text. `loads(dumps(stand)) == stand`, but for what stand.md lets vanish (all-zero parts).
+    """The stand as TOML text. `loads(dumps(stand)) == stand`, except all-zero parts, which are absent.
 
     `comments`: lines over the table of a body or point, by its name.
     """
@@ -63,31 +60,10 @@ def _body(body: Body) -> list[str]:
         lines.append(line_of("added_mass", body.added_mass))
     if body.wrench_input:
         lines.append("wrench_input = true")
-    if body.buoyancy is not None:
-        floating = body.buoyancy
-        lines.append(f"buoyancy = {{ {', '.join(fields(floating, 'displaced_mass', 'center'))} }}")
-    if body.damping is not None:
-        lines.append(f"damping = {{ {', '.join(_damping(body.damping))} }}")
+    for law in body_schemas():
+        if (data := body.law(law.data)) is not None:
+            lines.append(f"{law.key} = {{ {', '.join(law.lines(data))} }}")
     return lines
-
-
-def _damping(damping: Damping) -> list[str]:
-    parts = [
-        line_of(key, getattr(damping, key)) for key in ("linear", "quadratic") if getattr(damping, key) is not None
-    ]
-    if damping.terms:
-        terms = (
-            f'{{ wrench = "{WRENCH_LETTERS[term.wrench]}", of = {value_of([_factor(f) for f in term.of])}, '
-            f"value = {term.value!r} }}"
-            for term in damping.terms
-        )
-        parts.append(f"terms = [{', '.join(terms)}]")
-    return parts
-
-
-def _factor(factor: Factor) -> str:
-    letter = TWIST_LETTERS[factor.component]
-    return f"|{letter}|" if factor.absolute else letter
 
 
 def _flywheel(flywheel: Flywheel) -> list[str]:

@@ -17,10 +17,10 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import ToolchainError
 
 SINGLE = (*BITS, "-O2")
-"""For one state."""
+"""Flags for functions of one state."""
 
 BATCH = (*BITS, "-O3", "-march=native")
-"""For many: with the registers of this processor, and the same bits."""
+"""Flags for batches: with the registers of this processor, and the same bits."""
 
 _PARALLEL = "-fopenmp"
 _PLACE = ["-shared", "-fPIC"]

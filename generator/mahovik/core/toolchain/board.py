@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from mahovik.core.emit.templates import environment, template
+from mahovik.core.emit.templates import source_text, template
 from mahovik.core.toolchain import process
 from mahovik.core.toolchain.compiler import BITS, WARNINGS
 from mahovik.core.toolchain.targets import Target
@@ -22,7 +22,7 @@ _FILES = {
 
 def board_files(target: Target) -> dict[str, str]:
     """The board's own files, text by file name: C, startup, linker scripts."""
-    files = {Path(name).name: _text(f"board/{name}") for name in _FILES[target.family]}
+    files = {Path(name).name: source_text(f"board/{name}") for name in _FILES[target.family]}
     if target.code is not None and target.data is not None:
         memories = {"code": _memory(target.code.origin, target.code.length)}
         memories["data"] = _memory(target.data.origin, target.data.length)
@@ -150,13 +150,6 @@ def _ending(status: int) -> str:
 
 def _memory(origin: int, length: int) -> dict[str, str]:
     return {"origin": f"0x{origin:08X}", "length": f"{length // 1024}K"}
-
-
-def _text(name: str) -> str:
-    """A file of templates/ as it is."""
-    loader = environment().loader
-    assert loader is not None
-    return loader.get_source(environment(), name)[0]
 
 
 def _run(command: Sequence[str], folder: Path, what: str) -> str:

@@ -74,5 +74,5 @@ def _build(source: Path, library: Path, how: Sequence[str]) -> None:
 
 
 def preprocess(header: Path) -> str:
-    """A header as the compiler sees it: declarations without directives. Raises ToolchainError."""
-    return run_compiler(["-std=c99", "-E", "-P", "-x", "c", str(header)], header.name)
+    """A header as the compiler sees it: declarations without directives and assembly. Raises ToolchainError."""
+    return run_compiler(["-std=c99", "-U__ELF__", "-E", "-P", "-x", "c", str(header)], header.name)

@@ -1,4 +1,4 @@
-"""What this machine has of the tools that commands ask for, and the command that installs each."""
+"""Tools of the commands that are installed on this machine, and the command that installs each."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
 
+from mahovik.core.toolchain import process
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import ToolchainError
@@ -54,7 +55,7 @@ def _compiler() -> Iterator[Finding]:
 
 
 def _of_targets() -> Iterator[Finding]:
-    """A line a command, with the targets that want it."""
+    """One line per command, with the targets that need it."""
     serves: dict[str, list[str]] = {}
     packages: dict[str, tuple[str, ...]] = {}
     for target in TARGETS.values():
@@ -100,15 +101,7 @@ def _version(command: list[str]) -> str:
         return ""
     asked = "-version" if command[0] == "frama-c" else "--version"
     try:
-        done = subprocess.run(
-            [*command, asked],
-            capture_output=True,
-            text=True,
-            errors="replace",
-            check=False,
-            stdin=subprocess.DEVNULL,
-            timeout=_SECONDS,
-        )
+        done = process.run([*command, asked], timeout=_SECONDS)
     except (OSError, subprocess.TimeoutExpired):
         return ""
     lines = done.stdout.strip().splitlines()

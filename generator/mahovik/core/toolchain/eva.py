@@ -76,7 +76,7 @@ def proved(
 
 
 def parsed(line: str) -> Proof:
-    """What a line of the script says. Raises ToolchainError for another line."""
+    """Proof reported by a line of the script. Raises ToolchainError for another line."""
     found = _LINE.fullmatch(line.strip())
     if found is None:
         raise ToolchainError(f"_eva.sh printed {line.strip()!r}, expected `SET_FUNCTION alarms N unproved N seconds N`")

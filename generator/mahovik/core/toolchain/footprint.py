@@ -1,4 +1,4 @@
-"""What an object of emitted C takes: code and constants by symbol, stack over the call graph."""
+"""Size of an object of emitted C: code and constants by symbol, stack over the call graph."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Footprint:
         return sum(self.code.get(name, 0) for name in self.reached(function))
 
     def routines(self, function: str) -> list[str]:
-        """What it calls of the compiler's library."""
+        """Functions of the compiler's library that it calls."""
         return sorted(name for name in self.reached(function) if name not in self.frames)
 
     def stack_of(self, function: str) -> int:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 
-from mahovik import __version__
 from mahovik.core.emit.fuzz import fuzz_harness
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.recorder import recorder_files
@@ -15,7 +14,7 @@ from mahovik.core.toolchain.fuzzing import FLAGS, LIMITS
 
 
 def sources(name: str) -> tuple[str, ...]:
-    """What is compiled and linked."""
+    """Files that are compiled and linked."""
     return (f"{name}.c", f"{name}_recorder.c", f"{name}_fuzz.c")
 
 
@@ -27,7 +26,6 @@ def fuzz_project(stand: Stand, real: str) -> dict[str, str]:
         "name": name,
         "NAME": name.upper(),
         "real": real,
-        "generator": f"mahovik {__version__}",
         "flags": shlex.join(FLAGS),
         "limits": shlex.join(LIMITS),
         "sources": " ".join(sources(name)),

@@ -9,6 +9,7 @@ from typing import Any
 
 import cffi
 
+from mahovik.core.emit.names import member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
@@ -85,10 +86,16 @@ class Library:
         return int(status), outputs
 
     def probe(self, function: Function, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        """Calls a public function; returns its status, and whether every byte of its results is as it was."""
+        """Calls a public function; returns its status, and whether every byte of its results is as it was.
+
+        Of results whose address is given (null, for example) nothing is said.
+        """
         storage = {}
         before = {}
         for a in function.arguments:
+            if isinstance(inputs.get(a.name), self._ffi.CData):
+                storage[a.name] = inputs[a.name]
+                continue
             if a.direction != "out":
                 storage[a.name] = self._storage(a, inputs.get(a.name), None)
             else:
@@ -108,7 +115,7 @@ class Library:
             return 0 if value is None else value
         kind = self._c_type(a.type)
         if value is None:
-            value = filled(a.type, a.shape, fill or 0.0)
+            value = _by_member(filled(a.type, a.shape, fill or 0.0))
         if a.shape:
             return self._ffi.new(f"{kind}[{int(a.shape[0])}]", value)
         return self._ffi.new(f"{kind} *", value)
@@ -122,8 +129,15 @@ class Library:
         if shape:
             return [self._plain(stored[i], type_, shape[1:]) for i in range(int(shape[0]))]
         if isinstance(type_, Struct):
-            return {f.name: self._plain(getattr(stored, f.name), f.type, f.shape) for f in type_.fields}
+            return {f.name: self._plain(getattr(stored, member(f.name)), f.type, f.shape) for f in type_.fields}
         return stored
+
+
+def _by_member(value: Any) -> Any:
+    """Plain data with the names that members of structs have in C."""
+    if isinstance(value, dict):
+        return {member(name): _by_member(each) for name, each in value.items()}
+    return [_by_member(each) for each in value] if isinstance(value, list) else value
 
 
 def filled(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:

@@ -36,7 +36,7 @@ def _stops() -> Stops:
 def run(
     command: Sequence[str], cwd: Path | None = None, timeout: float | None = None
 ) -> subprocess.CompletedProcess[str]:
-    """What a program printed, and its status; nothing is on its standard input.
+    """Output of a program, and its status; nothing is on its standard input.
 
     OSError, where it cannot be started, subprocess.TimeoutExpired and KeyboardInterrupt go on: it has ended then.
     """

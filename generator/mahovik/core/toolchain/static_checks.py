@@ -48,6 +48,7 @@ CPPCHECK = (
 DEVIATIONS = {
     "2.3": "a type whose only use is that it does not compile with a header of another element type",
     "2.4": "tags of structs and enums that are used by their typedef alone",
+    "2.5": "a macro that only the next inclusion of the header reads, so that a link is checked once",
     "8.7": "functions of the header that no other file of the folder calls: they are the interface",
     "8.9": "tables that one function of the recorder reads stand at the top of its file",
     "8.14": "`restrict`: results of internal functions overlap no argument, and the compiler may know",
@@ -62,7 +63,7 @@ DEVIATIONS = {
     "13.3": "an index that is used and moved on",
     "14.4": "a bit of a mask as a condition",
     "15.5": "a function returns where a check fails, before anything is written",
-    "17.8": "an argument passed by value is shifted out byte by byte",
+    "17.8": "an argument passed by value is shifted out byte by byte; zeros take the place of a null array",
     "19.2": "a union reads the bits of a real; defined in C99 (6.5.2.3, footnote 82)",
 }
 """Rules of MISRA C:2012 that the emitted C does not keep, as the addon counts them, with the reason."""
@@ -103,7 +104,7 @@ def version(tool: str) -> str:
 
 
 def warned(folder: Path, files: Sequence[str]) -> list[str]:
-    """What compilers and analyser say, a line a complaint; nothing where all is good."""
+    """Complaints of compilers and analyser, one per line; empty if there are none."""
     complaints = []
     commands = [(compiler, *WARNINGS, "-O2", "-c", "-o", "/dev/null") for compiler in COMPILERS]
     for command in [*commands, ANALYSER]:
@@ -118,7 +119,7 @@ def warned(folder: Path, files: Sequence[str]) -> list[str]:
 
 
 def findings(folder: Path, files: Sequence[str]) -> list[Finding]:
-    """What cppcheck and its addon say. Raises ToolchainError where it cannot run."""
+    """Findings of cppcheck and its addon. Raises ToolchainError where it cannot run."""
     require("cppcheck")
     done = process.run([*CPPCHECK, *files], folder)
     if done.returncode != 0:
@@ -134,5 +135,5 @@ def _finding(line: str) -> Finding:
 
 
 def counted(found: Iterable[Finding]) -> Counter[str]:
-    """How often each rule is not kept."""
+    """Number of breaches of each rule."""
     return Counter(each.rule for each in found)

@@ -65,7 +65,7 @@ class Target:
 
 
 def _processor_flags() -> frozenset[str]:
-    """What the host's processor can do, by the words of Linux; empty elsewhere."""
+    """Features of the host's processor, as named by Linux; empty elsewhere."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
@@ -120,7 +120,7 @@ def _riscv(name: str, title: str, arch: str, abi: str, real: str) -> Target:
 
 
 _M55 = "-mcpu=cortex-m55 -mfloat-abi=hard -fno-tree-vectorize"
-"""The vector unit of the M55 flushes subnormal floats to zero: it is kept out of loops."""
+"""The vector unit of the M55 flushes subnormal floats to zero, so loops must not use it."""
 
 _EMBEDDED = (
     _cortex("m3", "Cortex-M3, no FPU", "-mcpu=cortex-m3 -mfloat-abi=soft", "mps2-an385", 0, 0x20000000, 25, ""),
@@ -161,7 +161,7 @@ _AARCH64 = Target(
 
 
 _UNFUSED = "-fno-tree-slp-vectorize"
-"""gcc 12 makes `vfmaddsub` of neighbouring sums and differences of products, in spite of -ffp-contract=off, where it
+"""gcc 12 makes `vfmaddsub` of neighbouring sums and differences of products, despite -ffp-contract=off, where it
 vectorises straight code for an x86-64 with FMA: two roundings become one. Loops over lanes it leaves as they are."""
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.contract.quantities import TABLES
-from mahovik.core.emit.calls import address, call, declaration, initialiser_of, passed
+from mahovik.core.emit.calls import address, argument_text, call, declaration, initialiser_of
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.templates import template
 from mahovik.core.program.call import Argument
@@ -62,7 +62,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
         long_call=LONG_CALL,
         many=MANY,
         constants=[_constant(a, states, names, program.precision) for a in taken.values()],
-        outputs=[f"static {declaration(names, key, a.type, a.shape)};" for key, a in written.items()],
+        outputs=[declaration(names, a, key) for key, a in written.items()],
         preparation=list(_preparation(public, names)),
         calls=calls,
     )
@@ -99,12 +99,12 @@ def _call(f: Function, names: Names, order: int) -> str:
             return f"&{names.function(_OF_THE_STAND[a.name])}"
         if a.name == "mounting":
             return "&prepare_mounts_mounting"
-        return str(order) if a.name == "order" else passed(a, f"{a.name}[s]")
+        return str(order) if a.name == "order" else argument_text(a, f"{a.name}[s]")
 
     return call(names, f, given)
 
 
-def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> str:
+def _constant(a: Argument, states: Sequence[Mapping[str, Any]], names: Names, precision: Precision) -> dict[str, Any]:
     rows = [initialiser_of(a.type, a.shape, state[a.name], precision, exact=False) for state in states]
-    declared = declaration(names, f"{a.name}[STATES]", a.type, a.shape)
-    return f"static const {declared} = {{\n    {f',{chr(10)}    '.join(rows)}\n}};"
+    declaration = names.declaration(f"{a.name}[STATES]", a.type, a.shape)
+    return {"declaration": declaration, "rows": rows}

@@ -1,4 +1,4 @@
-"""The legs in the program of a stand: one function a leg, and its slope."""
+"""The legs in the program of a stand: one function per leg, and its slope."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Legs(LawLowering):
         return bool(structure.law("legs"))
 
     def fields(self, structure: Structure) -> list[Field]:
-        """A struct a leg."""
+        """One struct per leg."""
         return [Field("leg", LEG, (structure.law("legs"),))]
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
@@ -93,14 +93,14 @@ def add_leg(lib: Library) -> Function:
     law = Argument("leg", LEG)
     x = lib.state_argument()
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
     body = Body()
     point = law.place.carrier
     span = body.local("span", (3,))
     span1 = body.local("span1", (3,), comment="in E1, from O1")
     reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
     direction = body.local("direction", (3,))
-    velocity = body.local("velocity", (3,), comment="of the carrier's end, in E1")
+    velocity = body.local("velocity", (3,), comment="velocity of the carrier's end, in E1")
     force = body.local("force", (3,))
     for i in range(3):
         body.set(span[i], law.place.ground[i] - x.place.position[i])
@@ -109,7 +109,7 @@ def add_leg(lib: Library) -> Function:
         body.set(reach[i], span1[i] - point[i])
     square = reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]
     distance = body.let("distance", call(lib["sqrt"], square))
-    with body.when(distance < lib.thresholds.zero_length, comment="no direction"):
+    with body.when(distance < lib.thresholds.zero_length, comment="the leg has no direction"):
         body.ret(Status("RANGE"))
     inverse = body.let("inverse", 1 / distance)
     for i in range(3):
@@ -117,7 +117,9 @@ def add_leg(lib: Library) -> Function:
     six = list(x.place.V)
     assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
     of_leg = formulas.leg()
-    rate = body.let("rate", translate(of_leg.rate, {"direction": direction, "velocity": velocity}), "of its length")
+    rate = body.let(
+        "rate", translate(of_leg.rate, {"direction": direction, "velocity": velocity}), "rate of its length"
+    )
     bound = {
         "stiffness": law.place.stiffness,
         "damping": law.place.damping,
@@ -129,14 +131,11 @@ def add_leg(lib: Library) -> Function:
     for i in range(3):
         body.set(force[i], tension * direction[i])
     add_force(body, list(F.place), point, list(force), None)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "add_leg",
-        "Adds the force of one leg; RANGE where its ends meet, for then it has no direction.",
+        "Adds the wrench of one leg; RANGE if its ends meet, since it then has no direction.",
         (law, x, C, F),
-        body.statements,
         equation="(7)",
-        returns=Kind.STATUS,
         statuses=("OK", "RANGE"),
     )
 
@@ -147,13 +146,13 @@ def add_leg_slope(lib: Library) -> Function:
     x = lib.state_argument()
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
     change = Argument("change", Kind.REAL, (6,), purpose="of the twist")
-    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench, that is added to")
+    F = Argument("F", Kind.REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
     body = Body()
     point = law.place.carrier
     span = body.local("span", (3,))
     span1 = body.local("span1", (3,), comment="in E1, from O1")
     reach = body.local("reach", (3,), comment="from the carrier's end to the ground's, in E1")
-    velocity = body.local("velocity", (3,), comment="change of that of the carrier's end")
+    velocity = body.local("velocity", (3,), comment="change of the velocity of the carrier's end")
     force = body.local("force", (3,))
     for i in range(3):
         body.set(span[i], law.place.ground[i] - x.place.position[i])
@@ -164,7 +163,7 @@ def add_leg_slope(lib: Library) -> Function:
     six = list(change.place)
     assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": point})
     along = reach[0] * velocity[0] + reach[1] * velocity[1] + reach[2] * velocity[2]
-    rate = body.let("pull", -law.place.damping * along / square, "over the distance")
+    rate = body.let("pull", -law.place.damping * along / square, "change of the pull, divided by the distance")
     for i in range(3):
         body.set(force[i], rate * reach[i])
     arm = derived.moment_of_force()

@@ -1,4 +1,4 @@
-"""Legs that were measured a little wrong."""
+"""Legs with small errors of measurement."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from mahovik.core.stand.draw import Draw
 from mahovik.laws.leg.data import Leg, Legs
 
 
-def drawn(draw: Draw, count: int | None, mounts: Sequence[str]) -> Legs | None:
+def random_law(draw: Draw, count: int | None, mounts: Sequence[str]) -> Legs | None:
     """The given number of legs, else up to two; None where there is none."""
     legs = tuple(_leg(draw) for _ in range(draw.count(count, 2)))
     return Legs(legs) if legs else None

@@ -15,17 +15,17 @@ LEGEND = ("zigzags", "legs to the ground (hatched), carrier at q = 0")
 
 
 def ties(stand: Stand) -> tuple[Tie, ...]:
-    """A zigzag a leg."""
+    """One zigzag per leg."""
     return tuple(Tie(np.array(leg.carrier), np.array(leg.ground)) for leg in legs_of(stand))
 
 
 def at_origin(stand: Stand) -> bool:
-    """Never: legs have ends of their own."""
+    """False: legs have ends of their own."""
     return False
 
 
 def cell(stand: Stand) -> Cell:
-    """A line a leg."""
+    """One line per leg."""
     legs = legs_of(stand)
     if not legs:
         return "none"

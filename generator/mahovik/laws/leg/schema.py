@@ -30,7 +30,7 @@ def read(header: None, given: Given) -> Legs | None:
 
 
 def lines(law: Legs) -> tuple[list[str], list[str]]:
-    """A table a leg."""
+    """One table per leg."""
     keys = ("ground", "carrier", "length", "stiffness", "damping")
     return [], [line for leg in law.legs for line in ("", "[[leg]]", *fields(leg, *keys))]
 

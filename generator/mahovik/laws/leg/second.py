@@ -21,7 +21,7 @@ SHORTEST = 1e-9
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
-    """None of its own."""
+    """No inputs of its own."""
     return {}
 
 
@@ -54,7 +54,7 @@ def _leg_force() -> Expr:
 
 
 def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
-    """None of its own. StateError where a leg has no length."""
+    """No inputs of its own. StateError if a leg has no length."""
     for leg in legs_of(stand):
         length = math.hypot(*(np.array(state.position) + C @ np.array(leg.carrier) - np.array(leg.ground)))
         if length < SHORTEST:
@@ -64,5 +64,5 @@ def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
 
 
 def arguments_near(stand: Stand, C0: Array, place: Expr, C: Expr) -> dict[str, Expr]:
-    """None of its own."""
+    """No inputs of its own."""
     return {}

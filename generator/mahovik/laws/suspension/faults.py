@@ -1,4 +1,4 @@
-"""Faults in the suspension, as programs have them."""
+"""Faults in the suspension, as they occur in programs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.suspension.data import Suspension
 from mahovik.laws.suspension.reference import displacement, wrench
-from mahovik.proof.diagnose.law_fault import LawFault
+from mahovik.proof.diagnose.fault import LawFault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pose import Pose
 
@@ -43,6 +43,26 @@ def _of_displacement(wrong: Callable[[Array, Suspension, Pose], Array]) -> Total
     return total
 
 
+def _of_twist(twist: Callable[[Stand, Pose], Array]) -> Total:
+    """The wrench at a twist (6) that is wrong."""
+
+    def total(stand: Stand, state: State, at: Pose) -> Array:
+        law = stand.law(Suspension)
+        return np.zeros(6) if law is None else wrench(law, displacement(law, stand.angles, at), twist(stand, at))
+
+    return total
+
+
+def _relative_to_fluid(stand: Stand, at: Pose) -> Array:
+    """V - (C^T u, 0) (6)."""
+    return at.V if stand.stream is None else at.V - np.concatenate([at.C.T @ np.array(stand.stream), np.zeros(3)])
+
+
+def _in_E0(stand: Stand, at: Pose) -> Array:
+    """V (6) with its components in E0."""
+    return np.concatenate([at.C @ at.V[:3], at.C @ at.V[3:]])
+
+
 _ZERO6 = ((0.0,) * 6,) * 6
 
 FAULTS = (
@@ -57,6 +77,18 @@ FAULTS = (
         "The damping of the suspension is missing.",
         "-(damping V)",
         _of_data(damping=_ZERO6),
+    ),
+    LawFault(
+        "suspension damping relative to the fluid",
+        "The damping of the suspension takes the twist relative to the fluid, not to E0.",
+        "-(damping V): the suspension is fixed in E0, only the fluid's laws take V_r",
+        _of_twist(_relative_to_fluid),
+    ),
+    LawFault(
+        "suspension damping with the twist in E0",
+        "The damping of the suspension takes the components of the twist in E0, not in E1.",
+        "-(damping V): V is in the axes of E1, as the wrench is",
+        _of_twist(_in_E0),
     ),
     LawFault(
         "suspension displacement in E0",

@@ -103,15 +103,17 @@ def rotation_vector(lib: Library) -> Function:
     body = Body()
     w = q.place[0]
     u = list(q.place)[1:]
-    side = body.let("side", select(w < 0, real(-1), real(1)), "q and -q are the same rotation: take the shorter way")
+    side = body.let(
+        "side", select(w < 0, real(-1), real(1)), "q and -q are the same rotation: take the one of the smaller angle"
+    )
     square = body.let("square", u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
-    ratio = body.local("ratio", comment="angle over the length of the vector part")
+    ratio = body.local("ratio", comment="rotation angle divided by the length of the vector part")
     body.set(ratio, real(2))
     with body.when(square > lib.thresholds.small_square):
         length = body.let("length", call(lib["sqrt"], square))
         body.set(ratio, 2 * call(lib["atan2"], length, side * w) / length)
     with body.otherwise():
-        body.note("as it must be; the test keeps zero out of the division whatever q is")
+        body.note("|w| is near 1 here; the test only prevents a division by zero for other q")
         with body.when(side * w > 0.5):
             body.set(ratio, 2 / (side * w))
     for target, component in zip(r.place, u, strict=True):
@@ -129,7 +131,7 @@ def suspend(lib: Library) -> Function:
     law = Argument("law", SUSPENSION)
     x = lib.state_argument()
     C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
     body = Body()
     shift = body.local("shift", (3,))
     body_shift = body.local("shift1", (3,), comment="C^T (O1 - position)")

@@ -1,4 +1,4 @@
-"""A suspension that was measured a little wrong."""
+"""A suspension with small errors of measurement."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from mahovik.core.stand.model import Mat6
 from mahovik.laws.suspension.data import Suspension
 
 
-def drawn(draw: Draw, count: int | None, mounts: Sequence[str]) -> Suspension | None:
+def random_law(draw: Draw, count: int | None, mounts: Sequence[str]) -> Suspension | None:
     """A definite stiffness and damping, and an equilibrium off the origin; None where there is none."""
     if not draw.flag(None if count is None else count > 0):
         return None

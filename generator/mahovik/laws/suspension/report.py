@@ -15,7 +15,7 @@ LEGEND = ("dotted circle", "suspension: a 6x6 between O1 and the ground, it has 
 
 
 def ties(stand: Stand) -> tuple[Tie, ...]:
-    """None: it has no shape."""
+    """No lines: it has no shape."""
     return ()
 
 

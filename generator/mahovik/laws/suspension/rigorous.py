@@ -9,7 +9,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.rigorous.ball import column, matrix
-from mahovik.proof.rigorous.rotation import SEQUENCE, rotation_vector, turned
+from mahovik.proof.rigorous.rotation import SEQUENCE, rotation_product, rotation_vector
 from mahovik.proof.rigorous.screw import stacked
 
 
@@ -21,7 +21,7 @@ def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) ->
     law = stand.law(Suspension)
     if law is None:
         return []
-    C_eq = turned(SEQUENCE[stand.angles], law.angles)
+    C_eq = rotation_product(SEQUENCE[stand.angles], law.angles)
     try:
         rotation = rotation_vector(C_eq.transpose() * C)
     except StateError as error:

@@ -25,5 +25,5 @@ class Torquers(LawData):
 
 
 def mount_of(stand: Stand, torquer: Torquer) -> Instrument | None:
-    """The instrument that bears a torquer; None for the carrier."""
+    """The instrument on which a torquer is mounted; None for the carrier."""
     return next((instrument for instrument in stand.instruments if instrument.name == torquer.mount), None)

@@ -1,4 +1,4 @@
-"""Faults in the torquers, as programs have them."""
+"""Faults in the torquers, as they occur in programs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.reference import wrenches
-from mahovik.proof.diagnose.law_fault import LawFault
+from mahovik.proof.diagnose.fault import LawFault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pose import Pose
 

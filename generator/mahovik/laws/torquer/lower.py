@@ -26,7 +26,7 @@ else:  # without SymPy, until a formula has to be derived
     formulas = FormulaModule("laws.torquer.derive")
 
 DIPOLE = Field("dipole", Kind.REAL, (3,), "A m2", "in the axes of its mount; may be set at run time")
-MOUNT = Field("mount", Kind.INT, (), "", "number of the instrument that bears it; -1: the carrier")
+MOUNT = Field("mount", Kind.INT, (), "", "index of the instrument it is mounted on; -1: the carrier")
 
 
 def torquer_struct(structure: Structure) -> Struct:
@@ -46,7 +46,7 @@ class Torquers(LawLowering):
         return bool(structure.law("torquers"))
 
     def fields(self, structure: Structure) -> list[Field]:
-        """The field, and a struct a torquer."""
+        """The field, and one struct per torquer."""
         return [
             Field("magnetic_field", Kind.REAL, (3,), "T", "in E0; may be set at run time"),
             Field("torquer", torquer_struct(structure), (len(structure.law("torquers")),)),
@@ -94,7 +94,7 @@ def add_torquer(lib: Library) -> Function:
     table = lib.table_argument()
     torquer = Argument("torquer", torquer_struct(structure))
     field = Argument("field", Kind.REAL, (3,), unit="T", purpose="magnetic field in E1")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench that is added to")
+    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
     body = Body()
     dipole = body.local("dipole", (3,), comment="in E1")
     body.copy_array(dipole, torquer.place.dipole)

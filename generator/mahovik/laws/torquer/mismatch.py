@@ -1,4 +1,4 @@
-"""Torquers that were measured a little wrong."""
+"""Torquers with small errors of measurement."""
 
 from __future__ import annotations
 

@@ -14,17 +14,17 @@ LEGEND = ("", "")
 
 
 def ties(stand: Stand) -> tuple[Tie, ...]:
-    """None: a dipole has no ends."""
+    """No lines: a dipole has no ends."""
     return ()
 
 
 def at_origin(stand: Stand) -> bool:
-    """Never: it has no place."""
+    """False: a torquer has no place."""
     return False
 
 
 def cell(stand: Stand) -> Cell:
-    """The field, and a line a torquer."""
+    """The field, and one line per torquer."""
     law = stand.law(Torquers)
     if law is None:
         return "none"

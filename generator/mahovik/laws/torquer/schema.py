@@ -38,7 +38,7 @@ def read(header: FieldHeader | None, given: Given) -> Torquers | None:
 
 
 def lines(law: Torquers) -> tuple[list[str], list[str]]:
-    """The field, and a table a torquer."""
+    """The field, and one table per torquer."""
     tables = [line for t in law.torquers for line in ("", "[[torquer]]", *fields(t, "name", "mount", "dipole"))]
     return fields(law, "magnetic_field"), tables
 

@@ -16,7 +16,7 @@ from mahovik.proof.second.rotation import Array, fixed
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
-    """None of its own."""
+    """No inputs of its own."""
     return {}
 
 
@@ -42,10 +42,10 @@ def _force() -> Expr:
 
 
 def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
-    """None of its own."""
+    """No inputs of its own."""
     return {}
 
 
 def arguments_near(stand: Stand, C0: Array, place: Expr, C: Expr) -> dict[str, Expr]:
-    """None of its own."""
+    """No inputs of its own."""
     return {}

@@ -15,15 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import TypeAdapter
 
-from mahovik.core.program.arrays import (
-    ArrayFunction,
-    filled,
-    from_plain,
-    members_from_plain,
-    members_to_plain,
-    to_plain,
-)
+from mahovik.core.program.arrays import ArrayFunction, Member, filled
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure, structure
 from mahovik.core.toolchain.arrays import ArrayLibrary, build
@@ -35,6 +29,11 @@ if TYPE_CHECKING:
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.values import Values
     from mahovik.core.program.function import Program
+
+
+_FUNCTIONS: TypeAdapter[tuple[ArrayFunction, ...]] = TypeAdapter(tuple[ArrayFunction, ...])
+_RECORDS: TypeAdapter[dict[str, tuple[Member, ...]]] = TypeAdapter(dict[str, tuple[Member, ...]])
+"""Facts of a library, which the store keeps as JSON."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,18 +63,18 @@ def compiled(stand: Stand, real: str, element: np.dtype[Any], compiler: str | No
     found = store.find(key)
     if found is not None:
         try:
-            numbers = store.find_numbers(numbers_key) or _kept(numbers_key, _numbers(stand, real))
+            numbers = store.find_numbers(numbers_key) or _keep(numbers_key, _numbers(stand, real))
             return _loaded(stand, *found, numbers, element, command, parallel)
         except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             pass
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        library, facts, numbers = _made(stand, real, command, parallel, Path(scratch))
+        library, facts, numbers = _compile(stand, real, command, parallel, Path(scratch))
         store.keep(key, library, facts)
-        return _loaded(stand, library, facts, _kept(numbers_key, numbers), element, command, parallel)
+        return _loaded(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
 
 
-def _kept(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
+def _keep(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
     store.keep_numbers(key, numbers)
     return numbers
 
@@ -89,8 +88,9 @@ def _loaded(
     command: tuple[str, ...],
     parallel: bool,
 ) -> Compiled:
-    functions = from_plain(facts["functions"])
-    tables = {name: filled(members_from_plain(of), element, numbers[name]) for name, of in facts["tables"].items()}
+    functions = _FUNCTIONS.validate_python(facts["functions"])
+    found = _RECORDS.validate_python(facts["tables"])
+    tables = {name: filled(of, element, numbers[name]) for name, of in found.items()}
     return Compiled(
         ArrayLibrary(library, stand.name, [f.name for f in functions], parallel),
         {f.name: f for f in functions},
@@ -102,7 +102,7 @@ def _loaded(
     )
 
 
-def _made(
+def _compile(
     stand: Stand, real: str, command: tuple[str, ...], parallel: bool, scratch: Path
 ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
     """Library, facts of the structure, numbers of the stand."""
@@ -113,8 +113,8 @@ def _made(
     generated = generate_all(stand, real)
     files = {**generated.files, **batch_files(stand, generated), **array_source(stand, generated)}
     facts = {
-        "functions": to_plain(array_functions(generated)),
-        "tables": {name: members_to_plain(of) for name, of in tables(generated).items()},
+        "functions": _FUNCTIONS.dump_python(array_functions(generated)),
+        "tables": _RECORDS.dump_python(tables(generated)),
         "inputs": list(generated.layout.inputs),
         "sensors": list(generated.layout.sensors),
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, TypeVar
@@ -10,17 +11,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import BOUNDS
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.errors import InputError
 from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
 from mahovik.out.api.compiled import compiled
-from mahovik.out.api.fields import Array, field
-from mahovik.out.api.inputs import Given
-from mahovik.out.api.making import attitudes, packed, wrenches
+from mahovik.out.api.fields import Array, field, functions
+from mahovik.out.api.inputs import Given, attitudes, pack_states, wrenches
 from mahovik.out.api.results import Result
-from mahovik.out.api.show import functions
 from mahovik.out.api.states import States
 
 Real = Literal["double", "float"]
@@ -99,7 +100,7 @@ class Built:
 
     @property
     def functions(self) -> tuple[Offered, ...]:
-        """What this stand's C offers."""
+        """Functions of this stand's C."""
         found = []
         for function, f in self._made.functions.items():
             if "x" in FUNCTIONS[function].takes:
@@ -161,7 +162,7 @@ class Built:
             "phi_dot": (inputs.read(phi_dot, "phi_dot", count, self._flywheels, "flywheel"), count),
         }
         single = n is None and inputs.batch_size({name: part for name, (part, _) in parts.items()}) is None
-        return States(self._stand.name, self._state, packed(parts, n, self._element), single)
+        return States(self._stand.name, self._state, pack_states(parts, n, self._element), single)
 
     def states_of(self, array: ArrayLike) -> States:
         """States of an array of all their numbers, (n, 13 + 2 N) or (13 + 2 N,), as `States.array` has them: a copy.
@@ -172,7 +173,7 @@ class Built:
         if given.ndim == 0:
             raise InputError(f"states: expected shape ({self._components},) or (n, {self._components}), found ()")
         parts = {"states": (given, self._components)}
-        return States(self._stand.name, self._state, packed(parts, None, self._element), given.ndim == 1)
+        return States(self._stand.name, self._state, pack_states(parts, None, self._element), given.ndim == 1)
 
     def _quaternions(self, angles: Array) -> Array:
         n = len(angles) if angles.ndim == 2 else 1
@@ -191,7 +192,16 @@ class Built:
         self, function: str, x: Any, dt: float, order: int, on_error: OnError, wrench: Wrenches, **given: Any
     ) -> States:
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
-        found, _, single = self._calculated(function, x, on_error, wrench, given)
+        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
+        if coarse:
+            which = f" in {coarse:,} of {len(status):,} states" if len(status) > 1 else ""
+            warnings.warn(
+                f"{function}: COARSE{which}: a flywheel or the carrier turns by more than "
+                f"{BOUNDS[f'MAX_TURN_{order}'].value:g} rad in dt = {dt:g} s; expected a smaller dt",
+                RuntimeWarning,
+                stacklevel=3,
+            )
         return States(self._stand.name, self._state, found["next"], single)
 
     def _calculated(
@@ -215,7 +225,7 @@ class Built:
                 parts["wrench"] = by_body
             elif a.order == "alike":
                 value = given[a.name]
-                alike[a.name] = inputs.flags(value, self._flywheels) if a.name == "locked" else value
+                alike[a.name] = inputs.lock_flags(value, self._flywheels) if a.name == "locked" else value
             else:
                 parts[a.name] = self._read(a, given[a.name])
         if not self._flywheels:
@@ -247,12 +257,14 @@ class Built:
             raise InputError(f"{what}: expected one number for all states, found shape {found.shape}")
         return np.array([found], dtype=self._element)
 
-    def _options(self, by_flywheel: Mapping[str, Given | None], numbers: Mapping[str, float | None]) -> Array:
-        """The options of `inverse`: those of the stand file, and what is given instead."""
-        f = self._made.functions.get("inverse")
-        if f is None:
-            raise InputError("inverse: the stand has no flywheels")
-        a = next(a for a in f.arguments if a.name == "options")
+    def _options(self, by_flywheel: Mapping[str, Given | None], numbers: Mapping[str, float | None]) -> Given:
+        """The options of `inverse`: those of the stand file, and what is given instead; none without flywheels."""
+        if not self._flywheels:
+            for name, given in by_flywheel.items():
+                if given is not None:
+                    inputs.read(given, name, 0, (), "flywheel")
+            return []
+        a = next(a for a in self._made.functions["inverse"].arguments if a.name == "options")
         found = np.zeros(1, dtype=record(a.members, self._element))
         for name, value in self._made.options.items():
             found[name] = value

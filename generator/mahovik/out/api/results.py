@@ -1,4 +1,4 @@
-"""What the functions of a model return: arrays by name, with the batch axis first, and a status for each state."""
+"""Results of a model's functions: arrays by name, with the batch axis first, and a status for each state."""
 
 from __future__ import annotations
 
@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
-from mahovik.nearest import meant
-from mahovik.out.api.fields import Array, Field, Named
-from mahovik.out.api.show import arrays
+from mahovik.nearest import suggestion
+from mahovik.out.api.fields import Array, Field, Named, arrays
 
 Real = NDArray[Any]
 
@@ -39,7 +38,7 @@ class Result(Named):
     def has_status(self, name: str) -> NDArray[np.bool_]:
         """Is the status so named set, for each state?"""
         if name not in STATUS_VALUES:
-            raise InputError(f"status: no {show(name)}{meant(str(name), STATUS_VALUES)}")
+            raise InputError(f"status: no {show(name)}{suggestion(str(name), STATUS_VALUES)}")
         value = STATUS_VALUES[name]
         status = np.asarray(self.status)
         return np.asarray((status > 0) & (status & value != 0) if value > 0 else status == value)
@@ -117,7 +116,7 @@ class Mounts(Result):
 
 
 class Points(Result):
-    """What each instrument and point reads: `position` (S, 3), `C` (S, 3, 3), `twist` (S, 6), ...; S sensors."""
+    """Readings at each instrument and point: `position` (S, 3), `C` (S, 3, 3), `twist` (S, 6), ...; S sensors."""
 
     position: Real
     C: Real

@@ -10,7 +10,7 @@ from mahovik.core.stand.read import load as _load
 
 
 def _notebook(stand: Stand) -> str:
-    from mahovik.out.api.show import bodies
+    from mahovik.out.api.fields import bodies
 
     return bodies(stand)
 

@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.errors import InputError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
-from mahovik.out.api.fields import Field, Named
-from mahovik.out.api.show import arrays
+from mahovik.out.api.fields import Field, Named, arrays
 
 Real = NDArray[Any]
 _WRITTEN = ("position", "attitude", "V", "phi", "phi_dot")
@@ -90,7 +89,7 @@ class States(Named):
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and name not in _WRITTEN:
-            raise InputError(f"{name}: states have no such array{meant(name, _WRITTEN)}")
+            raise InputError(f"{name}: states have no such array{suggestion(name, _WRITTEN)}")
         super().__setattr__(name, value)
 
     def __setitem__(self, key: str | tuple[Any, ...], value: ArrayLike) -> None:

@@ -11,7 +11,6 @@ import contextlib
 import hashlib
 import json
 import os
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import cache
@@ -24,6 +23,8 @@ from mahovik.core.formula import cache as formulas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure
 from mahovik.core.toolchain.arrays import machine
+from mahovik.errors import UsageError
+from mahovik.writing import write_all
 
 KEPT = 256
 """Libraries kept, and as many numbers; the one not used for the longest time goes first."""
@@ -107,10 +108,9 @@ def keep_numbers(name: str, numbers: Mapping[str, Any]) -> None:
     place = folder()
     if place is None:
         return
-    with contextlib.suppress(OSError):
-        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+    with contextlib.suppress(OSError, UsageError):
         content = json.dumps(numbers, default=float).encode()
-        _write(place / f"{name}{_NUMBERS}", _digest(content).encode() + b"\n" + content)
+        _write(place, {f"{name}{_NUMBERS}": _digest(content).encode() + b"\n" + content})
         _forget(place, f"*{_NUMBERS}")
 
 
@@ -119,11 +119,10 @@ def keep(name: str, library: Path, facts: Mapping[str, Any]) -> None:
     place = folder()
     if place is None:
         return
-    with contextlib.suppress(OSError):
-        place.mkdir(mode=0o700, parents=True, exist_ok=True)  # what lies here is executed
+    with contextlib.suppress(OSError, UsageError):
         content = library.read_bytes()
-        _write(place / f"{name}.so", content)
-        _write(place / f"{name}.json", json.dumps({**facts, _DIGEST: _digest(content)}).encode())
+        listed = json.dumps({**facts, _DIGEST: _digest(content)})
+        _write(place, {f"{name}.so": content, f"{name}.json": listed.encode()})
         _forget(place, "*.so")
 
 
@@ -131,16 +130,10 @@ def _digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
-def _write(path: Path, content: bytes) -> None:
-    handle, draft = tempfile.mkstemp(dir=path.parent, prefix=path.stem, suffix=".tmp")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        os.replace(draft, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(draft)
-        raise
+def _write(place: Path, files: Mapping[str, bytes]) -> None:
+    """Write files that only this user may read or change: what lies here is executed. Raises OSError, UsageError."""
+    place.mkdir(mode=0o700, parents=True, exist_ok=True)
+    write_all(place, files, mode=0o600)
 
 
 def _forget(place: Path, which: str) -> None:

@@ -2,9 +2,6 @@
 
 Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. Slow modules are imported
 inside the commands, so that `mahovik --help` answers at once.
-
-Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. What is heavy is
-imported inside the commands, so that `mahovik --help` answers at once.
 """
 
 from __future__ import annotations
@@ -26,8 +23,7 @@ from mahovik.out.cli.group import Commands
 from mahovik.out.cli.import_model import import_model
 from mahovik.out.cli.judge import judge
 from mahovik.out.cli.judge_log import judge_log
-from mahovik.out.cli.linearize import linearize
-from mahovik.out.cli.modes import modes
+from mahovik.out.cli.linear import linearize, modes
 from mahovik.out.cli.new import new
 from mahovik.out.cli.plan import plan
 from mahovik.out.cli.plot import plot
@@ -42,7 +38,7 @@ from mahovik.out.cli.verify_programme import verify_programme
 
 SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
-    "Its C, and the proof": (generate, verify, judge, cost, evidence, judge_log),
+    "Its C, and the evidence": (generate, verify, judge, cost, evidence, judge_log),
     "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),

@@ -3,43 +3,55 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.fitting import fitted, fitting_unit
+from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
+from mahovik.out.cli.output import console, print_json, print_line, print_table
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
+    from mahovik.core.stand.capacity import Capacity
     from mahovik.core.stand.identity import Identities
     from mahovik.core.stand.summary import Summary
+    from mahovik.core.stand.written import Written
+
+RPM = 30 / math.pi
+
+Column = tuple[str, list[str]]
+"""Title and cells."""
 
 
-@click.command()
-@stand_argument
-@click.option(
-    "--speed",
-    metavar="SPEED",
-    help='Speed of all flywheels, "3000 rpm" or rad/s; default: each motor\'s no-load speed.',
-)
-@json_option("Print JSON instead of tables.")
-def check(stand_file: str, speed: str | None, as_json: bool) -> None:
+@command()
+def check(
+    stand_file: str = STAND_FILE,
+    speed: str | None = option(
+        "--speed",
+        'Turn all flywheels at this speed, "3000 rpm" or rad/s; default: each motor\'s no-load speed.',
+        metavar="SPEED",
+    ),
+    as_json: bool = json_option("Print JSON instead of tables."),
+) -> None:
     """Validate a stand; print its figures.
 
-    Shows masses, centres of mass, the unbalance of each flywheel and its force at a speed; warns of problems, also
-    if float would not resolve an unbalance.
+    Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
+    ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. Warns of
+    plausible slips, and if float would not resolve an unbalance.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
+    if asked is not None:
+        warn_beyond_motors(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
+    from mahovik.core.stand.written import written_numbers
     from mahovik.use.study.resolution import shortfalls
 
     summary, names = summarize(stand, asked), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
+    written = written_numbers(stand_file)
     if as_json:
         from dataclasses import asdict
 
@@ -48,10 +60,11 @@ def check(stand_file: str, speed: str | None, as_json: bool) -> None:
             "structure": names.structure,
             "physics": names.physics,
             "float": [asdict(each) for each in short],
+            "written": [asdict(each) for each in written],
         }
         print_json(found)
         return
-    _print(console(), summary, names, [str(each) for each in short])
+    _print(summary, names, [str(each) for each in short], written)
 
 
 def read_speed(text: str) -> float:
@@ -70,45 +83,82 @@ def read_speed(text: str) -> float:
     return abs(found)
 
 
-def _print(out: Console, summary: Summary, names: Identities, short: list[str]) -> None:
-    out.print(f"[bold]{summary.name}[/bold]   structure {names.structure}, physics {names.physics}")
-    bodies = table("body", "kind", "mount", "mass, kg>", "centre of mass in E1, m>")
-    for body in summary.bodies:
-        bodies.add_row(body.name, body.kind, body.mount, f"{body.mass:.6g}", _vector(body.center_of_mass))
-    bodies.add_section()
-    bodies.add_row("all", "", "", f"{summary.mass:.6g}", _vector(summary.center_of_mass))
-    out.print(bodies)
+def _print(summary: Summary, names: Identities, short: list[str], written: list[Written]) -> None:
+    console().print(f"[bold]{summary.name}[/bold]   structure {names.structure}, physics {names.physics}")
+    title, masses = fitted("mass", [*(b.mass for b in summary.bodies), summary.mass], "kg")
+    print_table(
+        ("body", "kind", "mount", title, "centre of mass in E1, m>"),
+        (
+            (b.name, b.kind, b.mount, mass, _vector(b.center_of_mass))
+            for b, mass in zip(summary.bodies, masses, strict=False)
+        ),
+        total=("all", "", "", masses[-1], _vector(summary.center_of_mass)),
+    )
+    title, moments = fitted("principal inertia about the centre of mass", summary.principal_inertia, "kg m2")
+    print_table((title, "its axis in E1>"), zip(moments, map(_vector, summary.principal_axes), strict=True))
     if summary.unbalance:
-        wheels = table(
-            "flywheel",
-            "spin inertia, kg m2>",
-            "static, g mm>",
-            "dynamic, g mm2>",
-            "about its mass centre>",
-            "J22 - J33, g mm2>",
-            "J23, g mm2>",
-            "at, rpm>",
-            "force, N>",
-            "moment, N m>",
-        )
-        for row in summary.unbalance:
-            figures = (
-                row.spin_inertia,
-                row.static,
-                row.dynamic,
-                row.dynamic_center,
-                row.asymmetry,
-                row.product,
-                row.speed * 30 / math.pi,
-                row.force,
-                row.moment,
-            )
-            wheels.add_row(row.name, *(f"{x:.5g}" for x in figures))
-        out.print(wheels)
-        out.print(f"reach of force: {summary.force:.5g} N, all unbalance in one line at these speeds")
+        _print_flywheels(summary)
+    _print_written(written)
     for warning in (*summary.warnings, *short):
-        out.print("warning:", warning, style="yellow", markup=False)
+        print_line(f"warning: {warning}", "yellow")
+
+
+def _print_flywheels(summary: Summary) -> None:
+    """Unbalance of the flywheels, what it does at their speeds, and what their motors can do."""
+    from mahovik.core.stand.balance import grade_words
+
+    rows, names = summary.unbalance, [row.name for row in summary.unbalance]
+    columns = (
+        fitted("spin inertia", [row.spin_inertia for row in rows], "kg m2"),
+        fitted("static", [1e-6 * row.static for row in rows], "kg m"),
+        ("at, deg>", [_degrees(row.static_at) for row in rows]),
+        fitted("dynamic", [1e-9 * row.dynamic for row in rows], "dynamic"),
+        ("at, deg>", [_degrees(row.dynamic_at) for row in rows]),
+        fitted("about its mass centre", [1e-9 * row.dynamic_center for row in rows], "dynamic"),
+        fitted("J22 - J33", [1e-9 * row.asymmetry for row in rows], "dynamic"),
+        fitted("J23", [1e-9 * row.product for row in rows], "dynamic"),
+    )
+    _print_columns(names, columns)
+    effects = (
+        ("at, rpm>", [f"{row.speed * RPM:.5g}" for row in rows]),
+        fitted("force", [row.force for row in rows], "N"),
+        fitted("moment", [row.moment for row in rows], "N m"),
+        fitted("e omega", [row.eccentric_velocity for row in rows], "mm/s"),
+        ("ISO 21940-11", [grade_words(row.eccentric_velocity) for row in rows]),
+        *_capacities(summary, lambda capacity: capacity.each),
+    )
+    _print_columns(names, effects)
+    unit, size = fitting_unit([summary.force], "N")
+    print_line(f"reach of force: {summary.force / size:.5g} {unit}, with all unbalances aligned, at these speeds")
+    whole = _capacities(summary, lambda capacity: (*capacity.axes, capacity.direction, capacity.total))
+    if whole:
+        _print_columns(("along x", "along y", "along z", "in every direction", "sum"), whole, "all motors")
+
+
+def _capacities(summary: Summary, values: Callable[[Capacity], Sequence[float | None]]) -> tuple[Column, ...]:
+    """Columns of momentum and torque, each if some motor has a limit of it."""
+    kinds = (("momentum", summary.momentum, "N m s"), ("torque", summary.torque, "N m"))
+    return tuple(fitted(name, values(capacity), unit) for name, capacity, unit in kinds if capacity.total > 0.0)
+
+
+def _print_columns(names: Sequence[str], columns: Sequence[Column], head: str = "flywheel") -> None:
+    cells = zip(names, *(figures for _, figures in columns), strict=True)
+    print_table((head, *(title for title, _ in columns)), cells)
+
+
+def _print_written(written: list[Written]) -> None:
+    """Numbers of the file with units, other than angles, as they are written; those of several bodies in a row."""
+    bodies: dict[tuple[str, str, str], list[str]] = {}
+    for each in written:
+        if each.unit != "rad":
+            bodies.setdefault((each.key, each.text, f"{each.value:.6g} {each.unit}"), []).append(each.where)
+    if bodies:
+        print_table(("written in the file", "value", "SI", "of"), ((*row, ", ".join(of)) for row, of in bodies.items()))
+
+
+def _degrees(angle: float | None) -> str:
+    return "-" if angle is None else f"{math.degrees(angle):.5g}"
 
 
 def _vector(numbers: tuple[float, float, float]) -> str:
-    return "  ".join(f"{x:9.6f}" for x in numbers)
+    return "  ".join(f"{round(x, 6) + 0.0:9.6f}" for x in numbers)

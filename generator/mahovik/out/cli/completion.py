@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import click
 
+from mahovik.out.cli.options import argument, command
+
 SHELLS = ("bash", "zsh", "fish")
 VARIABLE = "_MAHOVIK_COMPLETE"
 
 
-@click.command(short_help="Print the script for completion in a shell.")
-@click.argument("shell", type=click.Choice(SHELLS))
-@click.pass_context
-def completion(ctx: click.Context, shell: str) -> None:
+@command(short_help="Print the script for completion in a shell.")
+def completion(shell: str = argument(None, type=click.Choice(SHELLS))) -> None:
     """Print the script that completes commands, options, files and names of examples in a shell.
 
     \b
@@ -23,4 +23,4 @@ def completion(ctx: click.Context, shell: str) -> None:
 
     kind = get_completion_class(shell)
     assert kind is not None
-    click.echo(kind(ctx.find_root().command, {}, "mahovik", VARIABLE).source())
+    click.echo(kind(click.get_current_context().find_root().command, {}, "mahovik", VARIABLE).source())

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.arguments import load_stand, stand_argument
-from mahovik.out.cli.json_output import json_option, print_json_text
+from mahovik.out.cli.options import STAND_FILE, choice, command, file_option, flag, json_option, load_stand, option
+from mahovik.out.cli.output import print_json_text
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -19,40 +19,49 @@ if TYPE_CHECKING:
     from mahovik.proof.cost.measure import Costs
 
 
-@click.command(short_help="Measure the C of a stand on processors.")
-@stand_argument
-@click.option(
-    "--real", type=click.Choice(["double", "float"]), help="Element type; default: the widest of each processor's FPU."
-)
-@click.option(
-    "--targets", metavar="NAME,...", help="Processors to print tables for; default m4, m7, rv32imafc, rv64gc."
-)
-@click.option(
-    "-o", "output", metavar="DIR", type=click.Path(), help="Folder of the files; default ./NAME of the stand."
-)
-@click.option("--check", is_flag=True, help="Write nothing; needs accepted figures.")
-@click.option("--accept", is_flag=True, help="Accept the figures for later comparison.")
-@json_option("Print the figures as JSON.")
+@command(short_help="Measure the C of a stand on processors.")
 def cost(
-    stand_file: str, real: str | None, targets: str | None, output: str | None, check: bool, accept: bool, as_json: bool
+    stand_file: str = STAND_FILE,
+    real: str | None = choice(
+        "--real", ["double", "float"], "Choose the element type; default: the widest of each processor's FPU."
+    ),
+    targets: str | None = option(
+        "--targets", "Print tables for these processors; default m4, m7, rv32imafc, rv64gc.", metavar="NAME,..."
+    ),
+    output: str | None = file_option("-o", "DIR", "Use the files in this folder; default ./NAME of the stand."),
+    check: bool = flag("--check", "Write nothing, only compare with accepted figures."),
+    accept: bool = flag("--accept", "Accept the figures for later comparison."),
+    as_json: bool = json_option("Print the figures as JSON."),
 ) -> None:
     """Measure the C of a stand on processors, with as many lanes as the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
     above the accepted one of the same compiler version, or was never accepted. With --targets or --real the tables are
-    printed instead, and --accept keeps the accepted figures of other targets.
+    printed instead, and --accept keeps the accepted figures of other targets; so too where a target is left out because
+    its tools are missing: the command that installs them is printed. --check leaves none out.
     """
     if check and accept:
         raise UsageError("--check, --accept: give only one of them")
-    from mahovik.proof.cost.measure import USUAL, asked
-    from mahovik.proof.cost.page import accepted, page
+    from mahovik.proof.cost.measure import USUAL, available, parse_targets
     from mahovik.proof.cost.page import as_json as json_text
-    from mahovik.proof.verify.cost_files import COST, FIGURES
-    from mahovik.proof.verify.delivery import accepted_figures, add_to_delivery, delivered_lanes, require_place_for_cost
+    from mahovik.proof.cost.page import page, read_accepted
+    from mahovik.proof.verify.delivery import (
+        COST,
+        FIGURES,
+        accepted_figures,
+        add_to_delivery,
+        delivered_lanes,
+        require_place_for_cost,
+    )
 
-    pairs = asked(targets, real)
-    usual = targets is None and real is None
+    pairs = parse_targets(targets, real)
+    absent: list[str] = []
+    if not check:  # a gate that measures less than it should is none
+        pairs, absent = available(pairs)
+    for line in absent:
+        click.echo(f"left out: {line}", err=True)
+    usual = targets is None and real is None and not absent
     stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)
     if not check:
@@ -61,7 +70,7 @@ def cost(
     if check and text is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     lanes = delivered_lanes(folder)
-    before = accepted(text, str(folder / FIGURES), lanes) if text is not None else None
+    before = read_accepted(text, str(folder / FIGURES), lanes) if text is not None else None
     found = _measured(stand, pairs, lanes)
     if as_json:
         print_json_text(json_text(found))

@@ -6,26 +6,25 @@ from pathlib import Path
 
 import click
 
-from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import load_stand, stand_argument
+from mahovik.out.cli.options import STAND_FILE, command, file_option, load_stand
+from mahovik.out.cli.output import print_paths, require_suffix
 from mahovik.out.cli.progress import progress
 
 
-@click.command()
-@stand_argument
-@click.option(
-    "-o", "output", metavar="FILE.html|FILE.tex", type=click.Path(), help="Default: LaTeX to standard output."
-)
-def derive(stand_file: str, output: str | None) -> None:
+@command()
+def derive(
+    stand_file: str = STAND_FILE,
+    output: str | None = file_option("-o", "FILE.html|FILE.tex", "Write this file; default: LaTeX to standard output."),
+) -> None:
     """Show the derivation, LaTeX or HTML.
 
     The matrices of (8)-(11): one generic flywheel with symbols, then the numbers of the stand.
     """
-    if output is not None and not output.endswith((".html", ".tex")):
-        raise UsageError(f"-o {output}: expected a name that ends in .html or .tex")
+    if output is not None:
+        require_suffix(output, (".html", ".tex"))
     stand = load_stand(stand_file)
     from mahovik.out.report.derivation.page import html, latex
-    from mahovik.proof.verify.files import probe, write
+    from mahovik.writing import probe, write
 
     if output is not None:
         probe(Path(output))
@@ -36,4 +35,4 @@ def derive(stand_file: str, output: str | None) -> None:
         click.echo(text, nl=False)
         return
     write(Path(output), text)
-    click.echo(click.format_filename(output))
+    print_paths([output])

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import click
-
-from mahovik.out.cli.arguments import console, table
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import JSON, command
+from mahovik.out.cli.output import print_json, print_table
 from mahovik.out.cli.progress import progress
 
 
-@click.command(short_help="List tools found, and how to install others.")
-@json_option("Print JSON.")
-def doctor(as_json: bool) -> None:
+@command(short_help="List tools found, and how to install others.")
+def doctor(as_json: bool = JSON) -> None:
     """List the compilers, emulators, checkers and extras on this machine, and how to install the others.
 
     Only a C compiler is needed for daily work, and not even that for `generate`. Exit status 1 without one.
@@ -25,9 +22,7 @@ def doctor(as_json: bool) -> None:
     if as_json:
         print_json([asdict(each) for each in found])
     else:
-        rows = table("", "tool", "serves", "found, or how to install it")
-        for each in found:
-            rows.add_row("yes" if each.found else "no", each.what, each.serves, each.found or each.install)
-        console().print(rows)
+        rows = (("yes" if e.found else "no", e.what, e.serves, e.found or e.install) for e in found)
+        print_table(("", "tool", "serves", "found, or how to install it"), rows)
     if not found[0].found:
         raise SystemExit(1)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import load_stand, real_option, stand_argument
+from mahovik.out.cli.options import REAL, STAND_FILE, choice, command, load_stand
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.backends import Backend
 
 
-@click.command(name="eval")
-@stand_argument
-@click.option(
-    "--backend",
-    type=click.Choice(["c", "numpy", "casadi"]),
-    default="c",
-    show_default=True,
-    help="c: the generated C; numpy: the literal reference; casadi: the second derivation.",
-)
-@real_option
-def evaluate(stand_file: str, backend: str, real: str) -> None:
+@command(name="eval")
+def evaluate(
+    stand_file: str = STAND_FILE,
+    backend: str = choice(
+        "--backend",
+        ["c", "numpy", "casadi"],
+        "Evaluate by c, the generated C; numpy, the literal reference; or casadi, the second derivation.",
+        default="c",
+    ),
+    real: str = REAL,
+) -> None:
     """Evaluate states from standard input.
 
     One JSON object per line; a result line for each, in order.
@@ -38,12 +38,14 @@ def evaluate(stand_file: str, backend: str, real: str) -> None:
         raise UsageError(f"--real float: only --backend c has it, not {backend}")
     stand = load_stand(stand_file)
     chosen = _backend(stand, backend, real)
-    from mahovik.proof.verify.evaluate import lines_of, results
+    from mahovik.proof.verify.states import evaluate_lines, split_lines
 
     failed = 0
     piped = not (sys.stdin.isatty() or sys.stdout.isatty())  # otherwise the lines themselves show the progress
     with progress("states evaluated") if piped else nullcontext() as stage:
-        for done, (line, good) in enumerate(results(stand, chosen, lines_of(sys.stdin.buffer), real), start=1):
+        for done, (line, good) in enumerate(
+            evaluate_lines(stand, chosen, split_lines(sys.stdin.buffer), real), start=1
+        ):
             failed += not good
             sys.stdout.write(line + "\n")
             sys.stdout.flush()  # line by line, so that a program can hold a conversation

@@ -9,36 +9,28 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.arguments import console, load_stand, real_option, table
-from mahovik.out.cli.json_output import json_option, print_json
-from mahovik.out.cli.progress import progress, shown
+from mahovik.out.cli.options import REAL, argument, command, file_option, flag, json_option, load_stand, option
+from mahovik.out.cli.output import print_json, print_line, print_table
+from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
     from mahovik.proof.evidence.piece import Collected
 
 
-@click.command()
-@click.argument("stand_file", metavar="STAND.toml", type=click.Path(), required=False)
-@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME-evidence of the stand.")
-@click.option("--full", is_flag=True, help="Everything, possibly hours; default --quick, minutes.")
-@click.option("--quick", is_flag=True, help="Fewer states, drivers, processors.")
-@click.option("--only", metavar="NAME,...", help="Only these pieces; others are listed as left out.")
-@click.option("--without", metavar="NAME,...", help="All pieces but these.")
-@click.option("--seconds", type=click.IntRange(1, 1_000_000), help="Time of fuzzing. [default: 20, with --full 600]")
-@click.option("--check", "checked", metavar="DIR", type=click.Path(), help="Check the SHA-256 sums of a folder only.")
-@json_option("Print the table as JSON.")
-@real_option
+@command()
 def evidence(
-    stand_file: str | None,
-    output: str | None,
-    full: bool,
-    quick: bool,
-    only: str | None,
-    without: str | None,
-    seconds: int | None,
-    checked: str | None,
-    as_json: bool,
-    real: str,
+    stand_file: str | None = argument("STAND.toml", required=False),
+    output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME-evidence of the stand."),
+    full: bool = flag("--full", "Run everything, possibly for hours; default: --quick, for minutes."),
+    quick: bool = flag("--quick", "Run fewer states, drivers and processors."),
+    only: str | None = option("--only", "Run only these pieces, and list the others as left out.", metavar="NAME,..."),
+    without: str | None = option("--without", "Run all pieces but these.", metavar="NAME,..."),
+    seconds: int | None = option(
+        "--seconds", "Fuzz for this number of seconds; default 20, with --full 600.", type=click.IntRange(1, 1000000)
+    ),
+    checked: str | None = file_option("--check", "DIR", "Check the SHA-256 sums of a folder only."),
+    as_json: bool = json_option("Print the table as JSON."),
+    real: str = REAL,
 ) -> None:
     """Collect the evidence for the C of a stand.
 
@@ -58,10 +50,11 @@ def evidence(
     if full and quick:
         raise UsageError("--full, --quick: give only one of them")
     stand = load_stand(stand_file)
-    from mahovik.proof.evidence.collect import chosen, failures, nothing_ran
+    from mahovik.proof.evidence.collect import nothing_ran, select_pieces
+    from mahovik.proof.evidence.page import failures
     from mahovik.proof.evidence.pieces import PIECES
 
-    wanted = chosen(PIECES, only, without)
+    wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
     found = _collected(stand_file, folder, full, seconds or (600 if full else 20), wanted, real)
     if as_json:
@@ -93,7 +86,7 @@ def _check(folder: Path, as_json: bool) -> None:
 def _collected(
     stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
 ) -> list[Collected]:
-    """With a line on a terminal that says what runs; elsewhere a line a piece."""
+    """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
     from mahovik.proof.evidence.collect import collect
     from mahovik.proof.evidence.pieces import PIECES
@@ -105,7 +98,7 @@ def _collected(
         def say(name: str, what: str) -> None:
             if what:
                 stage.say(f"{order.index(name) + 1} of {len(order)}: {name}, {what}")
-            elif not shown():
+            elif not can_show_line():
                 click.echo(f"{order.index(name) + 1} of {len(order)}: {name}", err=True)
 
         return collect(
@@ -132,16 +125,10 @@ def _plain(found: list[Collected], folder: Path) -> dict[str, Any]:
 
 
 def _print(found: list[Collected]) -> None:
-    from rich.text import Text
-
     from mahovik.proof.evidence.page import conclusion
     from mahovik.proof.evidence.piece import Verdict
 
-    out = console()
-    rows = table("piece", "verdict", "figure")
     styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
-    for each in found:
-        verdict = each.outcome.verdict
-        rows.add_row(each.piece.name, Text(verdict.value, styles.get(verdict, "yellow")), Text(each.outcome.figure))
-    out.print(rows)
-    out.print(Text(conclusion(found), "bold"))
+    rows = ((e.piece.name, ((v := e.outcome.verdict).value, styles.get(v, "yellow")), e.outcome.figure) for e in found)
+    print_table(("piece", "verdict", "figure"), rows)
+    print_line(conclusion(found), "bold")

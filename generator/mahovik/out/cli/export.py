@@ -3,32 +3,93 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 import click
 
-from mahovik.out.cli.arguments import echo_delivery, load_stand, real_option, stand_argument
-from mahovik.out.cli.export_cmake import cmake
-from mahovik.out.cli.export_fmu import fmu
+from mahovik.errors import UsageError
 from mahovik.out.cli.group import Commands
-from mahovik.out.cli.progress import progress
-
-
-@click.group(cls=Commands, short_help="Projects around the C, for other tools.")
-def export() -> None:
-    """Projects around the C of a stand, for other tools and boards."""
-
-
-export.add_command(fmu)
-
-
-@export.command()
-@click.argument("name", metavar="TARGET")
-@stand_argument
-@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME-TARGET of the stand.")
-@click.option(
-    "--real", type=click.Choice(["double", "float"]), help="Element type; default: the widest of the target's FPU."
+from mahovik.out.cli.options import (
+    REAL,
+    STAND_FILE,
+    choice,
+    command,
+    file_option,
+    flag,
+    is_given,
+    load_stand,
+    option,
+    whole_number,
 )
-def target(name: str, stand_file: str, output: str | None, real: str | None) -> None:
+from mahovik.out.cli.output import print_paths, require_suffix
+from mahovik.out.cli.progress import progress
+from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
+
+FOLDER = file_option("-o", "DIR", "Write into this folder; default ./NAME of the stand.")
+TABLE = choice("--table", ["quintic", "fourier"], "Choose the kind of table.", default="quintic")
+REAL_OF_FOLDER = choice("--real", ["double", "float"], "Choose the element type; default: that of the C in the folder.")
+
+
+@click.group(cls=Commands, short_help="Write projects around the C for other tools.")
+def export() -> None:
+    """Write projects around the C of a stand, for other tools and boards."""
+
+
+@command(group=export)
+def fmu(
+    stand_file: str = STAND_FILE,
+    version: str = choice("--version", ["2.0", "3.0"], "Choose the version of FMI.", default="2.0"),
+    kind: Literal["cs", "me"] = choice(
+        "--kind",
+        ["cs", "me"],
+        "Export cs, co-simulation that integrates itself, or me, model exchange that the tool integrates.",
+        default="cs",
+    ),
+    inputs: Literal["torque", "acceleration"] = choice(
+        "--inputs", ["torque", "acceleration"], "Drive the flywheels by these inputs.", default="torque"
+    ),
+    output: str | None = file_option("-o", "FILE.fmu", "Write this file; default ./NAME.fmu of the stand."),
+    start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
+    dt: float = option("--dt", "Limit the internal step of cs, s.", metavar="S", type=float, default=0.0001),
+    binary: bool = option(
+        "--binary/--no-binary",
+        "Compile for this machine, beside the sources.",
+        default=True,
+        show_default=False,
+    ),
+) -> None:
+    """Write an FMU: the stand for other simulators.
+
+    The same C behind the Functional Mock-up Interface: units, names, start values, tunable parameters, sources, and a
+    binary for this machine if it has a C compiler.
+    """
+    from mahovik.out.export.fmu import export_fmu
+    from mahovik.use.simulate.case import load_start
+    from mahovik.writing import probe, write
+
+    stand = load_stand(stand_file)
+    target = Path(output if output is not None else f"{stand.name}.fmu")
+    if kind == "me" and is_given("dt"):
+        raise UsageError("--dt: model exchange has no internal step, the tool integrates; remove it, or use --kind cs")
+    require_suffix(str(target), [".fmu"])
+    state = load_start(Path(start), stand) if start is not None else None
+    probe(target)
+    with progress(f"FMU of {stand.name}"):
+        made = export_fmu(stand, version, kind, inputs, dt, state, binary)
+    write(target, made.content)
+    print_paths([target], made.lines)
+
+
+@command(group=export)
+def target(
+    stand_file: str = STAND_FILE,
+    further: tuple[str, ...] = FURTHER,
+    target_name: str | None = needed_option("--target", "NAME", "Choose the processor or board, such as m7."),
+    output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME-TARGET of the stand."),
+    real: str | None = choice(
+        "--real", ["double", "float"], "Choose the element type; default: the widest of the target's FPU."
+    ),
+) -> None:
     """Write a project that runs the self-test on a board.
 
     C of the stand, self-test, startup, linker script, console, Makefile, README: `make run` there runs it on the
@@ -38,6 +99,7 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     from mahovik.out.export.target import exportable, project
     from mahovik.proof.verify.delivery import deliver
 
+    stand_file, (name,) = stand_first(stand_file, further, {"--target": target_name}, former=("--target", STAND))
     found = exportable(name)
     stand = load_stand(stand_file)
     chosen = real or found.real or "double"
@@ -45,14 +107,15 @@ def target(name: str, stand_file: str, output: str | None, real: str | None) -> 
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen)
     done = deliver(folder, stand, chosen, files, found.name)
-    echo_delivery(done)
+    print_paths(done.paths, done.notes)
 
 
-@export.command()
-@stand_argument
-@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME-fuzz of the stand.")
-@real_option
-def fuzz(stand_file: str, output: str | None, real: str) -> None:
+@command(group=export)
+def fuzz(
+    stand_file: str = STAND_FILE,
+    output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME-fuzz of the stand."),
+    real: str = REAL,
+) -> None:
     """Write a project that fuzzes every public function.
 
     The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
@@ -64,29 +127,20 @@ def fuzz(stand_file: str, output: str | None, real: str) -> None:
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz")
-    echo_delivery(done)
+    print_paths(done.paths, done.notes)
 
 
-@export.command()
-@stand_argument
-@click.option(
-    "--programme", "programme_file", metavar="P.json", type=click.Path(), required=True, help="Programme to follow."
-)
-@click.option("--servo", "servo_file", metavar="S.toml", type=click.Path(), required=True, help="The servo file.")
-@click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="For feedforward and trim.")
-@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
-@click.option(
-    "--table", "kind", type=click.Choice(["quintic", "fourier"]), default="quintic", show_default=True, help="Method."
-)
-@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default: that of the C in DIR.")
+@command(group=export)
 def servo(
-    stand_file: str,
-    programme_file: str,
-    servo_file: str,
-    motion_file: str | None,
-    output: str | None,
-    kind: str,
-    real: str | None,
+    stand_file: str = STAND_FILE,
+    programme_file: str = file_option(
+        "--programme", "P.json", "Follow this programme of `mahovik plan`.", required=True
+    ),
+    servo_file: str = file_option("--servo", "S.toml", "Read the servos from this file.", required=True),
+    motion_file: str | None = file_option("--motion", "M.json", "Read the required motion, for feedforward and trim."),
+    output: str | None = FOLDER,
+    kind: str = TABLE,
+    real: str | None = REAL_OF_FOLDER,
 ) -> None:
     """Write a programme and the servos that follow it as C.
 
@@ -97,7 +151,7 @@ def servo(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
-    from mahovik.out.export.programme.place import element_type, write_servo
+    from mahovik.out.export.programme.files import element_type, write_servo
     from mahovik.out.export.servo import export_servo
 
     stand = load_stand(stand_file)
@@ -109,37 +163,33 @@ def servo(
     names = Path(programme_file).name, Path(servo_file).name
     with progress(f"servos of {stand.name}"):
         made = export_servo(stand, found, motion, wanted, chosen, kind, names)
-    for path in write_servo(folder, stand, made.programme.files, made.servo):
-        click.echo(click.format_filename(path))
-    for line in (*made.programme.lines, *made.lines):
-        click.echo(line)
+    paths = write_servo(folder, stand, made.programme.files, made.servo)
+    print_paths(paths, (*made.programme.lines, *made.lines))
 
 
-@export.command()
-@stand_argument
-@click.argument("programme_file", metavar="PROGRAMME.json", type=click.Path())
-@click.option("-o", "output", metavar="DIR", type=click.Path(), help="Folder; default ./NAME of the stand.")
-@click.option("--motion", "motion_file", metavar="MOTION.json", type=click.Path(), help="Adds drive torques.")
-@click.option(
-    "--table", "kind", type=click.Choice(["quintic", "fourier"]), default="quintic", show_default=True, help="Method."
-)
-@click.option(
-    "--nodes",
-    type=click.Choice(["64", "128", "256", "512", "1024", "2048", "4096"]),
-    callback=lambda _context, _option, value: value and int(value),
-    help="Nodes per period of a quintic table; default 256, float 64.",
-)
-@click.option("--real", type=click.Choice(["double", "float"]), help="Element type; default: that of the C in DIR.")
-@click.option("--limit", type=float, help="Largest relative residual that a table may add; default 1e-6, float 1e-3.")
+@command(group=export)
 def programme(
-    stand_file: str,
-    programme_file: str,
-    output: str | None,
-    motion_file: str | None,
-    kind: str,
-    nodes: int | None,
-    real: str | None,
-    limit: float | None,
+    stand_file: str = STAND_FILE,
+    further: tuple[str, ...] = FURTHER,
+    programme_file: str | None = needed_option("--programme", "P.json", "Write this programme of `mahovik plan`."),
+    output: str | None = FOLDER,
+    motion_file: str | None = file_option(
+        "--motion", "M.json", "Add drive torques, of this required motion, to the tables."
+    ),
+    kind: str = TABLE,
+    nodes: int | None = choice(
+        "--nodes",
+        ["64", "128", "256", "512", "1024", "2048", "4096"],
+        "Set the nodes per period of a quintic table; default 256, float 64.",
+        callback=whole_number,
+    ),
+    real: str | None = REAL_OF_FOLDER,
+    limit: float | None = option(
+        "--limit", "Accept this relative residual of a table; default 1e-6, float 1e-3.", type=float
+    ),
+    name: str = option(
+        "--name", "Use this name in C, so that several lie in one image.", metavar="NAME", default="programme"
+    ),
 ) -> None:
     """Write a flywheel programme as const tables in C.
 
@@ -150,19 +200,36 @@ def programme(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.out.export.programme import export_programme
-    from mahovik.out.export.programme.place import element_type, write_programme
+    from mahovik.out.export.programme.files import element_type, write_programme
 
+    given = {"--programme": programme_file}
+    stand_file, (source,) = stand_first(stand_file, further, given, former=(STAND, "--programme"))
     stand = load_stand(stand_file)
-    found = load_programme(programme_file)
+    found = load_programme(source)
     motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
-    with progress(f"tables of {Path(programme_file).name}"):
-        made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(programme_file).name)
-    for path in write_programme(folder, stand, made.files):
-        click.echo(click.format_filename(path))
-    for line in made.lines:
-        click.echo(line)
+    with progress(f"tables of {Path(source).name}"):
+        made = export_programme(stand, found, motion, kind, nodes, chosen, limit, Path(source).name, name)
+    print_paths(write_programme(folder, stand, made.files, name), made.lines)
 
 
-export.add_command(cmake)
+@command(group=export)
+def cmake(
+    stand_file: str = STAND_FILE,
+    output: str | None = file_option("-o", "DIR", "Write into this folder; default ./NAME-cmake of the stand."),
+    real: str = REAL,
+    batch: bool = flag("--batch", "Add a target for many states at once, with OpenMP if wanted."),
+) -> None:
+    """Write a CMake project with the target mahovik::NAME.
+
+    For add_subdirectory, or installed for find_package: the C of the stand with the flags that keep its bits, a header
+    for C++17, self-test and example for ctest, README. Never overwrites files of others, nor a folder of
+    `mahovik generate`.
+    """
+    from mahovik.out.export.cmake import cmake_project
+    from mahovik.proof.verify.delivery import deliver
+
+    stand = load_stand(stand_file)
+    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
+    print_paths(done.paths, done.notes)

@@ -11,11 +11,8 @@ from typing import Any
 import click
 
 from mahovik.errors import MahovikError
-from mahovik.nearest import meant
-from mahovik.out.cli.json_output import print_failure
-
-INTERRUPTED = 130
-"""Exit status after Ctrl-C: 128 plus the number of the signal, as in shells."""
+from mahovik.nearest import suggestion
+from mahovik.out.cli.output import INTERRUPTED, print_failure
 
 INTERRUPTION = "error: interrupted; no file is half written"
 
@@ -124,5 +121,5 @@ class Commands(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-"):
-            ctx.fail(f'no such command "{name}"{meant(name, self.commands)}')
+            ctx.fail(f'no such command "{name}"{suggestion(name, self.commands)}')
         return super().resolve_command(ctx, args)

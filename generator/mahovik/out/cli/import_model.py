@@ -10,6 +10,8 @@ import click
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.group import Commands
+from mahovik.out.cli.options import argument, command, file_option, flag, option
+from mahovik.out.cli.output import new_file
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -17,37 +19,35 @@ if TYPE_CHECKING:
     from mahovik.out.foreign.merge import Imported
     from mahovik.out.foreign.model import ForeignModel
 
-_file = click.argument("model_file", metavar="FILE", type=click.Path())
-_output = click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Output; default ./NAME.toml.")
-_name = click.option("--name", help="Name of the stand; default: that of the model.")
-_carrier = click.option("--carrier", help="Body whose frame is E1, fixed to the first one; default: the first.")
-_instruments = click.option(
-    "--instruments", is_flag=True, help="Keep bodies fixed on the carrier as instruments; otherwise merge them."
-)
+MODEL_FILE = argument("FILE")
+OUTPUT = file_option("-o", "FILE|DIR", "Write the stand file here; default ./NAME.toml.")
+NAME = option("--name", "Name the stand; default: as the model.")
+CARRIER = option("--carrier", "Choose the body whose frame is E1, fixed to the first one; default: the first.")
+INSTRUMENTS = flag("--instruments", "Keep bodies fixed on the carrier as instruments; otherwise merge them.")
 
 
 @click.group("import", cls=Commands, short_help="Make a stand file of a URDF or a MuJoCo model.")
 def import_model() -> None:
-    """Stand files from models of other programs.
+    """Make stand files from models of other programs.
 
     Joints that turn without end become flywheels. Features that a stand cannot have are refused, all of them at once.
     """
 
 
-@import_model.command()
-@_file
-@_output
-@_name
-@_carrier
-@_instruments
-@click.option("--gravity", nargs=3, type=float, metavar="X Y Z", help="m/s2, in E0: a URDF has none; default 0.")
+@command(group=import_model)
 def urdf(
-    model_file: str,
-    output: str | None,
-    name: str | None,
-    carrier: str | None,
-    instruments: bool,
-    gravity: tuple[float, float, float] | None,
+    model_file: str = MODEL_FILE,
+    output: str | None = OUTPUT,
+    name: str | None = NAME,
+    carrier: str | None = CARRIER,
+    instruments: bool = INSTRUMENTS,
+    gravity: tuple[float, float, float] | None = option(
+        "--gravity",
+        "Set the gravity in E0, m/s2, which a URDF does not have; default 0.",
+        metavar="X Y Z",
+        type=float,
+        nargs=3,
+    ),
 ) -> None:
     """Make a stand file of a URDF.
 
@@ -56,23 +56,24 @@ def urdf(
     """
     from mahovik.out.foreign.urdf import read_urdf
 
-    path = Path(model_file)
+    source = Path(model_file)
 
     def original(found: Imported, model: ForeignModel) -> Original:
         from mahovik.out.foreign.agreement import PinocchioOriginal
 
-        return PinocchioOriginal(path, found, model.free is True)
+        return PinocchioOriginal(source, found, model.free is True)
 
-    _write(path, read_urdf(path), original, output, name, carrier, instruments, gravity)
+    _write(source, read_urdf(source), original, output, name, carrier, instruments, gravity)
 
 
-@import_model.command()
-@_file
-@_output
-@_name
-@_carrier
-@_instruments
-def mjcf(model_file: str, output: str | None, name: str | None, carrier: str | None, instruments: bool) -> None:
+@command(group=import_model)
+def mjcf(
+    model_file: str = MODEL_FILE,
+    output: str | None = OUTPUT,
+    name: str | None = NAME,
+    carrier: str | None = CARRIER,
+    instruments: bool = INSTRUMENTS,
+) -> None:
     """Make a stand file of a MuJoCo model.
 
     MuJoCo's compiler reads the file. The free body is the carrier, hinges without range on it are flywheels, welded
@@ -80,19 +81,19 @@ def mjcf(model_file: str, output: str | None, name: str | None, carrier: str | N
     """
     from mahovik.out.foreign.mjcf import read_mjcf
 
-    path = Path(model_file)
+    source = Path(model_file)
 
     def original(found: Imported, model: ForeignModel) -> Original:
         from mahovik.out.foreign.agreement import MujocoOriginal
-        from mahovik.out.foreign.mjcf import compiled
+        from mahovik.out.foreign.mjcf import compile_model
 
-        return MujocoOriginal(compiled(path), found, model.free is not False)
+        return MujocoOriginal(compile_model(source), found, model.free is not False)
 
-    _write(path, read_mjcf(path), original, output, name, carrier, instruments)
+    _write(source, read_mjcf(source), original, output, name, carrier, instruments)
 
 
 def _write(
-    path: Path,
+    source: Path,
     model: ForeignModel,
     original: Callable[[Imported, ForeignModel], Original],
     output: str | None,
@@ -105,44 +106,34 @@ def _write(
     import numpy as np
 
     from mahovik.core.stand.names import stand_name_problem
-    from mahovik.out.foreign.merge import stand_of
+    from mahovik.out.foreign.merge import make_stand
     from mahovik.out.foreign.naming import stand_name
     from mahovik.out.foreign.write import stand_file
-    from mahovik.proof.verify.files import write
+    from mahovik.writing import write
 
     problem = stand_name_problem(name) if name is not None else None
     if problem is not None:
         raise UsageError(f"--name: {problem}")
     if gravity is not None and not np.isfinite(gravity).all():
         raise UsageError("--gravity: expected three finite numbers")
-    own = name or stand_name(model.name or path.stem)
-    target = Path(output) if output is not None else Path(f"{own}.toml")
-    if target.is_dir() or (output is not None and output.endswith("/")):
-        target = target / f"{own}.toml"
-    if target.exists():
-        raise UsageError(f"{target}: exists already, nothing was written")
-    found = stand_of(
-        model,
-        own,
-        path.name,
-        carrier=carrier,
-        gravity=None if gravity is None else np.array(gravity),
-        instruments=instruments,
-    )
-    text = stand_file(found, path.name, f"mahovik import {click.get_current_context().info_name}")
-    with progress(f"comparing with {path.name}"):
-        said = _compared(found, model, original, path)
+    own = name or stand_name(model.name or source.stem)
+    target = new_file(output, own)
+    field = None if gravity is None else np.array(gravity)
+    found = make_stand(model, own, source.name, carrier=carrier, gravity=field, instruments=instruments)
+    text = stand_file(found, source.name, f"mahovik import {click.get_current_context().info_name}")
+    with progress(f"comparing with {source.name}"):
+        comparison = _compared(found, model, original, source)
     write(target, text)
     stand = found.stand
     made = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
     words = [f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in made if n or noun == "flywheel"]
     click.echo(f"{click.format_filename(target)}   carrier {found.carrier}, {', '.join(words)}")
-    for note in (*found.notes, said):
+    for note in (*found.notes, comparison):
         click.echo(note)
 
 
 def _compared(
-    found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], path: Path
+    found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], source: Path
 ) -> str:
     """Agreement of the stand with the original file, in words. Raises CheckError."""
     from mahovik.errors import CheckError
@@ -158,7 +149,7 @@ def _compared(
     wrong = disagreement(errors)
     if wrong:
         raise CheckError(
-            f"{path.name}: the stand differs from the original in {theirs.name}, {wrong}: nothing was written"
+            f"{source.name}: the stand differs from the original in {theirs.name}, {wrong}: nothing was written"
         )
     if not errors:
         return "not compared with the original: fixed on the world and without flywheels it has no motion"

@@ -7,8 +7,18 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import CheckError
-from mahovik.out.cli.arguments import load_stand, stand_argument
-from mahovik.out.cli.json_output import json_option
+from mahovik.out.cli.options import (
+    JUNIT,
+    SEED_OF_STATES,
+    STAND_FILE,
+    STATES,
+    WORST,
+    command,
+    flag,
+    json_option,
+    load_stand,
+    option,
+)
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verify import finish, read_wants
 
@@ -18,42 +28,33 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.report import Report
 
 
-@click.command(short_help="Judge a program, and find its fault.")
-@stand_argument
-@click.option(
-    "--with", "command", metavar="COMMAND", required=True, help="The program, which reads states; {stand}: the file."
-)
-@click.option("--explain", is_flag=True, help="If it differs, name the fault in its equations.")
-@click.option("--want", metavar="NAME,...", help="Wants the program must offer; default: those it offers.")
-@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="Number of states.")
-@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Seed of the random states.")
-@click.option(
-    "--tolerance",
-    default=1e-12,
-    show_default=True,
-    type=click.FloatRange(1e-15, 0.1),
-    help="Accepted difference, relative to the natural scale.",
-)
-@click.option(
-    "--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Time limit of the program, s."
-)
-@json_option("Print table and diagnosis as JSON.")
-@click.option("--junit", metavar="FILE", type=click.Path(), help="Also write the table as JUnit XML.")
-@click.option(
-    "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
-)
+@command(short_help="Judge a program, and find its fault.")
 def judge(
-    stand_file: str,
-    command: str,
-    explain: bool,
-    want: str | None,
-    states: int,
-    seed: int,
-    tolerance: float,
-    timeout: float,
-    as_json: bool,
-    junit: str | None,
-    worst: str | None,
+    stand_file: str = STAND_FILE,
+    command: str = option(
+        "--with",
+        "Start this program, which reads states; {stand} stands for the stand file.",
+        metavar="COMMAND",
+        required=True,
+    ),
+    explain: bool = flag("--explain", "Name the fault in its equations if it differs."),
+    want: str | None = option(
+        "--want", "Require these wants of the program; default: those it offers.", metavar="NAME,..."
+    ),
+    states: int = STATES,
+    seed: int = SEED_OF_STATES,
+    tolerance: float = option(
+        "--tolerance",
+        "Accept this difference, relative to the natural scale.",
+        type=click.FloatRange(1e-15, 0.1),
+        default=1e-12,
+    ),
+    timeout: float = option(
+        "--timeout", "Limit the time of the program, s.", type=click.FloatRange(0.1), default=300.0
+    ),
+    as_json: bool = json_option("Print table and diagnosis as JSON."),
+    junit: str | None = JUNIT,
+    worst: str | None = WORST,
 ) -> None:
     """Judge a program by the reference, and find its fault.
 
@@ -88,7 +89,7 @@ def judge(
 
 def _diagnosis(stand: Stand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
     """Diagnosis of a program that differs, for the wants that it offers."""
-    from mahovik.proof.diagnose.diagnosis import Clinic, Diagnosis
+    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
     from mahovik.proof.verify.foreign import ask
 
     if found.passed:
@@ -96,7 +97,7 @@ def _diagnosis(stand: Stand, command: str, stand_file: str, found: Report, seed:
     offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
         return Diagnosis("nothing")
-    clinic = Clinic(stand, seed, offered)
-    results = ask(command, stand_file, clinic.requests, timeout)
-    answers = {request.id: result for request, result in zip(clinic.requests, results, strict=True)}
-    return clinic.diagnose(lambda request: answers[request.id])
+    diagnoser = Diagnoser(stand, seed, offered)
+    results = ask(command, stand_file, diagnoser.requests, timeout)
+    answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
+    return diagnoser.diagnose(lambda request: answers[request.id])

@@ -6,15 +6,18 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.arguments import load_stand
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, command, load_stand
+from mahovik.out.cli.output import print_json
+from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
 
 
-@click.command("judge-log")
-@click.argument("log", metavar="LOG", type=click.Path())
-@click.argument("stand_file", metavar="[STAND.toml]", type=click.Path(), required=False)
-@json_option()
-def judge_log(log: str, stand_file: str | None, as_json: bool) -> None:
+@command("judge-log")
+def judge_log(
+    stand_file: str | None = STAND_FILE_OR_NONE,
+    further: tuple[str, ...] = FURTHER,
+    log_file: str | None = needed_option("--log", "LOG", "Judge this output of the self-test on the board."),
+    as_json: bool = JSON,
+) -> None:
     """Judge the log of a self-test from a board.
 
     Every function must report PASS. With the stand file, the identities must match it, no function may be missing, and
@@ -23,8 +26,9 @@ def judge_log(log: str, stand_file: str | None, as_json: bool) -> None:
     """
     from mahovik.core.stand.content import TABLE, content
     from mahovik.errors import CheckError
-    from mahovik.proof.verify.judge_log import judge_log as judge
+    from mahovik.proof.verify.selftest_log import judge_log as judge
 
+    stand_file, (log,) = stand_first(stand_file, further, {"--log": log_file}, former=("--log", STAND), least=1)
     text = content(Path(log), TABLE).decode("utf-8", "replace")
     found = judge(text, log, load_stand(stand_file) if stand_file is not None else None)
     if as_json:

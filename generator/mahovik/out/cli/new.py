@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from pathlib import Path
 
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import argument, command, file_option, flag, json_option, option
+from mahovik.out.cli.output import new_file, print_json, print_paths
 
 
-@click.command()
-@click.argument("name", required=False, shell_complete=lambda _context, _argument, typed: _examples(typed))
-@click.option("-o", "output", metavar="FILE|DIR", type=click.Path(), help="Output; default ./NAME.toml.")
-@click.option("--list", "listed", is_flag=True, help="List the examples and stop.")
-@json_option("Print the list, or the files written, as JSON.")
-def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> None:
+@command()
+def new(
+    name: str | None = argument(
+        "[NAME]", required=False, shell_complete=lambda _context, _argument, typed: _examples(typed)
+    ),
+    output: str | None = file_option("-o", "FILE|DIR", "Write the stand file here; default ./NAME.toml."),
+    own_name: str | None = option(
+        "--name", "Name the stand in the new file; default: the name of -o, else the example's.", metavar="NAME"
+    ),
+    listed: bool = flag("--list", "List the examples and stop."),
+    as_json: bool = json_option("Print the list, or the files written, as JSON."),
+) -> None:
     """Copy an example stand with its motions and servos. Nothing is ever overwritten."""
     from mahovik import stands
-    from mahovik.proof.verify.files import write_all
+    from mahovik.writing import write_all
 
     if listed:
-        found = {each: _first_comment(stands.path(each)) for each in stands.names()}
+        found = {each: _first_sentence(stands.path(each)) for each in stands.names()}
         if as_json:
             print_json([{"name": each, "words": words} for each, words in found.items()])
         else:
@@ -31,9 +39,10 @@ def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> No
     if name is None:
         raise UsageError(f"which example? One of {', '.join(stands.names())}")
     source = stands.path(name)
-    target = Path(output) if output is not None else Path(f"{name}.toml")
-    if target.is_dir() or (output is not None and output.endswith("/")):
-        target = target / f"{name}.toml"
+    if own_name is not None:
+        _check_name(own_name)
+    target = new_file(output, own_name or name)
+    own_name = own_name or _name_of_file(target, name)
     stem = target.name.removesuffix(".toml")
     files = {target.name: source}
     files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
@@ -42,12 +51,36 @@ def new(name: str | None, output: str | None, listed: bool, as_json: bool) -> No
         if (target.parent / each).exists():
             raise UsageError(f"{target.parent / each}: exists already, nothing was written")
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
+    if own_name != name:
+        texts[target.name] = texts[target.name].replace(f'\nname = "{name}"\n', f'\nname = "{own_name}"\n', 1)
     paths = write_all(target.parent, texts)
     if as_json:
         print_json({"files": [str(path) for path in paths]})
-        return
-    for path in paths:
-        click.echo(click.format_filename(path))
+    else:
+        print_paths(paths)
+
+
+def _name_of_file(target: Path, example: str) -> str:
+    """Name of the stand after its file; that of the example if a stand cannot be called so, which is noted."""
+    name = target.name.removesuffix(".toml")
+    if name == example:
+        return name
+    from mahovik.core.stand.names import stand_name_problem
+
+    problem = stand_name_problem(name)
+    if problem is None:
+        return name
+    click.echo(f"note: the stand is still named {example}, since {problem}; give another by --name", err=True)
+    return example
+
+
+def _check_name(name: str) -> None:
+    """Raises UsageError if a stand cannot have this name."""
+    from mahovik.core.stand.names import stand_name_problem
+
+    problem = stand_name_problem(name)
+    if problem is not None:
+        raise UsageError(f"--name: {problem}")
 
 
 def _examples(typed: str) -> list[str]:
@@ -57,7 +90,10 @@ def _examples(typed: str) -> list[str]:
     return [name for name in stands.names() if name.startswith(typed)]
 
 
-def _first_comment(path: Path) -> str:
-    """The first line of a stand file's comment."""
-    first = path.read_text(encoding="utf-8").partition("\n")[0]
-    return first.lstrip("# ") if first.startswith("#") else ""
+def _first_sentence(path: Path) -> str:
+    """The first sentence of the comment that opens a stand file, on one line."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    opening = takewhile(lambda line: line.startswith("#") and line.strip("# "), lines)
+    words = " ".join(line.strip("# ") for line in opening)
+    sentence, end, _ = words.partition(". ")
+    return sentence + end.rstrip()

@@ -8,71 +8,69 @@ from typing import TYPE_CHECKING, Any, cast
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
-from mahovik.out.cli.group import INTERRUPTED
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import (
+    MOTION,
+    SEED_OF_STARTS,
+    STAND_FILE,
+    TIME_LIMIT,
+    choice,
+    command,
+    file_option,
+    json_option,
+    load_stand,
+    option,
+)
+from mahovik.out.cli.output import end_of_search, print_json, print_line, print_table, require_other_file
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.required.model import Winding
     from mahovik.use.plan import Plan
-    from mahovik.use.plan.options import Method
+    from mahovik.use.plan.outcome import Method
 
 
-@click.command(short_help="Find a programme that moves the carrier as required.")
-@stand_argument
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), required=True, help="Required motion.")
-@click.option("-o", "output", metavar="P.json", type=click.Path(), required=True, help="Output file of the programme.")
-@click.option(
-    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the search."
-)
-@click.option(
-    "--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the starts."
-)
-@click.option("--winding", metavar="any|spin|rock|N,N,..", help="Turns per period; replaces the motion file's.")
-@click.option(
-    "--keep",
-    metavar="K",
-    type=click.IntRange(1, 99),
-    default=1,
-    show_default=True,
-    help="Keep the best K, as P.2.json ...",
-)
-@click.option(
-    "--method",
-    type=click.Choice(["fourier", "ocp-partition", "ocp"]),
-    default="fourier",
-    show_default=True,
-    help="fourier; or (13) by IPOPT from its result: with six dependent flywheels, or with (12) as constraints.",
-)
-@click.option("--partition", metavar="w1,w2,..", help="The six dependent flywheels of (13); default: the best six.")
-@json_option("Print figures and status as JSON.")
+@command(short_help="Find a programme that moves the carrier as required.")
 def plan(
-    stand_file: str,
-    motion_file: str,
-    output: str,
-    seconds: float | None,
-    seed: int,
-    winding: str | None,
-    keep: int,
-    method: Method,
-    partition: str | None,
-    as_json: bool,
+    stand_file: str = STAND_FILE,
+    motion_file: str = MOTION,
+    output: str = file_option("-o", "P.json", "Write the programme to this file.", required=True),
+    seconds: float | None = TIME_LIMIT,
+    seed: int = SEED_OF_STARTS,
+    winding: str | None = option(
+        "--winding", "Set the turns per period, in place of the motion file's.", metavar="any|spin|rock|N,N,.."
+    ),
+    keep: int = option(
+        "--keep",
+        "Keep the best K programmes, as P.2.json and so on.",
+        metavar="K",
+        type=click.IntRange(1, 99),
+        default=1,
+    ),
+    method: Method = choice(
+        "--method",
+        ["fourier", "ocp-partition", "ocp"],
+        "Plan by fourier; or then by (13) with IPOPT: with six dependent flywheels, or with (12) as constraints.",
+        default="fourier",
+    ),
+    partition: str | None = option(
+        "--partition", "Choose the six dependent flywheels of (13); default: the best six.", metavar="w1,w2,.."
+    ),
+    as_json: bool = json_option("Print figures and status as JSON."),
 ) -> None:
     """Plan a programme: flywheel motions that make the carrier move exactly as required.
 
     A motion out of reach is refused at once, with what is missing. Programmes are verified by the literal reference.
     Ctrl-C gives the best so far. --time limits the search; run-ups after it, if any, have half of the time. The
-    verification is never cut.
+    verification always runs completely.
 
     Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
     from mahovik.core.motion.programme import programme_text
     from mahovik.core.motion.required import load_motion
-    from mahovik.proof.verify.files import probe, write_all
     from mahovik.use.plan import PlanOptions, plan_motion
+    from mahovik.writing import write_all
 
     motion = load_motion(Path(motion_file), stand)
     chosen = _winding(winding, len(stand.flywheels), motion.periodic)
@@ -80,13 +78,11 @@ def plan(
         Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
     ]
     for path in paths:
-        if any(path.exists() and path.samefile(given) for given in (stand_file, motion_file)):
-            raise UsageError(f"-o {output}: {path} is read by this command; give another name for the programme")
-        probe(path)
+        require_other_file(path, (stand_file, motion_file), f"-o {output}", "programme")
     with progress("searching") as stage:
         six = None if partition is None else tuple(partition.split(","))
-        wishes = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
-        found = plan_motion(stand, motion, wishes, lambda state: stage.say(state.words))
+        options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
+        found = plan_motion(stand, motion, options, lambda state: stage.say(state.words))
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
     texts = {path.name: programme_text(each) for path, each in zip(paths, found.programmes, strict=False)}
@@ -121,16 +117,13 @@ def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
 
 def _report(programme: Programme, path: Path) -> None:
     """Print figures of a written programme."""
-    from rich.text import Text
-
     report: Any = programme.report
-    out = console()
-    out.print(Text(f"{click.format_filename(path)}   {report['kind']}, winding {list(programme.winding)}"))
-    rows = table("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>")
+    print_line(f"{click.format_filename(path)}   {report['kind']}, winding {list(programme.winding)}")
     peaks = zip(report["peak_speed"], report["peak_acceleration"], report["peak_torque"], strict=True)
-    for name, row in zip(programme.flywheels, peaks, strict=True):
-        rows.add_row(Text(name), *(f"{x:.4g}" for x in row))
-    out.print(rows)
+    print_table(
+        ("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>"),
+        ((name, *(f"{x:.4g}" for x in row)) for name, row in zip(programme.flywheels, peaks, strict=True)),
+    )
     figures = {
         "residual": report["residual"],
         "simulation error": report.get("simulation_error"),
@@ -139,7 +132,7 @@ def _report(programme: Programme, path: Path) -> None:
         "least singular value": report["least_singular_value"],
         "sign changes of det I": report["det_I_sign_changes"],
     }
-    out.print(", ".join(f"{name} {value:.3g}" for name, value in figures.items() if value is not None))
+    print_line(", ".join(f"{name} {value:.3g}" for name, value in figures.items() if value is not None))
     if "ocp" in report:
         _report_ocp(report["method"], report["ocp"])
     for key, name in (("runup", "run-up"), ("rundown", "run-down")):
@@ -149,7 +142,7 @@ def _report(programme: Programme, path: Path) -> None:
                 f"{1e3 * x['largest']:.3g} {unit} at {x['t']:.3g} s"
                 for x, unit in zip(strayed, ("mm", "mrad"), strict=True)
             )
-            out.print(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
+            print_line(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
 
 
 def _report_ocp(method: str, ocp: Any) -> None:
@@ -207,15 +200,8 @@ def _say(found: Plan) -> None:
 
 
 def _end(found: Plan) -> None:
-    """Print the problems; return the exit status."""
+    """Print the problems; exit status."""
     if found.status != "OK_LIMIT":
         for line in found.words:
             click.echo(line, err=True)
-    if found.effort and found.effort["cut_by_time"]:
-        click.echo("warning: --time cut the search: another run may find more", err=True)
-    if found.interrupted:
-        best = "this is the best so far" if found.programmes else "nothing was found yet, nothing is written"
-        click.echo(f"interrupted: {best}", err=True)
-        raise SystemExit(INTERRUPTED)
-    if found.status != "OK":
-        raise SystemExit(1)
+    end_of_search(found, ("OK",), bool(found.programmes))

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 from pathlib import Path
-
-import click
+from typing import TYPE_CHECKING
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.arguments import load_stand
+from mahovik.out.cli.options import STAND_FILE_OR_NONE, command, file_option, load_stand
+from mahovik.out.cli.output import require_suffix
 from mahovik.out.cli.progress import progress
+from mahovik.out.cli.stand_first import note_order
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
 
 
-@click.command()
-@click.argument("file", metavar="PROGRAMME.json|RUN.csv|RUN.parquet", type=click.Path())
-@click.option("-o", "output", metavar="FILE.svg|FILE.png", type=click.Path(), required=True, help="The picture.")
-@click.option("--stand", "stand_file", metavar="STAND.toml", type=click.Path(), help="For a programme: with --motion,")
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), help="shows motion, torques, residual.")
-def plot(file: str, output: str, stand_file: str | None, motion_file: str | None) -> None:
+@command()
+def plot(
+    stand_file: str | None = STAND_FILE_OR_NONE,
+    programme_file: str | None = file_option("--programme", "P.json", "Draw this programme of `mahovik plan`."),
+    motion_file: str | None = file_option("--motion", "M.json", "Compare with this required motion; needs STAND.toml."),
+    run_file: str | None = file_option("--run", "RUN.csv|RUN.parquet", "Draw this run of `mahovik simulate`."),
+    output: str = file_option("-o", "FILE.svg|FILE.png", "Write the picture to this file.", required=True),
+    former_stand: str | None = file_option("--stand", "STAND.toml", "Read the stand of the programme.", hidden=True),
+) -> None:
     """Draw a programme or a run.
 
     Of a programme it shows speeds and accelerations of the flywheels; with its stand and motion also the carrier's
@@ -25,35 +32,49 @@ def plot(file: str, output: str, stand_file: str | None, motion_file: str | None
     """
     from mahovik.out.report.plot import run
     from mahovik.out.report.plot.draw import SUFFIXES, draw
-    from mahovik.proof.verify.files import probe, write
+    from mahovik.writing import probe, write
 
-    source, target = Path(file), Path(output)
-    if target.suffix not in SUFFIXES:
-        raise UsageError(f"-o {output}: expected a name that ends in {' or '.join(SUFFIXES)}")
-    if (stand_file is None) != (motion_file is None):
-        raise UsageError("--stand and --motion: give both or neither")
+    require_suffix(output, SUFFIXES)
+    if programme_file is None and run_file is None and stand_file is not None and not stand_file.endswith(".toml"):
+        if stand_file.endswith(run.SUFFIXES):
+            run_file = stand_file
+        else:
+            programme_file = stand_file
+        stand_file = former_stand
+        note_order(stand_file, {"--programme": programme_file, "--motion": motion_file, "--run": run_file})
+    source = programme_file or run_file
+    if source is None or (programme_file is not None and run_file is not None):
+        raise UsageError("expected --programme P.json or --run RUN.csv, one of them")
+    target = Path(output)
+    with_stand = stand_file is not None or motion_file is not None
+    if run_file is not None and with_stand:
+        raise UsageError("STAND.toml, --motion: not used for a run; remove them")
+    if with_stand and (stand_file is None or motion_file is None):
+        raise UsageError("STAND.toml and --motion: give both or neither")
     probe(target)
-    if source.suffix in run.SUFFIXES:
-        if stand_file is not None:
-            raise UsageError("--stand, --motion: not used for a run; remove them")
-        with progress(f"draw {source.name}"):
-            picture = draw(source.stem, run.panels(run.read(source)), target.suffix)
-        write(target, picture)
-        return
+    with progress(f"draw {Path(source).name}"):
+        if run_file is None:
+            title, shown = _programme_panels(source, stand_file, motion_file)
+        else:
+            title, shown = Path(source).stem, run.panels(run.read(Path(source)))
+        picture = draw(title, shown, target.suffix)
+    write(target, picture)
+
+
+def _programme_panels(file: str, stand_file: str | None, motion_file: str | None) -> tuple[str, list[Panel]]:
+    """Title and panels of a programme. Raises CheckError if stand or motion are others, and what the files raise."""
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.out.report.plot.programme import panels
+    from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 
     programme = load_programme(file)
-    stand = None if stand_file is None else load_stand(stand_file)
-    motion = None if stand is None or motion_file is None else load_motion(motion_file, stand)
-    if stand is not None and motion is not None:
-        from mahovik.proof.verify.programme.identity import motion_finding, stand_finding
-
-        for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
-            if not whose.passed:
-                raise CheckError(f"{file}: {whose.words}")
     title = f"{programme.stand}: {programme.motion}"
-    with progress(f"draw {source.name}"):
-        picture = draw(title, panels(programme, stand, motion), target.suffix)
-    write(target, picture)
+    if stand_file is None or motion_file is None:
+        return title, panels(programme)
+    stand = load_stand(stand_file)
+    motion = load_motion(motion_file, stand)
+    for whose in (stand_finding(stand, programme), motion_finding(motion, programme)):
+        if not whose.passed:
+            raise CheckError(f"{file}: {whose.words}")
+    return title, panels(programme, stand, motion)

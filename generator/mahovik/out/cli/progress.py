@@ -2,9 +2,6 @@
 
 The line appears after a second and is cleared at the end. It is not shown in pipes or on terminals that cannot move a
 cursor, and has no colours if NO_COLOR is set. The stages below do not know it: they get plain callbacks.
-
-It appears after a second and is gone at the end. Nothing in pipes, and on terminals that cannot move a cursor; without
-colours where NO_COLOR is set. The stages below know nothing of it: they are given plain callbacks.
 """
 
 from __future__ import annotations
@@ -107,7 +104,7 @@ def progress(what: str, total: float | None = None, unit: str = "") -> Iterator[
     However the body ends, the line is cleared. Nothing may be printed to the terminal in between.
     """
     stage = Stage(what, total, unit)
-    if not shown():
+    if not can_show_line():
         yield stage
         return
     line = _Line(stage)
@@ -117,7 +114,7 @@ def progress(what: str, total: float | None = None, unit: str = "") -> Iterator[
         line.end()
 
 
-def shown() -> bool:
+def can_show_line() -> bool:
     """Whether standard error is a terminal whose cursor can be moved."""
     return sys.stderr.isatty() and os.environ.get("TERM", "").lower() not in ("", "dumb", "unknown")
 
@@ -135,7 +132,7 @@ class _Line:
         self._timer.start()
 
     def _begin(self) -> None:
-        made = _made(self._stage)
+        made = _progress_line(self._stage)
         with self._lock:
             if not self._ended:
                 made.start()
@@ -150,7 +147,7 @@ class _Line:
                 self._shown.stop()
 
 
-def _made(stage: Stage) -> Progress:
+def _progress_line(stage: Stage) -> Progress:
     """The line, as rich draws it."""
     from rich.console import Console
     from rich.progress import Progress, ProgressColumn, SpinnerColumn

@@ -8,7 +8,7 @@ from decimal import Decimal, InvalidOperation
 
 from mahovik.errors import UsageError
 
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![\d./])")  # the 1 of 1/min is its unit's
 
 
 def _list(option: str, text: str, dimension: tuple[str, str]) -> list[float]:
@@ -25,12 +25,9 @@ def _list(option: str, text: str, dimension: tuple[str, str]) -> list[float]:
         raise UsageError(f"{option} {text}: {error}") from None
 
 
-def numbers(option: str, text: str, what: str, count: int) -> tuple[float, ...]:
-    """`count` angular speeds, rad/s, as "100 200 rpm". Raises UsageError."""
-    found = _list(option, text, ("an angular speed", "rad/s"))
-    if len(found) != count:
-        raise UsageError(f"{option} {text}: {len(found)} {what}, but the stand has {count} flywheels")
-    return tuple(found)
+def speeds(option: str, text: str) -> tuple[float, ...]:
+    """Angular speeds, rad/s, as "100 200 rpm". Raises UsageError."""
+    return tuple(_list(option, text, ("an angular speed", "rad/s")))
 
 
 def vector(option: str, text: str) -> tuple[float, float, float]:
@@ -41,14 +38,19 @@ def vector(option: str, text: str) -> tuple[float, float, float]:
     return found[0], found[1], found[2]
 
 
-def speed(option: str, text: str, zero: bool = False) -> float:
-    """One angular speed above 0, rad/s; with `zero` also 0. Raises UsageError."""
-    found = _list(option, text, ("an angular speed", "rad/s"))
+def speed(option: str, text: str, least: str = "of at least") -> float:
+    """One angular speed of at least 0, rad/s. Raises UsageError."""
+    found = speeds(option, text)
     if len(found) != 1:
         raise UsageError(f'{option} {text}: expected a speed, as "100 rpm"')
-    if not (found[0] > 0.0 or (zero and found[0] == 0.0)):
-        raise UsageError(f"{option} {text}: expected a speed {'of at least' if zero else 'above'} 0")
+    if not found[0] >= 0.0 or (least == "above" and found[0] == 0.0):
+        raise UsageError(f"{option} {text}: expected a speed {least} 0")
     return found[0]
+
+
+def speed_above_zero(option: str, text: str) -> float:
+    """One angular speed above 0, rad/s. Raises UsageError."""
+    return speed(option, text, "above")
 
 
 def frequency(option: str, text: str) -> float:
@@ -69,17 +71,25 @@ def interval(option: str, text: str) -> tuple[float, float]:
     return frequency(option, first), frequency(option, high)
 
 
+def band(option: str, text: str) -> tuple[float, float]:
+    """Two frequencies, Hz, the lower first, with their unit. Raises UsageError."""
+    low, high = interval(option, text)
+    if not (0.0 <= low < high < math.inf and text.rstrip().endswith("Hz")):
+        raise UsageError(f"{option} {text}: expected two frequencies, the lower first, as 20..200Hz")
+    return low, high
+
+
 def fraction(option: str, text: str) -> float:
     """A part of 1, as "10%" or 0.1. Raises UsageError."""
     body = text.strip().removesuffix("%")
     try:
         value = float(body) / (100.0 if text.strip().endswith("%") else 1.0)
     except ValueError:
-        raise UsageError(f'{option} {text}: expected a part, as "10%"') from None
+        raise UsageError(f'{option} {text}: expected a fraction, as "10%"') from None
     return value
 
 
-def axes_of(text: str) -> tuple[tuple[float, float, float], ...]:
+def axes(option: str, text: str) -> tuple[tuple[float, float, float], ...]:
     """Letters of axes, "xy", or one direction, "0,0,1", to unit vectors. Raises UsageError."""
     units = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
     if text and set(text) <= set(units) and len(set(text)) == len(text):
@@ -90,14 +100,14 @@ def axes_of(text: str) -> tuple[tuple[float, float, float], ...]:
         direction = []
     size = math.hypot(*direction)
     if len(direction) != 3 or not math.isfinite(size) or size == 0.0:
-        raise UsageError(f'--axis {text}: expected some of the letters xyz, or a direction as "0,0,1"')
+        raise UsageError(f'{option} {text}: expected some of the letters xyz, or a direction as "0,0,1"')
     x, y, z = (each / size for each in direction)
     return ((x, y, z),)
 
 
-def orders_of(text: str) -> tuple[int, ...]:
+def whole_numbers(option: str, text: str) -> tuple[int, ...]:
     """Whole numbers, as "1,2". Raises UsageError."""
     try:
         return tuple(int(each) for each in text.split(","))
     except ValueError:
-        raise UsageError(f"--orders {text}: expected whole numbers, as 1,2") from None
+        raise UsageError(f"{option} {text}: expected whole numbers, as 1,2") from None

@@ -2,79 +2,126 @@
 
 from __future__ import annotations
 
+import json
+import math
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
-from mahovik.out.cli.group import INTERRUPTED
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli import quantities
+from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.options import (
+    JSON,
+    SEED_OF_STARTS,
+    STAND_FILE,
+    TIME_LIMIT,
+    choice,
+    command,
+    file_option,
+    load_stand,
+    option,
+)
+from mahovik.out.cli.output import INTERRUPTED, print_json, print_line, print_table, require_other_file
 from mahovik.out.cli.progress import progress
-from mahovik.out.cli.quantities import axes_of, fraction, frequency, interval, numbers, orders_of, speed, vector
 
 if TYPE_CHECKING:
     from mahovik.use.study.quiet import QuietResult
     from mahovik.use.study.quiet.result import Jitter
 
 
-@click.command()
-@stand_argument
-@click.option("--point", metavar="NAME", required=True, help="Point or instrument to be quiet.")
-@click.option("--band", metavar="LOW..HIGH", required=True, help='"20..200Hz".')
-@click.option(
-    "--momentum", metavar='"X Y Z"', help="Momentum of the flywheels to hold, in E1, N m s; default: that of --speeds."
-)
-@click.option(
-    "--speeds",
-    metavar='"1 2 .. rpm"',
-    help="Present speeds, rad/s or with a unit; default: the smallest for the momentum.",
-)
-@click.option("--axis", "axes", metavar="LETTERS|X,Y,Z", default="xyz", show_default=True, help="Axes of the point.")
-@click.option(
-    "--measure",
-    type=click.Choice(["acceleration", "velocity", "displacement", "rate", "angle"]),
-    default="acceleration",
-    show_default=True,
-    help="Kind of jitter.",
-)
-@click.option(
-    "--limit", metavar="SPEED", help='Limit of every speed, "5000 rpm"; default: no-load speeds of the motors.'
-)
-@click.option("--least", metavar="SPEED", default="0", help="Least speed of every flywheel.")
-@click.option("--change", metavar="SPEED", help="Largest change of a speed.")
-@click.option(
-    "--reduction", metavar="X", type=float, help="Find the least change of speeds that makes it X times lower."
-)
-@click.option(
-    "--avoid",
-    multiple=True,
-    metavar="F|LOW..HIGH|modes",
-    help='Frequencies to avoid: "35Hz", "30..40Hz", or modes of the stand.',
-)
-@click.option(
-    "--margin", metavar="PART", default="10%", show_default=True, help="Margin around a single avoided frequency."
-)
-@click.option("--orders", metavar="1,2", default="1,2", show_default=True, help="Orders of a speed that avoid them.")
-@click.option(
-    "--guard", metavar="PART", default="2%", show_default=True, help="Distance of lines from the band's ends."
-)
-@click.option("--seed", metavar="N", type=click.IntRange(min=0), default=0, show_default=True)
-@click.option(
-    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the search."
-)
-@click.option(
-    "--backend",
-    type=click.Choice(["c", "scipy", "none"]),
-    default="c",
-    show_default=True,
-    help="Backend of the simulation.",
-)
-@click.option("-o", "output", metavar="REGIME.toml", type=click.Path(), help="Output for `simulate --regime`.")
-@click.option("--state", "state_file", metavar="S.json", type=click.Path(), help="Output for `simulate --start`.")
-@json_option()
-def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: bool, **options: Any) -> None:
+@command()
+def quiet(
+    stand_file: str = STAND_FILE,
+    point: str = option("--point", "Quiet this point or instrument.", metavar="NAME", required=True),
+    band: tuple[float, float] = option(
+        "--band",
+        'Quiet it within these frequencies, "20..200Hz".',
+        metavar="LOW..HIGH",
+        required=True,
+        parse=quantities.interval,
+    ),
+    momentum: tuple[float, float, float] | None = option(
+        "--momentum",
+        "Hold this momentum of the flywheels, in E1, N m s; default: that of --speeds.",
+        metavar='"X Y Z"',
+        parse=quantities.vector,
+    ),
+    speeds: tuple[float, ...] | None = option(
+        "--speeds",
+        "Begin at these speeds, rad/s or with a unit; default: the smallest for the momentum.",
+        metavar='"1 2 .. rpm"',
+        parse=quantities.speeds,
+    ),
+    axes: tuple[tuple[float, float, float], ...] = option(
+        "--axis",
+        "Measure along these axes of the point.",
+        metavar="LETTERS|X,Y,Z",
+        default="xyz",
+        parse=quantities.axes,
+    ),
+    measure: str = choice(
+        "--measure",
+        ["acceleration", "velocity", "displacement", "rate", "angle"],
+        "Measure this kind of jitter.",
+        default="acceleration",
+    ),
+    limit: float | None = option(
+        "--limit",
+        'Limit every speed, "5000 rpm"; default: no-load speeds of the motors.',
+        metavar="SPEED",
+        parse=quantities.speed_above_zero,
+    ),
+    least: float = option(
+        "--least",
+        "Keep every flywheel above this speed.",
+        metavar="SPEED",
+        default="0",
+        show_default=False,
+        parse=quantities.speed,
+    ),
+    change: float | None = option(
+        "--change", "Change no speed by more than this.", metavar="SPEED", parse=quantities.speed_above_zero
+    ),
+    reduction: float | None = option(
+        "--reduction", "Find the least change of speeds that makes it X times lower.", metavar="X", type=float
+    ),
+    avoid: tuple[str, ...] = option(
+        "--avoid",
+        'Avoid frequencies: "35Hz", "30..40Hz", or modes of the stand.',
+        metavar="F|LOW..HIGH|modes",
+        multiple=True,
+    ),
+    margin: float = option(
+        "--margin",
+        "Keep this margin around a single avoided frequency.",
+        metavar="PART",
+        default="10%",
+        parse=quantities.fraction,
+    ),
+    orders: tuple[int, ...] = option(
+        "--orders",
+        "Avoid them by these orders of a speed.",
+        metavar="1,2",
+        default="1,2",
+        parse=quantities.whole_numbers,
+    ),
+    guard: float = option(
+        "--guard",
+        "Keep lines at this distance from the band's ends.",
+        metavar="PART",
+        default="2%",
+        parse=quantities.fraction,
+    ),
+    seed: int = SEED_OF_STARTS,
+    seconds: float | None = TIME_LIMIT,
+    backend: str = choice("--backend", ["c", "scipy", "none"], "Simulate by c, by scipy, or not at all.", default="c"),
+    output: str | None = file_option("-o", "REGIME.toml", "Write the speeds, for `simulate --regime`."),
+    state_file: str | None = file_option("--state", "S.json", "Write the state, for `simulate --start`."),
+    as_json: bool = JSON,
+) -> None:
     """Quiet a point by speeds and phases of flywheels.
 
     The unbalance of redundant flywheels cancels at the point. Their momentum is kept exactly: only combinations of
@@ -84,123 +131,91 @@ def quiet(stand_file: str, output: str | None, state_file: str | None, as_json: 
     Exit status: 0 lower, and confirmed by simulation; 1 no allowed speeds, not lower or not as low as wanted, or the
     simulation disagrees; 2 bad input; 130 Ctrl-C.
     """
-    import json
-
-    from mahovik.proof.verify.files import probe, write
+    from mahovik.writing import write
 
     stand = load_stand(stand_file)
-    for name in (output, state_file):
+    for option_name, name in (("-o", output), ("--state", state_file)):
         if name is not None:
-            if Path(name).exists() and Path(name).samefile(stand_file):
-                raise UsageError(f"{name} is read by this command; give another name")
-            probe(Path(name))
+            require_other_file(Path(name), [stand_file], f"{option_name} {name}", "result")
     if None not in (output, state_file) and Path(str(output)).resolve() == Path(str(state_file)).resolve():
         raise UsageError(f"-o and --state {state_file}: one file for both; give the state another name")
-    backend, seconds = options.pop("backend"), options.pop("seconds")
-    chosen = _quiet_options(options, len(stand.flywheels))
+    from mahovik.use.study.quiet import QuietOptions
     from mahovik.use.study.quiet import quiet as find
-    from mahovik.use.study.quiet.files import regime_text, result
+    from mahovik.use.study.quiet.result import as_object, regime_text
 
+    if speeds is not None and len(speeds) != len(stand.flywheels):
+        raise UsageError(f"--speeds: {len(speeds)} speeds, but the stand has {len(stand.flywheels)} flywheels")
+    if speeds is not None:
+        warn_beyond_motors(stand, speeds, [""] * len(speeds))
+    options = QuietOptions(
+        point, band, momentum, speeds, axes, measure, limit, least, change, reduction, _intervals(avoid, margin),
+        orders, "modes" in avoid, margin, guard, seed,
+    )  # fmt: skip
     with progress("searching") as stage:
-        found = find(stand, chosen, seconds, None if backend == "none" else backend, stage.say)
-    said = result(found)
+        found = find(stand, options, seconds, None if backend == "none" else backend, stage.say)
+    plain = as_object(found)
     if output is not None:
         write(Path(output), regime_text(found))
     if state_file is not None:
-        write(Path(state_file), json.dumps(said["after"]["start"], indent=1, allow_nan=False) + "\n")
+        write(Path(state_file), json.dumps(plain["after"]["start"], indent=1, allow_nan=False) + "\n")
     if as_json:
-        print_json(said)
+        print_json(plain)
     else:
-        _report(found)
+        _print(found)
     _end(found)
 
 
-def _quiet_options(options: dict[str, Any], N: int) -> Any:
-    """The options as QuietOptions. Raises UsageError."""
-    from mahovik.use.study.quiet import QuietOptions
-
-    margin = fraction("--margin", options["margin"])
-    avoid = []
-    for each in options["avoid"]:
+def _intervals(avoid: tuple[str, ...], margin: float) -> tuple[tuple[float, float], ...]:
+    """The frequencies of `--avoid` with a margin around single ones, Hz. Raises UsageError."""
+    found = []
+    for each in avoid:
         if ".." in each:
-            avoid.append(interval("--avoid", each))
+            found.append(quantities.interval("--avoid", each))
         elif each != "modes":
-            f = frequency("--avoid", each)
-            avoid.append((f * (1.0 - margin), f * (1.0 + margin)))
-    speeds = None if options["speeds"] is None else numbers("--speeds", options["speeds"], "speeds", N)
-    momentum = None if options["momentum"] is None else vector("--momentum", options["momentum"])
-    return QuietOptions(
-        options["point"],
-        interval("--band", options["band"]),
-        momentum,
-        speeds,
-        axes_of(options["axes"]),
-        options["measure"],
-        None if options["limit"] is None else speed("--limit", options["limit"]),
-        speed("--least", options["least"], zero=True),
-        None if options["change"] is None else speed("--change", options["change"]),
-        options["reduction"],
-        tuple(avoid),
-        orders_of(options["orders"]),
-        "modes" in options["avoid"],
-        margin,
-        fraction("--guard", options["guard"]),
-        options["seed"],
-    )
+            f = quantities.frequency("--avoid", each)
+            found.append((f * (1.0 - margin), f * (1.0 + margin)))
+    return tuple(found)
 
 
-def _report(found: QuietResult) -> None:
+def _print(found: QuietResult) -> None:
     """Two tables: flywheels, lines; and the figures."""
-    from rich.text import Text
+    from mahovik.use.study.quiet.options import rpm
 
-    from mahovik.use.study.quiet.wheels import rpm
-
-    out = console()
     band = f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz"
     if found.wheels.moved > 1e-9:
-        out.print(f"the given speeds do not hold the momentum: before is {rpm(found.wheels.moved):.4g} rpm off them")
-    rows = table("flywheel", "before, rpm>", "after, rpm>", "change, rpm>", "phase, deg>")
-    for s, name in enumerate(found.wheels.names):
-        now, then = found.before.speeds[s], found.after.speeds[s]
-        phase = float(found.after.phases[s]) * 180.0 / 3.141592653589793
-        rows.add_row(Text(name), *(f"{rpm(x):.3f}" for x in (now, then, then - now)), f"{phase:.3f}")
-    out.print(rows)
-    out.print(_lines(found))
+        print_line(f"the given speeds do not hold the momentum: before is {rpm(found.wheels.moved):.4g} rpm off them")
+    rows = []
+    for name, now, then, phase in zip(
+        found.wheels.names, found.before.speeds, found.after.speeds, found.after.phases, strict=True
+    ):
+        rows.append((name, *(f"{rpm(x):.3f}" for x in (now, then, then - now)), f"{math.degrees(phase):.3f}"))
+    print_table(("flywheel", "before, rpm>", "after, rpm>", "change, rpm>", "phase, deg>"), rows)
+    columns = ("", "line, Hz>", "flywheels", f"apart, {found.unit}>", f"together, {found.unit}>", "simulated>", "")
+    print_table(columns, (*_lines(found, "before", found.before), *_lines(found, "after", found.after)))
     for name, jitter in (("before, phases not held", found.before), ("after", found.after)):
-        simulated = (
-            "" if jitter.simulated is None else f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
-        )
+        simulated = ""
+        if jitter.simulated is not None:
+            simulated = f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
         rms = jitter.free if jitter is found.before else jitter.rms
-        out.print(
-            f"{name}: {found.options.measure} of {found.options.point}, {band}: RMS {rms:.4g} {found.unit}{simulated}"
-        )
+        what = f"{found.options.measure} of {found.options.point}, {band}"
+        print_line(f"{name}: {what}: RMS {rms:.4g} {found.unit}{simulated}")
     ratio = found.reduction
     words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
-    out.print(f"{words}; momentum within {found.momentum_error:.1g} N m s")
+    print_line(f"{words}; momentum within {found.momentum_error:.1g} N m s")
     if found.hold is not None:
-        out.print(f"phases off by {found.hold * 180.0 / 3.141592653589793:.3g} deg rms double the remaining jitter")
+        print_line(f"phases off by {math.degrees(found.hold):.3g} deg rms double the remaining jitter")
 
 
-def _lines(found: QuietResult) -> Any:
-    """Order 1 of all flywheels, before and after."""
-    from rich.text import Text
-
+def _lines(found: QuietResult, when: str, jitter: Jitter) -> Iterator[tuple[str, ...]]:
+    """Rows for order 1 of all flywheels."""
     from mahovik.use.study.quiet.lines import in_band
 
-    rows = table("", "line, Hz>", "flywheels", f"apart, {found.unit}>", f"together, {found.unit}>", "simulated>", "")
-
-    def add(name: str, jitter: Jitter) -> None:
-        heard = jitter.heard or (None,) * len(jitter.lines)
-        for line, simulated in zip(jitter.lines, heard, strict=True):
-            sizes = (2.0 * line.apart) ** 0.5, (2.0 * line.mean_square) ** 0.5
-            names = " ".join(found.wheels.names[s] for s in line.flywheels)
-            last = "-" if simulated is None else f"{simulated:.4g}"
-            where = "" if in_band(line.frequency, found.options.band) else "outside the band"
-            rows.add_row(name, f"{line.frequency:.4f}", Text(names), *(f"{x:.4g}" for x in sizes), last, where)
-
-    add("before", found.before)
-    add("after", found.after)
-    return rows
+    heard = jitter.heard or (None,) * len(jitter.lines)
+    for line, simulated in zip(jitter.lines, heard, strict=True):
+        sizes = (f"{(2.0 * x) ** 0.5:.4g}" for x in (line.apart, line.mean_square))
+        names = " ".join(found.wheels.names[s] for s in line.flywheels)
+        where = "" if in_band(line.frequency, found.options.band) else "outside the band"
+        yield when, f"{line.frequency:.4f}", names, *sizes, "-" if simulated is None else f"{simulated:.4g}", where
 
 
 def _end(found: QuietResult) -> None:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import load_stand
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, choice, command, file_option, load_stand, option
+from mahovik.out.cli.output import print_json
 from mahovik.out.cli.progress import progress
+from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -18,34 +19,28 @@ if TYPE_CHECKING:
     from mahovik.use.simulate.replay import Machine, Outcome
 
 
-@click.command()
-@click.argument("log", metavar="LOG", type=click.Path())
-@click.argument("stand_file", metavar="[STAND.toml]", type=click.Path(), required=False)
-@click.option(
-    "-o", "output", metavar="FILE.csv|FILE.jsonl", type=click.Path(), help="States: columns, or lines for `eval`."
-)
-@click.option("--step", "wanted", metavar="K", type=int, help="Show step K: its line for `eval`, all bits in hex.")
-@click.option("--emit-test", "tested", metavar="K", type=int, help="Write NAME_step_K.c: step K as a unit test in C.")
-@click.option(
-    "--against", metavar="DIR", type=click.Path(), help="Replay the C in DIR, the folder that was used in flight."
-)
-@click.option(
-    "--backend",
-    type=click.Choice(["c", "interpreter"]),
-    default="c",
-    show_default=True,
-    help="interpreter: needs no compiler, slow.",
-)
-@json_option()
+@command()
 def replay(
-    log: str,
-    stand_file: str | None,
-    output: str | None,
-    wanted: int | None,
-    tested: int | None,
-    against: str | None,
-    backend: str,
-    as_json: bool,
+    stand_file: str | None = STAND_FILE_OR_NONE,
+    further: tuple[str, ...] = FURTHER,
+    log_file: str | None = needed_option("--log", "LOG", "Replay this flight log, binary or text of a console."),
+    output: str | None = file_option(
+        "-o", "FILE.csv|FILE.jsonl", "Write the states, in columns or as lines for `eval`."
+    ),
+    wanted: int | None = option(
+        "--step", "Show step K, as a line for `eval` and all bits in hex.", metavar="K", type=int
+    ),
+    tested: int | None = option(
+        "--emit-test", "Write NAME_step_K.c, step K as a unit test in C.", metavar="K", type=int
+    ),
+    against: str | None = file_option("--against", "DIR", "Replay the C in this folder, which was used in flight."),
+    backend: str = choice(
+        "--backend",
+        ["c", "interpreter"],
+        "Replay by c, or by interpreter, which needs no compiler and is slow.",
+        default="c",
+    ),
+    as_json: bool = JSON,
 ) -> None:
     """Replay a flight log.
 
@@ -55,13 +50,14 @@ def replay(
 
     Exit status 1 if a state differs or the log is damaged; an end in the middle of a record is only noted.
     """
-    from mahovik.proof.verify.files import probe
     from mahovik.use.simulate import flight_log
     from mahovik.use.simulate import replay as replays
-    from mahovik.use.simulate.replay_output import check
+    from mahovik.use.simulate.replay import check_format
+    from mahovik.writing import probe
 
+    stand_file, (log,) = stand_first(stand_file, further, {"--log": log_file}, former=("--log", STAND), least=1)
     if output is not None:
-        check(Path(output))
+        check_format(Path(output))
         probe(Path(output))
     data, notes = flight_log.load(Path(log))
     records = list(flight_log.records(data))
@@ -148,7 +144,7 @@ class _Session:
 
     def _written(self, found: Outcome) -> str:
         from mahovik.errors import StateError
-        from mahovik.use.simulate.replay_output import csv_row, eval_line
+        from mahovik.use.simulate.replay import csv_row, eval_line
 
         assert self._output is not None
         if self._output.suffix == ".csv":
@@ -159,14 +155,14 @@ class _Session:
             raise UsageError(f"-o {self._output}: step {found.step.count}: {error}; write .csv instead") from None
 
     def _show(self, found: Outcome) -> None:
-        from mahovik.use.simulate.replay_output import step_dump
+        from mahovik.use.simulate.replay import step_dump
 
         self._said += step_dump(found, self._machine.generated.layout.inputs)
 
     def _emit_test(self, found: Outcome) -> None:
         from mahovik.core.emit.replay_test import replay_test
-        from mahovik.proof.verify.files import write
         from mahovik.use.simulate.replay import step_inputs
+        from mahovik.writing import write
 
         path = Path(f"{self._stand.name}_step_{found.step.count}.c")
         name, inputs = step_inputs(self._machine.generated, found.step)
@@ -180,9 +176,8 @@ class _Session:
 
     def finish(self, notes: list[str], as_json: bool) -> None:
         """Write files and the last line. Exit status 1 if a state differs or something is missing."""
-        from mahovik.proof.verify.files import write
-        from mahovik.use.simulate.replay import explain
-        from mahovik.use.simulate.replay_output import csv_heading
+        from mahovik.use.simulate.replay import csv_heading, explain
+        from mahovik.writing import write
 
         for text in self._said:
             click.echo(text, err=as_json)
@@ -194,9 +189,9 @@ class _Session:
             click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps", err=as_json)
         for damage in self._damage:
             click.echo(f"{'note' if damage.end else 'error'}: {damage.message}", err=True)
-        for option, missing in (("--step", self._wanted), ("--emit-test", self._tested)):
+        for asked, missing in (("--step", self._wanted), ("--emit-test", self._tested)):
             if missing is not None:
-                raise UsageError(f"{option} {missing}: no such step among those that could be replayed")
+                raise UsageError(f"{asked} {missing}: no such step among those that could be replayed")
         differs = self._last is not None and not self._last.equal
         if as_json:
             print_json(self._plain(differs))

@@ -6,45 +6,37 @@ from pathlib import Path
 
 import click
 
-from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import load_stand, stand_argument
+from mahovik.out.cli.options import STAND_FILE, command, file_option, load_stand, option
+from mahovik.out.cli.output import require_suffix
 from mahovik.out.cli.progress import progress
 
 
-@click.command(short_help="A stand, its proof and its motion on one page.")
-@stand_argument
-@click.option("-o", "output", metavar="FILE.html", type=click.Path(), required=True, help="Output page.")
-@click.option(
-    "--run", "run_file", metavar="RUN.csv|RUN.parquet", type=click.Path(), help="A run of `mahovik simulate`."
-)
-@click.option(
-    "--programme", "programme_file", metavar="P.json", type=click.Path(), help="A programme of `mahovik plan`."
-)
-@click.option("--motion", "motion_file", metavar="M.json", type=click.Path(), help="Motion file of --programme.")
-@click.option(
-    "--cost", "cost_folder", metavar="DIR", type=click.Path(), help="Generated C with figures of `mahovik cost`."
-)
-@click.option("--targets", metavar="NAME,...", help="Run the self-test on processors now: all, quick, m7,...; minutes.")
+@command(short_help="Write one page on a stand, its proof and its motion.")
 def report(
-    stand_file: str,
-    output: str,
-    run_file: str | None,
-    programme_file: str | None,
-    motion_file: str | None,
-    cost_folder: str | None,
-    targets: str | None,
+    stand_file: str = STAND_FILE,
+    output: str = file_option("-o", "FILE.html", "Write the page to this file.", required=True),
+    run_file: str | None = file_option("--run", "RUN.csv|RUN.parquet", "Show this run of `mahovik simulate`."),
+    programme_file: str | None = file_option("--programme", "P.json", "Show this programme of `mahovik plan`."),
+    motion_file: str | None = file_option(
+        "--motion", "M.json", "Read the required motion of --programme from this file."
+    ),
+    cost_folder: str | None = file_option(
+        "--cost", "DIR", "Show the figures that `mahovik cost` wrote into this folder."
+    ),
+    targets: str | None = option(
+        "--targets", "Run the self-test on processors now, for minutes: all, quick, m7,...", metavar="NAME,..."
+    ),
 ) -> None:
     """Report on a stand: one page that opens offline in any browser, and prints.
 
     Shows bodies, matrices, verification, cost, reach, and the motion of a run or programme. Exit status 1 if a
     comparison fails; the page is written and shows it.
     """
-    if not output.endswith(".html"):
-        raise UsageError(f"-o {output}: expected a name that ends in .html")
+    require_suffix(output, [".html"])
     from mahovik.out.report.plot.draw import require
-    from mahovik.out.report.stand.gather import gather
+    from mahovik.out.report.stand.material import gather
     from mahovik.out.report.stand.page import ORDER, page
-    from mahovik.proof.verify.files import probe, write
+    from mahovik.writing import probe, write
 
     require("report")
     probe(Path(output))
@@ -61,7 +53,7 @@ def report(
         found = page(material, stage.at)
     write(Path(output), found.html)
     click.echo(click.format_filename(output))
+    for line in found.failures:
+        click.echo(f"error: {line}", err=True)
     if found.failures:
-        for line in found.failures:
-            click.echo(f"error: {line}", err=True)
         raise SystemExit(1)

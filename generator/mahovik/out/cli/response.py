@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,15 +9,16 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import console, given, load_stand, stand_argument, table
-from mahovik.out.cli.group import INTERRUPTED
-from mahovik.out.cli.json_output import json_option, print_json_text
+from mahovik.out.cli import quantities
+from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
+from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.use.study.response.speed_plan import SpeedPlan
+    from mahovik.use.study.response.speeds import SpeedPlan
     from mahovik.use.study.response.sweep import Sweep
 
 PICTURES = (".svg", ".png")
@@ -31,38 +31,41 @@ SHOWN = 12
 """Lines of orders in the table."""
 
 
-@click.command()
-@stand_argument
-@click.option(
-    "--speed", "speeds", multiple=True, required=True, metavar="NAME=..",
-    help='One swept, "w1=0..6000rpm"; constant, "w2=1000 rpm"; geared, "w3=-0.5*w1"; all=...; others stand still.',
-)  # fmt: skip
-@click.option("--at", "point", metavar="POINT", required=True, help="A point or instrument; carrier: O1.")
-@click.option("--steps", metavar="N", type=click.IntRange(2, 100_000), default=61, show_default=True, help="Speeds.")
-@click.option(
-    "--quantity",
-    type=click.Choice(["acceleration", "velocity", "displacement"]),
-    default="acceleration",
-    show_default=True,
-)
-@click.option("--band", metavar="A..BHz", help="Also print the RMS of the harmonics within this band.")
-@click.option("--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Phase at t = 0, "w1=90 deg"; default 0.')
-@click.option(
-    "--time", "seconds", metavar="S", type=click.FloatRange(min=0, min_open=True), help="Time limit of the sweep."
-)
-@click.option("-o", "output", metavar="FILE", type=click.Path(), help=f"{', '.join(SUFFIXES)}: numbers or a picture.")
-@json_option()
+@command()
 def response(
-    stand_file: str,
-    speeds: tuple[str, ...],
-    point: str,
-    steps: int,
-    quantity: str,
-    band: str | None,
-    phases: tuple[str, ...],
-    seconds: float | None,
-    output: str | None,
-    as_json: bool,
+    stand_file: str = STAND_FILE,
+    speeds: tuple[str, ...] = option(
+        "--speed",
+        'Turn flywheels: one swept, "w1=0..6000rpm"; constant, "w2=1000 rpm"; geared, "w3=-0.5*w1"; all=...; '
+        "others stand still.",
+        metavar="NAME=..",
+        multiple=True,
+        required=True,
+    ),
+    point: str = option(
+        "--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT", required=True
+    ),
+    steps: int = option(
+        "--steps",
+        "Divide the sweep into this number of speeds.",
+        metavar="N",
+        type=click.IntRange(2, 100000),
+        default=61,
+    ),
+    quantity: str = choice(
+        "--quantity", ["acceleration", "velocity", "displacement"], "Find this quantity.", default="acceleration"
+    ),
+    band: tuple[float, float] | None = option(
+        "--band", "Print also the RMS of the harmonics within this band.", metavar="A..BHz", parse=quantities.band
+    ),
+    phases: tuple[str, ...] = option(
+        "--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', metavar="NAME=ANGLE", multiple=True
+    ),
+    seconds: float | None = option(
+        "--time", "Limit the time of the sweep.", metavar="S", type=click.FloatRange(min=0, min_open=True)
+    ),
+    output: str | None = file_option("-o", "FILE", f"Write numbers or a picture: {', '.join(SUFFIXES)}."),
+    as_json: bool = JSON,
 ) -> None:
     """Find the steady vibration at constant speeds.
 
@@ -74,18 +77,18 @@ def response(
     stand = load_stand(stand_file)
     if output is not None and Path(output).suffix not in SUFFIXES:
         raise UsageError(f"-o {output}: expected a name that ends in {', '.join(SUFFIXES)}")
-    from mahovik.use.study.linear.points import places
-    from mahovik.use.study.response.speed_plan import read_speeds
+    from mahovik.use.study.linear.model import places
+    from mahovik.use.study.response.speeds import read_speeds
     from mahovik.use.study.response.sweep import sweep
 
     places(stand, [point])
     asked = read_speeds(stand, speeds)
-    if asked.sweep is None and given("steps"):
+    if asked.sweep is None and is_given("steps"):
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
-    limits, turned = None if band is None else read_band(band), read_phases(stand, phases)
+    turned = read_phases(stand, phases)
     if output is not None:
         _check_place(Path(output))
-    _warn(stand, asked)
+    _warn(stand, asked, speeds)
     end = None if seconds is None else time.monotonic() + seconds
 
     count = 1 if asked.sweep is None else steps
@@ -95,13 +98,13 @@ def response(
             stage.at(done)
             return end is None or done == 0 or time.monotonic() < end
 
-        found = sweep(stand, asked, steps, point, quantity=quantity, band=limits, phases=turned, go_on=go_on)
+        found = sweep(stand, asked, steps, point, quantity=quantity, band=band, phases=turned, go_on=go_on)
     if not found.steps:
         raise KeyboardInterrupt
     if output is not None:
         _write(found, Path(output))
     if as_json:
-        from mahovik.use.study.response.files import json_text
+        from mahovik.use.study.response.sweep import json_text
 
         print_json_text(json_text(found))
     else:
@@ -114,31 +117,21 @@ def response(
             raise SystemExit(INTERRUPTED)
 
 
-def read_band(text: str) -> tuple[float, float]:
-    """Two frequencies, Hz. Raises UsageError."""
-    found = re.fullmatch(r"\s*([\d.eE+]+)\s*(?:Hz)?\s*\.\.\s*([\d.eE+]+)\s*Hz\s*", text)
-    try:
-        low, high = (float(x) for x in (found[1], found[2])) if found else (1.0, 0.0)
-    except ValueError:
-        low, high = 1.0, 0.0
-    if not 0.0 <= low < high < float("inf"):
-        raise UsageError(f"--band {text}: expected two frequencies, the lower first, as 20..200Hz")
-    return low, high
-
-
-def _warn(stand: Stand, asked: SpeedPlan) -> None:
+def _warn(stand: Stand, asked: SpeedPlan, given: tuple[str, ...]) -> None:
     """Warn of speeds beyond those of the motors."""
-    for s, wheel in enumerate(stand.flywheels):
-        fastest = max(abs(asked.speeds(value)[s]) for value in asked.sweep or (0.0,))
-        most = None if wheel.motor is None else wheel.motor.speed
-        if most is not None and fastest > most * (1 + 1e-9):
-            text = f"{wheel.name} turns at up to {RPM * fastest:.6g} rpm, its motor at most at {RPM * most:.6g}"
-            click.echo(f"warning: {text}", err=True)
+    from mahovik.use.study.response.speeds import ALL
+
+    fastest = [max(map(abs, each)) for each in zip(*(asked.speeds(x) for x in asked.sweep or (0.0,)), strict=True)]
+    texts = dict.fromkeys(asked.names, "")
+    for each in given:
+        name, _, text = each.partition("=")
+        texts |= dict.fromkeys(asked.names if name == ALL else [name], text)
+    warn_beyond_motors(stand, fastest, list(texts.values()))
 
 
 def _check_place(path: Path) -> None:
     """Check, before anything is computed, that the file can be written. Raises UsageError."""
-    from mahovik.proof.verify.files import probe
+    from mahovik.writing import probe
 
     if path.suffix in PICTURES:
         from mahovik.out.report.plot.draw import require
@@ -148,10 +141,10 @@ def _check_place(path: Path) -> None:
 
 
 def _write(found: Sweep, path: Path) -> None:
-    from mahovik.proof.verify.files import write
+    from mahovik.writing import write
 
     if path.suffix in (".json", ".csv"):
-        from mahovik.use.study.response.files import csv_text, json_text
+        from mahovik.use.study.response.sweep import csv_text, json_text
 
         write(path, json_text(found) if path.suffix == ".json" else csv_text(found))
         return
@@ -165,21 +158,22 @@ def _print(found: Sweep) -> None:
     """Print orders, RMS, and remarks on the steady states."""
     import numpy as np
 
-    out, asked = console(), found.asked
+    asked = found.asked
     swept = "-" if asked.swept is None else asked.names[asked.swept]
     many = "one speed" if len(found.steps) == 1 else f"{len(found.steps)} speeds"
     title = f"{found.stand.name}: {found.quantity} of {found.point}, {many} of {swept}"
-    rows = table("order", f"largest amplitude, {found.unit}>", "at, Hz>", f"speed of {swept}, rpm>", title=title)
+    columns = ("order", f"largest amplitude, {found.unit}>", "at, Hz>", f"speed of {swept}, rpm>")
+    rows = []
     speeds = RPM * found.values
     for line in found.lines()[:SHOWN]:
         i = int(np.nanargmax(line.size))
-        rows.add_row(line.name, f"{line.size[i]:.6g}", f"{line.frequency[i]:.6g}", f"{speeds[i]:.6g}")
+        rows.append((line.name, f"{line.size[i]:.6g}", f"{line.frequency[i]:.6g}", f"{speeds[i]:.6g}"))
     for band in (None, *([found.band] if found.band else [])):
         total = np.linalg.norm(found.rms(band), axis=1)
         name = "RMS, all" if band is None else f"RMS {band[0]:g}..{band[1]:g} Hz"
         i = int(np.nanargmax(total))
-        rows.add_row(name, f"{total[i]:.6g}", "", f"{speeds[i]:.6g}")
-    out.print(rows)
+        rows.append((name, f"{total[i]:.6g}", "", f"{speeds[i]:.6g}"))
+    print_table(columns, rows, title=title)
     _remarks(found)
 
 

@@ -5,24 +5,23 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import click
-
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
+from mahovik.out.cli.output import console, print_json, print_line, print_table
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.use.study.rest import Rest
 
 
-@click.command()
-@stand_argument
-@click.option(
-    "--phase", "phases", multiple=True, metavar="NAME=ANGLE", help='Phase of a flywheel, "w1=90 deg"; default 0.'
-)
-@json_option("Print JSON; `simulate --start` reads it.")
-def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
+@command()
+def rest(
+    stand_file: str = STAND_FILE,
+    phases: tuple[str, ...] = option(
+        "--phase", 'Set the phase of a flywheel, "w1=90 deg"; default 0.', metavar="NAME=ANGLE", multiple=True
+    ),
+    as_json: bool = json_option("Print JSON, which `simulate --start` reads."),
+) -> None:
     """Find the static equilibrium.
 
     Flywheels are at rest at their phases; no run-time wrench acts. Exit status 1 if there is no equilibrium.
@@ -33,7 +32,7 @@ def rest(stand_file: str, phases: tuple[str, ...], as_json: bool) -> None:
 
     found = find(stand, phi)
     if as_json:
-        from mahovik.proof.verify.evaluate import state_object
+        from mahovik.proof.verify.states import state_object
 
         free = [list(direction) for direction in found.free]
         state = state_object(found.state)
@@ -47,14 +46,16 @@ def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
     """Phases (rad) by flywheel. Raises UsageError."""
     from mahovik.contract.quantities import BOUNDS
     from mahovik.core.stand.units import ANGLE, QuantityError, number
-    from mahovik.nearest import meant
+    from mahovik.nearest import suggestion
 
     names = [s.name for s in stand.flywheels]
     phi = [0.0] * len(names)
     for each in given:
         name, _, text = each.partition("=")
         if name not in names:
-            raise UsageError(f'--phase {each}: unknown flywheel "{name}"{meant(name, names, "the stand has none")}')
+            raise UsageError(
+                f'--phase {each}: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}'
+            )
         try:
             phi[names.index(name)] = float(text)
         except ValueError:
@@ -73,24 +74,17 @@ def plain(x: float, digits: int = 9) -> float:
 
 
 def _print(found: Rest, stand: Stand) -> None:
-    out = console()
-    state = found.state
-    turn = 2 * math.degrees(
-        math.atan2(math.hypot(*(state.quaternion or (1, 0, 0, 0))[1:]), (state.quaternion or (1,))[0])
-    )
-    out.print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
-    rows = table("position of O1 in E0, m", "quaternion", "remaining V_dot>")
-    rows.add_row(
-        "  ".join(f"{plain(x):.9f}" for x in state.position),
-        "  ".join(f"{plain(x):.9f}" for x in state.quaternion or ()),
-        f"{max(map(abs, found.V_dot)):.2g}",
-    )
-    out.print(rows)
+    quaternion = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
+    turn = 2 * math.degrees(math.atan2(math.hypot(*quaternion[1:]), quaternion[0]))
+    console().print(f"[bold]{stand.name}[/bold] rests, turned by {turn:.6g} deg from E0")
+    pose = ("  ".join(f"{plain(x):.9f}" for x in part) for part in (found.state.position, quaternion))
+    left = f"{max(map(abs, found.V_dot)):.2g}"
+    print_table(("position of O1 in E0, m", "quaternion", "remaining V_dot>"), [(*pose, left)])
     if found.free:
-        free = table("free to", "shift in E1: x", "y", "z", "turn about an axis in E1: x", "y", "z")
+        rows = []
         for direction in found.free:
             kinds = ("shift",) * any(direction[:3]) + ("turn",) * any(direction[3:])
-            free.add_row(" and ".join(kinds), *(f"{plain(x, 6):.6g}" for x in direction))
-        out.print(free)
+            rows.append((" and ".join(kinds), *(f"{plain(x, 6):.6g}" for x in direction)))
+        print_table(("free to", "shift in E1: x", "y", "z", "turn about an axis in E1: x", "y", "z"), rows)
     if found.unstable:
-        out.print("warning: unstable, the stand would leave this pose", style="yellow")
+        print_line("warning: unstable, the stand would leave this pose", "yellow")

@@ -8,9 +8,18 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.cli.arguments import given, load_stand, stand_argument
-from mahovik.out.cli.group import INTERRUPTED
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import (
+    STAND_FILE,
+    choice,
+    command,
+    file_option,
+    flag,
+    is_given,
+    json_option,
+    load_stand,
+    option,
+)
+from mahovik.out.cli.output import INTERRUPTED, print_json
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -20,72 +29,55 @@ if TYPE_CHECKING:
     from mahovik.use.simulate import Case, Run
 
 
-@click.command(short_help="Simulate a stand, or a programme on it.")
-@stand_argument
-@click.option("--until", metavar="S", type=float, help="Duration, s.")
-@click.option("-o", "output", metavar="FILE.csv|FILE.parquet", type=click.Path(), help="Columns.")
-@click.option(
-    "--regime", metavar="FILE", type=click.Path(), help="Speeds or torques of the flywheels; default: none turns."
-)
-@click.option("--start", metavar="STATE.json", type=click.Path(), help="Default: the static equilibrium.")
-@click.option("--dt", metavar="S", type=float, default=1e-4, show_default=True, help="Longest step, s.")
-@click.option("--every", metavar="S", type=float, default=1e-3, show_default=True, help="Time between rows, s.")
-@click.option("--order", type=click.Choice(["4", "2"]), default="4", show_default=True, help="Order of the step.")
-@click.option(
-    "--backend",
-    type=click.Choice(["c", "scipy"]),
-    default="c",
-    show_default=True,
-    help="c: the generated C; scipy: the literal reference, adaptive, slow.",
-)
-@click.option("--mounts", is_flag=True, help="Also write the wrench of the mount on each flywheel.")
-@click.option(
-    "--programme", metavar="P.json", type=click.Path(), help="Programme to follow by servos, instead of a regime."
-)
-@click.option("--motion", metavar="M.json", type=click.Path(), help="For --programme: the motion file.")
-@click.option("--servo", metavar="S.toml", type=click.Path(), help="For --programme: the servos of the flywheels.")
-@click.option(
-    "--mismatch", metavar="PERCENT", default="0%", show_default=True, help="For --programme: errors of the stand."
-)
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Seed of --mismatch.")
-@click.option("--periods", type=click.IntRange(1), help="For --programme; default: until it has settled.")
-@click.option(
-    "--begin",
-    type=click.Choice(["settled", "programme", "rest"]),
-    default="settled",
-    show_default=True,
-    help="For --programme: start in the stand's own periodic motion, the required state, or at rest with the run-up.",
-)
-@click.option(
-    "--table",
-    metavar="NODES|exact",
-    default="128",
-    show_default=True,
-    help="For --programme: the table as in firmware.",
-)
-@click.option("--causes/--no-causes", default=True, help="For --programme: find what limits it, by further runs.")
-@json_option("Print figures as JSON.")
+@command(short_help="Simulate a stand, or a programme on it.")
 def simulate(
-    stand_file: str,
-    until: float | None,
-    output: str | None,
-    regime: str | None,
-    start: str | None,
-    dt: float,
-    every: float,
-    order: str,
-    backend: str,
-    mounts: bool,
-    programme: str | None,
-    motion: str | None,
-    servo: str | None,
-    mismatch: str,
-    seed: int,
-    periods: int | None,
-    begin: str,
-    table: str,
-    causes: bool,
-    as_json: bool,
+    stand_file: str = STAND_FILE,
+    until: float | None = option("--until", "Simulate for this time, s.", metavar="S", type=float),
+    output: str | None = file_option("-o", "FILE.csv|FILE.parquet", "Write the motion to this file, in columns."),
+    regime: str | None = file_option(
+        "--regime", "FILE", "Read speeds or torques of the flywheels from this file; default: none turns."
+    ),
+    start: str | None = file_option("--start", "STATE.json", "Start from this state; default: the static equilibrium."),
+    dt: float = option("--dt", "Limit the step to this time, s.", metavar="S", type=float, default=0.0001),
+    every: float = option("--every", "Write a row each time this passes, s.", metavar="S", type=float, default=0.001),
+    order: str = choice("--order", ["4", "2"], "Choose the order of the step.", default="4"),
+    backend: str = choice(
+        "--backend",
+        ["c", "scipy"],
+        "Integrate by c, the generated C, or by scipy, the literal reference, adaptive, slow.",
+        default="c",
+    ),
+    mounts: bool = flag("--mounts", "Write also the wrench of the mount on each flywheel."),
+    programme: str | None = file_option(
+        "--programme", "P.json", "Follow this programme by servos, instead of a regime."
+    ),
+    motion: str | None = file_option("--motion", "M.json", "Read the required motion of --programme from this file."),
+    servo: str | None = file_option("--servo", "S.toml", "Read the servos that follow --programme from this file."),
+    mismatch: str = option(
+        "--mismatch", "Make the stand's numbers wrong by this, with --programme.", metavar="PERCENT", default="0%"
+    ),
+    seed: int = option("--seed", "Draw the errors of --mismatch from this seed.", type=click.IntRange(0), default=1),
+    periods: int | None = option(
+        "--periods",
+        "Run --programme for this number of periods; default: until it has settled.",
+        type=click.IntRange(1),
+    ),
+    begin: str = choice(
+        "--begin",
+        ["settled", "programme", "rest"],
+        "Start --programme in the stand's own periodic motion, in the required state, or at rest with the run-up.",
+        default="settled",
+    ),
+    table: str = option(
+        "--table", "Set the nodes of the table in firmware, with --programme.", metavar="NODES|exact", default="128"
+    ),
+    causes: bool = option(
+        "--causes/--no-causes",
+        "Find what limits --programme, by further runs.",
+        default=True,
+        show_default=False,
+    ),
+    as_json: bool = json_option("Print figures as JSON."),
 ) -> None:
     """Simulate a stand under a regime, or following a programme.
 
@@ -97,27 +89,25 @@ def simulate(
     """
     _only(programme is not None)
     if programme is not None:
-        from mahovik.out.cli.follow import follow
+        from mahovik.out.cli.follow import FollowOptions, follow
 
-        follow(
-            stand_file, programme, motion, servo, mismatch, seed, periods, begin, table, backend, output, as_json,
-            causes,
-        )  # fmt: skip
+        options = FollowOptions(programme, motion, servo, mismatch, seed, periods, begin, table, backend)
+        follow(stand_file, options, output, as_json, causes)
         return
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
     stand = load_stand(stand_file)
     from mahovik.use.simulate import Case
     from mahovik.use.simulate import simulate as run
-    from mahovik.use.simulate.output import check, save
+    from mahovik.use.simulate.run import check_output, save_run
 
-    check(Path(output))
+    check_output(Path(output))
     chosen, state = _beginning(stand, regime, start, until)
     case = Case(stand, chosen, state, until, every, dt, int(order))
     _warn(case)
     with progress(f"simulate {stand.name}", until, "s") as stage:
         found = run(case, backend, mounts, stage.at)
-    save(found, Path(output))
+    save_run(found, Path(output))
     if as_json:
         print_json(_plain(found, output))
     else:
@@ -130,7 +120,7 @@ def _only(follows: bool) -> None:
     of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts")
     of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes")
     for name in of_regime if follows else of_programme:
-        if given(name):
+        if is_given(name):
             raise UsageError(f"--{name}: {'not allowed with' if follows else 'needs'} --programme")
 
 
@@ -139,12 +129,12 @@ def _beginning(stand: Stand, regime: str | None, start: str | None, until: float
     import math
 
     from mahovik.core import motion
-    from mahovik.use.simulate.start import load
+    from mahovik.use.simulate.case import load_start
     from mahovik.use.study.rest import rest
 
     if not (math.isfinite(until) and until > 0.0):
         raise UsageError(f"--until {until:g}: expected a time above 0, in s")
-    first = load(Path(start), stand) if start is not None else None
+    first = load_start(Path(start), stand) if start is not None else None
     chosen = motion.load(regime, stand, until) if regime is not None else None
     if first is not None:
         return chosen or motion.steady(stand, first.phi_dot), first
@@ -159,9 +149,11 @@ def _warn(case: Case) -> None:
     """Warn of steps that are long for the initial speeds."""
     import numpy as np
 
+    from mahovik.contract.quantities import BOUNDS
+
     _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
     fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
-    if fastest * case.dt > 0.3:
+    if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
         click.echo(
             f"warning: a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long", err=True
         )

@@ -9,72 +9,61 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.arguments import (
-    console,
-    fast_option,
-    given,
-    lanes_option,
+from mahovik.out.cli.options import (
+    FAST,
+    JUNIT,
+    LANES,
+    REAL,
+    SEED_OF_STATES,
+    STAND_FILE,
+    STATES,
+    WORST,
+    command,
+    file_option,
+    flag,
+    is_given,
+    json_option,
     load_stand,
-    real_option,
-    stand_argument,
-    table,
+    option,
 )
-from mahovik.out.cli.json_output import json_option, print_json_text
+from mahovik.out.cli.output import print_json_text
 from mahovik.out.cli.progress import progress
+from mahovik.out.cli.verdicts import print_report, print_rounding, print_targets
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.proof.verify.report import Report
 
 
-@click.command()
-@stand_argument
-@click.option("--states", default=200, show_default=True, type=click.IntRange(1, 1_000_000), help="Number of states.")
-@click.option("--seed", default=1, show_default=True, type=click.IntRange(0), help="Seed of the random states.")
-@json_option("Print the table as JSON.")
-@click.option("--junit", metavar="FILE", type=click.Path(), help="Also write the table as JUnit XML.")
-@click.option(
-    "-o", "worst", metavar="FILE", type=click.Path(), help="Worst states, for `eval`; default on failure only."
-)
-@click.option("--against", metavar="DIR", type=click.Path(), help="Judge the C in this folder, not a fresh copy.")
-@click.option(
-    "--with", "command", metavar="COMMAND", help="Judge a program that reads states; {stand}: the stand file."
-)
-@click.option(
-    "--want", metavar="NAME,...", help="Wants that the program of --with must offer; default: those it offers."
-)
-@click.option(
-    "--timeout", default=300.0, show_default=True, type=click.FloatRange(0.1), help="Time limit of --with, s."
-)
-@click.option("--judges", is_flag=True, help="Judge by Pinocchio, MuJoCo and, if possible, Basilisk.")
-@click.option("--rigorous", is_flag=True, help="The true error of the C, by enclosures of the exact answer.")
-@click.option("--bare", is_flag=True, help="With --judges: the stand without fluid, stream, suspension, legs.")
-@click.option(
-    "--targets",
-    metavar="NAME,...",
-    help="Check for the same bits on processors: all, quick, m7,rv64gc,...; both element types.",
-)
-@real_option
-@lanes_option
-@fast_option
+@command()
 def verify(
-    stand_file: str,
-    states: int,
-    seed: int,
-    as_json: bool,
-    junit: str | None,
-    worst: str | None,
-    against: str | None,
-    command: str | None,
-    want: str | None,
-    timeout: float,
-    judges: bool,
-    targets: str | None,
-    bare: bool,
-    rigorous: bool,
-    real: str,
-    lanes: int | None,
-    fast: bool,
+    stand_file: str = STAND_FILE,
+    states: int = STATES,
+    seed: int = SEED_OF_STATES,
+    as_json: bool = json_option("Print the table as JSON."),
+    junit: str | None = JUNIT,
+    worst: str | None = WORST,
+    against: str | None = file_option("--against", "DIR", "Judge the C in this folder, not a fresh copy."),
+    command: str | None = option(
+        "--with", "Judge a program that reads states; {stand} stands for the stand file.", metavar="COMMAND"
+    ),
+    want: str | None = option(
+        "--want", "Require these wants of the program of --with; default: those it offers.", metavar="NAME,..."
+    ),
+    timeout: float = option(
+        "--timeout", "Limit the time of the program of --with, s.", type=click.FloatRange(0.1), default=300.0
+    ),
+    judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
+    rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),
+    bare: bool = flag("--bare", "Leave out fluid, stream, suspension, legs and torquers, with --judges."),
+    targets: str | None = option(
+        "--targets",
+        "Check for the same bits on processors: all, quick, m7,rv64gc,...; both element types.",
+        metavar="NAME,...",
+    ),
+    real: str = REAL,
+    lanes: int | None = LANES,
+    fast: bool = FAST,
 ) -> None:
     """Judge C or any program by the reference.
 
@@ -101,19 +90,14 @@ def verify(
     if targets is not None:
         if judges or command is not None or against is not None or worst is not None:
             raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, --with, --against, -o")
-        from mahovik.out.cli.targets import verify_on_targets
-
-        reals = (real,) if given("real") else None
-        sweep = states if given("states") else None
-        verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
+        reals = (real,) if is_given("real") else None
+        sweep = states if is_given("states") else None
+        _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
         return
     wants = read_wants(want)
-    stand = load_stand(stand_file)
+    stand, folder = load_stand(stand_file), None if against is None else Path(against)
     if rigorous:
-        from mahovik.out.cli.rounding import verify_rigorously
-
-        measured = verify_rigorously(stand, seed, states, against, real, as_json).report
-        _conclude(measured, as_json, junit, worst)
+        _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return
     if judges:
         from mahovik.proof.verify.judges.compare import verify_judges
@@ -126,8 +110,56 @@ def verify(
         with progress(f"judge {command}"):
             found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
     else:
-        found = _verify_c(stand, seed, states, against, real, lanes, fast)
+        from mahovik.proof.verify.harness import verify_c
+
+        with progress(f"verify {stand.name}", states) as stage:
+            found = verify_c(
+                stand, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=stage.at
+            )
     finish(found, as_json, junit, worst)
+
+
+def _verify_on_targets(
+    stand: Stand,
+    names: str,
+    reals: tuple[str, ...] | None,
+    states: int | None,
+    as_json: bool,
+    junit: str | None,
+    lanes: int,
+) -> None:
+    """Run the self-test on targets, print the table, and exit with the verdict as status.
+
+    1: bits differ. 2: a compiler or an emulator is missing, or the processor lacks a feature of the only target; then
+    nothing is known.
+    """
+    from mahovik.proof.verify.targets import SWEEP, as_junit, parse_targets, verify_targets
+    from mahovik.proof.verify.targets import as_json as json_text
+    from mahovik.writing import write
+
+    pairs = parse_targets(names, reals)
+    with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
+        found = verify_targets(stand, pairs, states or SWEEP, stage.at, lanes)
+    print_json_text(json_text(found)) if as_json else print_targets(found)
+    if junit is not None:
+        write(Path(junit), as_junit(found))
+    if not found.passed:
+        raise SystemExit(1 if any(row.failed for row in found.rows) else 2)
+
+
+def _verify_rigorously(stand: Stand, seed: int, states: int, against: Path | None, real: str, as_json: bool) -> Report:
+    """Measure the rounding of the C, and print the table. Raises UsageError without python-flint."""
+    try:
+        from mahovik.proof.verify.rounding.measure import as_json as json_text
+        from mahovik.proof.verify.rounding.measure import measure_rounding
+    except ImportError as error:
+        if (error.name or "").partition(".")[0] != "flint":
+            raise
+        raise UsageError("--rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
+    with progress(f"enclose {stand.name}", states) as stage:
+        found = measure_rounding(stand, seed=seed, count=states, real=real, against=against, progress=stage.at)
+    print_json_text(json_text(found)) if as_json else print_rounding(found)
+    return found.report
 
 
 def read_wants(text: str | None) -> tuple[str, ...]:
@@ -135,31 +167,13 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     if text is None:
         return ()
     from mahovik.contract.functions import WANTS
-    from mahovik.nearest import meant
+    from mahovik.nearest import suggestion
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
         if name not in WANTS:
-            raise UsageError(f'--want: unknown "{name}"{meant(name, WANTS)}')
+            raise UsageError(f'--want: unknown "{name}"{suggestion(name, WANTS)}')
     return names
-
-
-def _verify_c(
-    stand: Stand, seed: int, states: int, against: str | None, real: str, lanes: int | None, fast: bool
-) -> Report:
-    from mahovik.proof.verify.harness import verify_c
-
-    with progress(f"verify {stand.name}", states) as stage:
-        return verify_c(
-            stand,
-            seed=seed,
-            count=states,
-            against=None if against is None else Path(against),
-            real=real,
-            lanes=lanes,
-            fast=fast,
-            progress=stage.at,
-        )
 
 
 def finish(
@@ -179,7 +193,7 @@ def finish(
     if as_json:
         print_json_text(json_text(found, more))
     else:
-        _print(found)
+        print_report(found)
         for line in words:
             click.echo(line)
     _conclude(found, as_json, junit, worst)
@@ -200,8 +214,8 @@ def _conclude(found: Report, as_json: bool, junit: str | None, worst: str | None
 
 
 def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -> None:
-    from mahovik.proof.verify.files import write
     from mahovik.proof.verify.report import as_junit, worst_lines
+    from mahovik.writing import write
 
     if junit is not None:
         write(Path(junit), as_junit(found))
@@ -210,41 +224,3 @@ def _write(found: Report, as_json: bool, junit: str | None, worst: str | None) -
         target = Path(worst) if worst is not None else Path(f"{found.stand}-worst.jsonl")
         write(target, lines)
         click.echo(f"worst states: {click.format_filename(target)}", err=as_json)
-
-
-def _print(found: Report) -> None:
-    from rich.text import Text
-
-    from mahovik.contract.functions import WANTS
-    from mahovik.proof.verify.report import conclusion, one_bound
-
-    out = console()
-    third = any(row.second is not None for row in found.rows)
-    head = f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}"
-    out.print(Text(head))
-    if found.left_out:
-        out.print(Text(f"the stand without: {', '.join(found.left_out)}", "yellow"))
-    pairs = ("second>", "between>") if third else ()
-    bound = () if one_bound(found) else ("accepted>",)
-    by = "judge" if any(row.want and row.want not in WANTS for row in found.rows) else "want"
-    rows = table("quantity", by, "states>", "worst>", *bound, *pairs, "at state", "verdict")
-    for row in found.rows:
-        judged = row.verdict in ("ok", "FAILED") and row.want
-        style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
-        verdict = Text(row.verdict, style)
-        for words in (row.disagreement, row.reason):
-            if words:
-                verdict.append(f"  {words}")
-        rows.add_row(
-            Text(row.quantity),
-            row.want,
-            str(row.states) if row.states else "",
-            f"{row.worst:.1e}" if judged else "",
-            *(f"{row.tolerance:.0e}" if judged and row.tolerance else "" for _ in bound),
-            *("" if off is None else f"{off:.1e}" for off in (row.second, row.between) if third),
-            Text(row.state),
-            verdict,
-        )
-    if found.rows:
-        out.print(rows)
-    out.print(Text("FAILED" if found.error else conclusion(found), "bold green" if found.passed else "bold red"))

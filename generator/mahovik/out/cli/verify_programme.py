@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.out.cli.arguments import console, load_stand, stand_argument, table
-from mahovik.out.cli.json_output import json_option, print_json
+from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
+from mahovik.out.cli.output import print_json, print_line, print_table
 from mahovik.out.cli.progress import progress
+from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,18 +17,18 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.programme import Finding
 
 
-@click.command("verify-programme", short_help="Judge a programme by the reference.")
-@stand_argument
-@click.argument("motion_file", metavar="M.json", type=click.Path())
-@click.argument("programme_file", metavar="P.json", type=click.Path())
-@click.option(
-    "--tolerance",
-    type=click.FloatRange(1e-12, 0.1),
-    help="Largest relative residual; the simulation's is 20 times it. Default 1e-6, with damping of V|V| 1e-5.",
-)
-@json_option("Print JSON instead of a table.")
+@command("verify-programme", short_help="Judge a programme by the reference.")
 def verify_programme(
-    stand_file: str, motion_file: str, programme_file: str, tolerance: float | None, as_json: bool
+    stand_file: str = STAND_FILE,
+    further: tuple[str, ...] = FURTHER,
+    motion: str | None = needed_option("--motion", "M.json", "Read the required motion from this file."),
+    programme: str | None = needed_option("--programme", "P.json", "Verify this programme."),
+    tolerance: float | None = option(
+        "--tolerance",
+        "Accept this relative residual, and 20 times it in simulation; default 1e-6, with damping of V|V| 1e-5.",
+        type=click.FloatRange(1e-12, 0.1),
+    ),
+    as_json: bool = json_option("Print JSON instead of a table."),
 ) -> None:
     """Verify that a programme makes the carrier move as required.
 
@@ -40,15 +41,19 @@ def verify_programme(
     from mahovik.core.motion.required import load_motion
     from mahovik.proof.verify import programme as verification
 
+    given = {"--motion": motion, "--programme": programme}
+    stand_file, (motion_file, programme_file) = stand_first(
+        stand_file, further, given, former=(STAND, "--motion", "--programme")
+    )
     stand = load_stand(stand_file)
-    motion = load_motion(motion_file, stand)
-    programme = load_programme(programme_file)
+    required = load_motion(motion_file, stand)
+    found = load_programme(programme_file)
     with progress("by the reference"):
-        findings = verification.verify_programme(stand, motion, programme, tolerance=tolerance)
+        findings = verification.verify_programme(stand, required, found, tolerance=tolerance)
     if as_json:
-        from mahovik.proof.verify.programme.finding import as_object
+        from mahovik.proof.verify.programme.finding import findings_object
 
-        print_json(as_object(stand.name, motion.name, findings))
+        print_json(findings_object(stand.name, required.name, findings))
     else:
         _print(findings)
     if not all(each.passed for each in findings):
@@ -56,16 +61,14 @@ def verify_programme(
 
 
 def _print(findings: Sequence[Finding]) -> None:
-    from rich.text import Text
-
-    out = console(piped=100)  # long words about another stand would widen every row; programs read --json
-    rows = table("item", "found>", "accepted>", "verdict", "quantity")
+    rows = []
     for each in findings:
-        verdict = Text("FAILED", "red") if not each.passed else Text("warns", "yellow") if each.warns else Text("ok")
-        rows.add_row(Text(each.name), f"{each.value:.3g}", f"{each.limit:.4g}", verdict, Text(each.words))
-    out.print(rows)
+        verdict = ("FAILED", "red") if not each.passed else ("warns", "yellow") if each.warns else ("ok", "")
+        rows.append((each.name, f"{each.value:.3g}", f"{each.limit:.4g}", verdict, each.words))
+    # long words about another stand would widen every row; programs read --json
+    print_table(("item", "found>", "accepted>", "verdict", "quantity"), rows, piped=100)
     failed = [each.name for each in findings if not each.passed]
     if failed:
-        out.print(Text(f"REFUSED: {', '.join(failed)}", "bold red"))
+        print_line(f"REFUSED: {', '.join(failed)}", "bold red")
     else:
-        out.print(Text("the programme is right", "bold green"))
+        print_line("the programme is right", "bold green")

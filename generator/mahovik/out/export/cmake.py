@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from mahovik import __version__
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.cpp import cpp_example, cpp_header
 from mahovik.core.emit.delivery import selftest_files
@@ -34,8 +33,6 @@ def cmake_project(stand: Stand, real: str, batch: bool = False) -> dict[str, str
         "batch": batch,
         "bodies": described(stand),
         "command": f"mahovik export cmake STAND.toml{options}",
-        "generator": f"mahovik {__version__}",
-        "version": __version__,
         "structure": found.structure,
         "physics": found.physics,
         "headers": [file for file in files if file.endswith((".h", ".hpp"))],

@@ -24,8 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
 from mahovik.out.export.programme import Exported, check_belongs, export_programme
-from mahovik.use.control.gains import gains, rotor_inertia, samples
-from mahovik.use.control.stability import Margins, check, delay
+from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
 
 PERIODS = 10
@@ -66,15 +65,15 @@ def export_servo(
             f"{sources[1]}: {what}: needs the motion of the programme: give --motion MOTION.json, or {what} = false"
         )
     check_belongs(stand, programme, motion, sources[0])
-    found = check(stand, servo, sources[1])
+    found = check_margins(stand, servo, sources[1])
     ticks, periods = samples(servo, programme.span, sources[1])
     layout = Layout(structure(stand), PRECISIONS[real])
-    trim, design, lines = None, None, said(stand, servo, found, ticks, periods)
+    trim, design, lines = None, None, servo_messages(stand, servo, found, ticks, periods)
     if servo.trim is not None and motion is not None:
         made = design_trim(stand, motion, programme, servo.trim)
         trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics)
         design = trim_members(made, motion, programme, servo.period)
-        lines = (*lines, said_of_trim(made))
+        lines = (*lines, trim_message(made))
     tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0])
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
@@ -84,7 +83,7 @@ def export_servo(
     return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
 
 
-def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -> tuple[str, ...]:
+def servo_messages(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -> tuple[str, ...]:
     """Messages about the computed servo, one line each."""
     J, late = rotor_inertia(stand), delay(stand, servo)
     parts = [f"bandwidth {_hertz(servo.bandwidth)}, damping ratio {servo.damping_ratio:g}"]
@@ -93,7 +92,7 @@ def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -
     less = "" if math.isinf(found.less) else f" up, {found.less:.1f} down"
     lines = [
         f"servo: {', '.join(parts)}; rotors of {J.min():.4g} to {J.max():.4g} kg m2",
-        f"servo: {servo.period * 1e3:g} ms a sample, {late * 1e3:g} ms of delay; {ticks} samples are {periods} "
+        f"servo: {servo.period * 1e3:g} ms per sample, {late * 1e3:g} ms of delay; {ticks} samples are {periods} "
         f"period{'s' if periods > 1 else ''}",
         f"servo: stable, largest pole {found.radius:.4f}; gain margin {found.gain:.1f}{less}, phase margin "
         f"{found.phase:.0f} deg, {found.delay * 1e3:.2f} ms of further delay; on this carrier rotors are up to "
@@ -102,7 +101,7 @@ def said(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -
     return tuple(lines)
 
 
-def said_of_trim(made: TrimDesign) -> str:
+def trim_message(made: TrimDesign) -> str:
     """Message: the trim's corrections, and their speed."""
     trim = made.trim
     names = ", ".join(COORDINATES[i] for i in trim.coordinates)

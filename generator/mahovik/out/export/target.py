@@ -5,7 +5,6 @@ from __future__ import annotations
 import shlex
 from pathlib import Path
 
-from mahovik import __version__
 from mahovik.core.emit.delivery import firmware
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
@@ -13,7 +12,7 @@ from mahovik.core.toolchain.board import board_files, link_flags, selftest_main
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import UsageError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 SWEEP = 20
 """States of the self-test's sweep."""
@@ -23,7 +22,7 @@ def exportable(name: str) -> Target:
     """The target with this name. Raises UsageError for an unknown one, and for one with two compilers."""
     target = TARGETS.get(name)
     if target is None:
-        raise UsageError(f'unknown target "{name}"{meant(name, TARGETS)}')
+        raise UsageError(f'unknown target "{name}"{suggestion(name, TARGETS)}')
     if target.linker:
         raise UsageError(f"{name} is compiled and linked by two compilers: export {name.partition('-')[0]} instead")
     return target
@@ -59,8 +58,7 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     )
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
-        command=f"mahovik export target {target.name} STAND.toml --real {real}",
-        generator=f"mahovik {__version__}",
+        command=f"mahovik export target STAND.toml --target {target.name} --real {real}",
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if "startup.S" in files else "startup.c",
         others=sorted(delivered.keys() - known),

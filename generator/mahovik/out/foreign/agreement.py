@@ -17,8 +17,8 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.out.foreign.merge import Imported
+from mahovik.out.foreign.mjcf import without_log
 from mahovik.out.foreign.model import Array, Place
-from mahovik.out.foreign.unlogged import unlogged
 from mahovik.proof.reference import evaluate
 
 _ZERO6: Vec6 = (0.0,) * 6
@@ -95,6 +95,12 @@ def twist_map(place: Place) -> Array:
     return np.block([[R, cross @ R], [np.zeros((3, 3)), R]])
 
 
+def _quantities(full: Array, bias: Array, motion: Any, tau: Array) -> dict[str, Array]:
+    """QUANTITIES from the mass matrix (6 + N square), bias and accelerations (6 + N) of carrier and flywheels."""
+    found = full[:6, :6], full[:6, 6:], bias[:6], motion[:6], motion[6:], tau
+    return dict(zip(QUANTITIES, found, strict=True))
+
+
 class PinocchioOriginal:
     """A URDF in Pinocchio, with a free root, or the body that floats on it. ImportError without Pinocchio."""
 
@@ -145,14 +151,7 @@ class PinocchioOriginal:
         tau = np.zeros(model.nv)
         tau[order[6:]] = state.tau
         moved = np.linalg.solve(T, pin.aba(model, data, q, v, tau)[order])
-        return {
-            "K": full[:6, :6],
-            "I": full[:6, 6:],
-            "bias": bias[:6],
-            "V_dot": moved[:6],
-            "phi_ddot": moved[6:],
-            "tau": given[6:],
-        }
+        return _quantities(full, bias, moved, given[6:])
 
 
 class MujocoOriginal:
@@ -204,7 +203,7 @@ class MujocoOriginal:
         data.qvel[order] = turn @ np.concatenate([V[:base], state.phi_dot])
         data.qfrc_applied[:] = 0.0
         data.qfrc_applied[order] = [*[0.0] * base, *state.tau]
-        with unlogged():
+        with without_log():
             mj.mj_forward(model, data)
         given = np.concatenate([V_dot[:base], state.phi_ddot])
         accelerations = np.linalg.solve(turn, data.qacc[order] - turning)
@@ -219,11 +218,4 @@ class MujocoOriginal:
         T = np.eye(6 + n)
         T[:6, :6] = self._T
         full, bias, moved = T.T @ full @ T, T.T @ bias, np.linalg.solve(T, accelerations)
-        return {
-            "K": full[:6, :6],
-            "I": full[:6, 6:],
-            "bias": bias[:6],
-            "V_dot": moved[:6],
-            "phi_ddot": moved[6:],
-            "tau": tau,
-        }
+        return _quantities(full, bias, moved, tau)

@@ -13,10 +13,20 @@ from mahovik.core.stand.physical import LARGEST, check_body
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError
-from mahovik.nearest import meant
-from mahovik.out.foreign.model import Array, ForeignModel, Link, Place, RigidMass, Spin
+from mahovik.nearest import suggestion
+from mahovik.out.foreign.model import (
+    Array,
+    ForeignModel,
+    Link,
+    Place,
+    RigidMass,
+    Spin,
+    angles_of,
+    direction_across,
+    rotation_about,
+    spin_axes,
+)
 from mahovik.out.foreign.naming import Names
-from mahovik.out.foreign.rotation import about, across, angles_of, spin_axes
 
 _HERE = Place(np.zeros(3), np.eye(3))
 
@@ -47,16 +57,16 @@ class _Group:
 
     def merged(self, base: Place = _HERE, without: Sequence[str] = ()) -> RigidMass:
         """Mass, centre, central inertia of all in a frame, in which the first link is at `base`."""
-        return combined(
+        return combine_masses(
             [
-                moved(link.mass, base @ place)
+                move_mass(link.mass, base @ place)
                 for link, place in self.members.values()
                 if link.mass is not None and link.name not in without
             ]
         )
 
 
-def combined(parts: Sequence[RigidMass]) -> RigidMass:
+def combine_masses(parts: Sequence[RigidMass]) -> RigidMass:
     """One rigid body from several, all given in one frame. A single one is unchanged, to the last bit."""
     if len(parts) == 1:
         return parts[0]
@@ -70,13 +80,13 @@ def combined(parts: Sequence[RigidMass]) -> RigidMass:
     return RigidMass(float(mass), center, inertia)
 
 
-def moved(part: RigidMass, place: Place) -> RigidMass:
+def move_mass(part: RigidMass, place: Place) -> RigidMass:
     """The same body in the frame that `place` is given in."""
     inertia = place.axes @ part.inertia @ place.axes.T
     return RigidMass(part.mass, place.origin + place.axes @ part.center, (inertia + inertia.T) / 2)
 
 
-def stand_of(
+def make_stand(
     model: ForeignModel,
     name: str,
     source: str,
@@ -175,8 +185,6 @@ class _Merger:
                     _vec3(link.mass.center),
                     _mat3(link.mass.inertia),
                     "center_of_mass",
-                    None,
-                    None,
                     False,
                 )
                 check_body(body, self._called(link.name), self._problems)
@@ -216,7 +224,7 @@ class _Merger:
                 first = self._model.links[0].name
                 reason = f"turns, expected {show(first)} or a {self._model.noun} that is fixed to it"
             else:
-                reason = f"is not in the file{meant(chosen, known)}"
+                reason = f"is not in the file{suggestion(chosen, known)}"
             self._problems.add(f"--carrier {chosen}: {reason}")
             return _HERE
         return on_carrier.members[chosen][1].inverse
@@ -270,11 +278,11 @@ class _Merger:
     def _flywheel(self, link: Link, groups: dict[str, _Group], on_carrier: _Group, base: Place) -> Flywheel:
         spin = cast(Spin, link.spin)
         name = self._own_name(link.name, "flywheel")
-        zero = across(spin.axis)
+        zero = direction_across(spin.axis)
         own = Place(spin.anchor, spin_axes(spin.axis, zero))  # Es in the frame of the link
         at = base @ on_carrier.members[link.parent or ""][1] @ link.place
         group = groups[link.name]
-        back = about(spin.axis, -spin.zero) if spin.zero else np.eye(3)
+        back = rotation_about(spin.axis, -spin.zero) if spin.zero else np.eye(3)
         motor = None
         if spin.viscous or spin.coulomb or spin.torque is not None:
             motor = Motor(spin.torque, None, None, None, None, spin.viscous, spin.coulomb, 0.1)
@@ -336,8 +344,6 @@ def _properties(mass: RigidMass) -> dict[str, Any]:
         "center_of_mass": _vec3(mass.center),
         "inertia": _mat3(mass.inertia),
         "inertia_about": "center_of_mass",
-        "buoyancy": None,
-        "damping": None,
         "wrench_input": False,
     }
 

@@ -5,7 +5,9 @@ Features that act on the motion, but that a stand does not have, are refused; fe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +16,8 @@ import numpy as np
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError, UsageError
-from mahovik.out.foreign.actuators import torque_limits
 from mahovik.out.foreign.model import Array, ForeignModel, Frame, Link, Place, RigidMass, Spin
-from mahovik.out.foreign.unlogged import unlogged
-from mahovik.out.foreign.xml import parsed
+from mahovik.out.foreign.xml import read_xml
 
 INSTALL = "pip install mujoco, or the extra `judges`"
 _WORLD = 0
@@ -30,18 +30,18 @@ def read_mjcf(path: Path) -> ForeignModel:
 
     Raises ForeignError if MuJoCo's compiler refuses the file, UsageError without MuJoCo.
     """
-    name = parsed(path, "mujoco").get("model", "")
-    return _Reader(compiled(path), Problems(path.name), name).model()
+    name = read_xml(path, "mujoco").get("model", "")
+    return _Reader(compile_model(path), Problems(path.name), name).model()
 
 
-def compiled(path: Path) -> Any:
+def compile_model(path: Path) -> Any:
     """The file as compiled by MuJoCo, an MjModel. Raises ForeignError if it is refused, UsageError without MuJoCo."""
     try:
         import mujoco
     except ImportError as error:
         raise UsageError(f"MuJoCo, which reads MJCF, is not installed ({error.name or error}): {INSTALL}") from None
     try:
-        with unlogged():
+        with without_log():
             return mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         said = " ".join(str(error).split()).removeprefix("Error: ").removeprefix("XML Error: ")
@@ -261,3 +261,57 @@ class _Reader:
 def _not_finite(values: Array) -> list[int]:
     """Rows in which a number is NaN or infinite."""
     return [i for i, row in enumerate(values) if not np.isfinite(row).all()]
+
+
+def torque_limits(model: Any) -> tuple[dict[int, float], list[str]]:
+    """Largest drive torque, N m, by number of the joint, and messages about actuators, one line each.
+
+    A motor (force = gain times control) limits by its force range, its control range and the joint's own range,
+    times the gear; every other actuator is a law of control, which a stand does not have.
+    """
+    import mujoco
+
+    limits: dict[int, float] = {}
+    notes = []
+    for joint in range(model.njnt):
+        if model.jnt_actfrclimited[joint]:
+            limits[joint] = float(np.abs(model.jnt_actfrcrange[joint]).max())
+    for i in range(model.nactuator):
+        name = f"actuator {show(model.actuator(i).name or str(i))}"
+        on_joint = model.actuator_trntype[i] in (int(mujoco.mjtTrn.mjTRN_JOINT), int(mujoco.mjtTrn.mjTRN_JOINTINPARENT))
+        gear = abs(float(model.actuator_gear[i][0]))
+        motor = (
+            model.actuator_gaintype[i] == int(mujoco.mjtGain.mjGAIN_FIXED)
+            and model.actuator_biastype[i] == int(mujoco.mjtBias.mjBIAS_NONE)
+            and model.actuator_dyntype[i] == int(mujoco.mjtDyn.mjDYN_NONE)
+        )
+        if not (on_joint and motor):
+            what = "a law of control" if on_joint else "not on a joint"
+            notes.append(f"{name}: {what}, left out: drives of a stand take torques")
+            continue
+        if model.actuator_damping[i] or np.any(model.actuator_dampingpoly[i]):
+            notes.append(f"{name}: its damping is left out: see motor.viscous")
+        given = []
+        if model.actuator_forcelimited[i]:
+            given.append(float(np.abs(model.actuator_forcerange[i]).max()) * gear)
+        if model.actuator_ctrllimited[i]:
+            gain = abs(float(model.actuator_gainprm[i][0]))
+            given.append(float(np.abs(model.actuator_ctrlrange[i]).max()) * gain * gear)
+        joint = int(model.actuator_trnid[i][0])
+        given += [limits[joint]] if joint in limits else []
+        if given and math.isfinite(min(given)):
+            limits[joint] = min(given)
+    return limits, notes
+
+
+@contextmanager
+def without_log() -> Iterator[None]:
+    """Suppress MuJoCo's warnings; the reader finds and reports problems of a model itself."""
+    import mujoco
+
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        yield
+    finally:
+        mujoco.set_mju_user_warning(before)

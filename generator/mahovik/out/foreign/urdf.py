@@ -11,9 +11,8 @@ import numpy as np
 
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show
-from mahovik.out.foreign.model import ForeignModel, Link, Place, RigidMass, Spin
-from mahovik.out.foreign.rotation import of_rpy
-from mahovik.out.foreign.xml import Attributes, parsed
+from mahovik.out.foreign.model import ForeignModel, Link, Place, RigidMass, Spin, rotation_from_rpy
+from mahovik.out.foreign.xml import Attributes, read_xml
 
 _REFUSED = {
     "prismatic": "prismatic: a flywheel turns, it does not slide",
@@ -41,7 +40,7 @@ class _Joint:
 
 def read_urdf(path: Path) -> ForeignModel:
     """The model of a URDF file, with every problem found. Raises ForeignError if the file is not a URDF."""
-    return _Reader(parsed(path, "robot"), Problems(path.name)).model()
+    return _Reader(read_xml(path, "robot"), Problems(path.name)).model()
 
 
 class _Reader:
@@ -116,7 +115,7 @@ class _Reader:
         """`<origin xyz rpy>`."""
         xyz = self._attributes.vector(element, "xyz", _ORIGIN, where, "origin")
         rpy = self._attributes.vector(element, "rpy", _ORIGIN, where, "origin")
-        return Place(np.array(xyz), of_rpy(*rpy))
+        return Place(np.array(xyz), rotation_from_rpy(*rpy))
 
     # -- joints --------------------------------------------------------------------------------------------------------
 

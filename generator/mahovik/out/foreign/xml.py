@@ -20,7 +20,7 @@ ROOTS = {
 """Kinds of files by their root element."""
 
 
-def parsed(path: Path, root: str) -> ET.Element:
+def read_xml(path: Path, root: str) -> ET.Element:
     """The root element of a file. Raises ForeignError: missing, not XML, or another format."""
     try:
         found = readable(path, "an XML file")
@@ -37,7 +37,7 @@ def parsed(path: Path, root: str) -> ET.Element:
     return element
 
 
-def numbers(text: str, count: int) -> list[float]:
+def parse_numbers(text: str, count: int) -> list[float]:
     """Exactly `count` finite numbers, separated by blanks. Raises ValueError, whose text says what was expected."""
     words = text.split()
     expected = "a number" if count == 1 else f"{count} numbers separated by blanks"
@@ -66,7 +66,7 @@ class Attributes:
         if text is None:
             return default
         try:
-            return numbers(text, len(default))
+            return parse_numbers(text, len(default))
         except ValueError as error:
             self._problems.add(*where, key, str(error))
             return default

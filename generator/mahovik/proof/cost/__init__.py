@@ -1,1 +1,1 @@
-"""What the emitted C costs on a processor: instructions, stack, code, constants."""
+"""Cost of the emitted C on a processor: instructions, stack, code, constants."""

@@ -1,4 +1,4 @@
-"""Has the cost risen? Figures of today against accepted ones."""
+"""Comparison of measured costs with accepted ones."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.proof.cost.measure import Costs, TargetCost
 
 RISE = 0.02
-"""A larger part more is a rise: figures of one compiler are the same in every run, so nothing less hides noise."""
+"""Least relative rise that counts: figures of one compiler are the same in every run, without noise."""
 
 COMPARED = ("instructions", "stack", "code")
 """Figures of a function that are compared."""

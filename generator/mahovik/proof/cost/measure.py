@@ -6,10 +6,13 @@ import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
+from mahovik.core.lower.test_inputs import Generator, draw, plan
+from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -20,12 +23,26 @@ from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import Line, read, workload
-from mahovik.errors import UsageError
-from mahovik.nearest import meant
-from mahovik.proof.cost.states import STATES, measuring_states
+from mahovik.errors import ToolchainError, UsageError
+from mahovik.nearest import suggestion
+
+STATES = 4
+"""Number of states; the most expensive one is reported."""
+
+
+def measuring_states(program: Program) -> list[dict[str, Any]]:
+    """Arguments of the public functions by name, a dict a state: ordinary ones, no flywheel locked."""
+    planned = plan(program)
+    generator = Generator()
+    found = [draw(planned, generator, program.precision) for _ in range(STATES)]
+    for state in found:
+        if "locked" in state:
+            state["locked"] = [0] * len(state["locked"])
+    return found
+
 
 USUAL = (("m4", "float"), ("m7", "double"), ("rv32imafc", "float"), ("rv64gc", "double"))
-"""Without a choice: processors with an FPU, and the widest element type that it calculates with."""
+"""Default targets: processors with an FPU, and the widest element type that it calculates with."""
 
 _TIMEOUT = 300.0
 
@@ -34,7 +51,7 @@ _TIMEOUT = 300.0
 class FunctionCost:
     """Cost of one call.
 
-    `instructions`: of the dearest state, 0 where the function refuses them all; `stack`: bytes over the call graph;
+    `instructions`: of the costliest state, 0 where the function refuses them all; `stack`: bytes over the call graph;
     `painted`: bytes found used on the emulator, 0 where there is no painted stack; `code`: bytes with what
     it calls; `routines`: called routines of the compiler's library, which `stack` and `code` leave out and the others
     do not.
@@ -82,7 +99,7 @@ class Costs:
     targets: tuple[TargetCost, ...]
 
 
-def asked(names: str | None, real: str | None) -> list[tuple[Target, str]]:
+def parse_targets(names: str | None, real: str | None) -> list[tuple[Target, str]]:
     """Targets and element types of `--targets`, `--real`. Raises UsageError."""
     if names is None:
         return [(TARGETS[name], real or own) for name, own in USUAL]
@@ -90,12 +107,29 @@ def asked(names: str | None, real: str | None) -> list[tuple[Target, str]]:
     for word in dict.fromkeys(word.strip() for word in names.split(",")):
         target = TARGETS.get(word)
         if target is None:
-            raise UsageError(f'--targets: unknown "{word}"{meant(word, TARGETS)}')
+            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, TARGETS)}')
         if target.linker or target.compiler[0] == "clang":
             raise UsageError(f"--targets: {word} compiles by clang; frames of the stack are known of gcc only")
         reals = (real,) if real else (target.real,) if target.real else ("double", "float")
         found += [(target, each) for each in reals]
     return found
+
+
+def available(pairs: Sequence[tuple[Target, str]]) -> tuple[list[tuple[Target, str]], list[str]]:
+    """Targets that can be measured here; for each of the others a line that says what to install.
+
+    Raises ToolchainError where there is none.
+    """
+    found, absent = [], dict[str, str]()
+    for target, real in pairs:
+        try:
+            require(target)
+            found.append((target, real))
+        except ToolchainError as error:
+            absent[target.name] = str(error)
+    if not found and absent:
+        raise ToolchainError(next(iter(absent.values())))
+    return found, list(absent.values())
 
 
 def measure(
@@ -114,7 +148,7 @@ def measure(
     names = identities(stand)
     found = []
     with side_by_side() as pool:
-        tasks = [pool.submit(_one, stand, made[real], target, real) for target, real in pairs]
+        tasks = [pool.submit(_measure_target, stand, made[real], target, real) for target, real in pairs]
         for done, task in enumerate(tasks):
             found.append(task.result())
             if progress is not None:
@@ -122,7 +156,7 @@ def measure(
     return Costs(stand.name, names.structure, names.physics, len(stand.flywheels), lanes, tuple(found))
 
 
-def _one(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost:
+def _measure_target(stand: Stand, made: Generated, target: Target, real: str) -> TargetCost:
     states = measuring_states(made.program)
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
         scratch = Path(folder)

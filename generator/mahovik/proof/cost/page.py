@@ -11,19 +11,19 @@ from typing import Any
 from mahovik import __version__
 from mahovik.errors import UsageError
 from mahovik.proof.cost.check import COMPARED
-from mahovik.proof.cost.measure import Costs, TargetCost
-from mahovik.proof.cost.states import STATES
+from mahovik.proof.cost.measure import STATES, Costs, TargetCost
 
 
 def page(costs: Costs) -> str:
-    """The page, the same text for the same figures."""
+    """COST.md, the same text for the same figures."""
     sources = "".join(f"\n{real}: {source}" for real, source in sorted({(t.real, t.source) for t in costs.targets}))
     text = (
         f"# Cost of {costs.stand}\n\n"
         f"Written by `mahovik cost`, version {__version__}; structure {costs.structure}, physics {costs.physics}"
         f"{f'; lanes {costs.lanes}' if costs.lanes > 1 else ''}.\n"
-        f"Of one call, arguments passed; the dearest of {STATES} ordinary states. **Instructions, not cycles**: they "
-        "show what grows;\ntime on silicon depends on memory and pipeline as well.\n\n"
+        f"Figures of one call with its arguments, at the most expensive of {STATES} ordinary states. "
+        "**Instructions, not\n"
+        "cycles**: they show what grows; time on silicon depends on memory and pipeline as well.\n\n"
         "*Stack* is the deepest chain of calls by the compiler's own frames; *painted* is what a call was seen to use "
         "on the\nemulator. *Code* is a function with all it calls; functions share most of it.\n\n"
         "What `inverse` costs depends on the state, by limits and damping: its count is of these states, others cost "
@@ -90,13 +90,13 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
-    """The figures for programs; those of `before` for other targets and element types stay."""
+    """The figures as JSON; those of `before` for other targets and element types stay."""
     new = {(t.target, t.real): asdict(t) for t in costs.targets}
     kept = {(old["target"], old["real"]): old for old in before}
     return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
-def accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
+def read_accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
     """The targets of a JSON of `as_json`; none where they are of C with other lanes. Raises UsageError."""
     try:
         whole = json.loads(text)

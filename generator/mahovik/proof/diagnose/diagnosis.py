@@ -1,4 +1,4 @@
-"""A diagnosis: asking a program, searching its error, and what came of it."""
+"""Diagnosis of a program: its requests, the search of its error, and the result."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ import numpy as np
 
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
+from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
-from mahovik.proof.diagnose.sheet import sheet
 from mahovik.proof.diagnose.states import FIRST, separating_states
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.bounds import BOUNDS
-from mahovik.proof.verify.harness import askable
+from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
 
 Outcome = Literal["equal", "rounding", "named", "unknown", "nothing"]
 
 Answers = Callable[[Request], Mapping[str, Any]]
-"""What a program said to a request: empty where it refused."""
+"""Answer of a program to a request: empty if it refused."""
 
 
 @dataclass(frozen=True)
 class Cause:
-    """What a program is found to have: one fault, or two at once.
+    """A cause of the error of a program: one fault, or two at once.
 
     parts    faults, each with the flywheel it is in alone, or None
     share    part of the fault's error that was found, 1.0 for a whole fault
@@ -43,11 +43,11 @@ class Cause:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What the error of a program looks like.
+    """Result of the search of a program's error.
 
     outcome     equal: no error beyond double rounding at these states; rounding: none beyond that of float;
                 named: `causes`; unknown: an error that the dictionary does not explain; nothing: no answers
-    causes      the best first; more than one where the stand cannot tell them apart
+    causes      the best first; more than one where answers at these states cannot tell them apart
     confidence  0 to 1: how well the first explains the error, and how much worse the best of the others does
     others      the next best, for what they are worth
     unseen      names of faults that have no effect on this stand, in what the program offers
@@ -62,7 +62,7 @@ class Diagnosis:
     wrong: tuple[str, ...] = ()
 
 
-class Clinic:
+class Diagnoser:
     """Diagnoses programs of one stand: the states, the reference's answers and what the faults predict are kept."""
 
     def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = ()) -> None:
@@ -72,9 +72,9 @@ class Clinic:
             (number, Request(f"{name}, {want}", state, (want,)))
             for number, (name, state) in enumerate(states)
             for want in wants or WANTS
-            if askable(state, want) and (stand.flywheels or want != "inverse")
+            if applicable(state, want) and (stand.flywheels or want != "inverse")
         ]
-        self.whole = sheet(stand, [request for _, request in asked])
+        self.whole = answer_vector(stand, [request for _, request in asked])
         searched = {request.id for number, request in asked if number < FIRST}
         count = sum(request.id in searched for request in self.whole.requests)
         self._first = self.whole.head(count).expected.size
@@ -82,7 +82,7 @@ class Clinic:
 
     @property
     def requests(self) -> tuple[Request, ...]:
-        """What to ask a program."""
+        """Requests for a program."""
         return self.whole.requests
 
     def diagnose(self, answers: Answers) -> Diagnosis:
@@ -116,17 +116,14 @@ class Clinic:
     def _search(self, evidence: Evidence, freely: bool = True) -> Diagnosis:
         wrong = self._wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
-        ranked = search.ranked(freely)
+        ranked = search.rank_suspects(freely)
         unseen = tuple(part.fault.name for (part,) in search.unseen())
         if not ranked or not ranked[0].named:
-            nearest = tuple(_cause(each, wrong) for each in ranked[:3])
+            nearest = tuple(_cause(each, wrong) for each in sorted(ranked, key=lambda each: each.match.score)[:3])
             return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
         best = ranked[0]
-        rest = [each for each in ranked[1:] if not each.repeats(best)]
-        twins = search.twins(best, rest)
-        others = [each for each in rest if each not in twins]
-        if best.share == 1.0:  # a part of another fault that looks the same is no news
-            twins = [each for each in twins if each.share == 1.0 and len(each.suspect) == len(best.suspect)]
+        twins = search.twins(best, ranked)
+        others = [each for each in ranked if not any(each.repeats(named) for named in (best, *twins))]
         return Diagnosis(
             "named",
             tuple(_cause(each, wrong) for each in (best, *twins)),
@@ -143,7 +140,8 @@ def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
 
 
 def _score(diagnosis: Diagnosis) -> float:
-    return diagnosis.causes[0].score if diagnosis.causes else 1.0
+    """Score of the best of its causes, or of what is nearest."""
+    return next((each.score for each in (*diagnosis.causes, *diagnosis.others)), 1.0)
 
 
 def _confidence(best: Finding, others: Sequence[Finding]) -> float:

@@ -8,6 +8,8 @@ from typing import Any, Literal
 
 from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.state import State
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.pose import Pose
 
 Stage = Literal["stand", "state", "attitude", "bodies", "pieces", "values"]
 """Stages of the reference, in order. What a change of each takes, before the Case, and gives:
@@ -71,3 +73,19 @@ class Fault:
         if self.bodies != "all" and isinstance(body, Flywheel) != (self.bodies == "flywheels"):
             return False
         return wheel is None or wheel == body.name
+
+
+@dataclass(frozen=True)
+class LawFault:
+    """One wrong form of a law.
+
+    name    short, for tables and `--json`
+    words   what the program does, a sentence
+    look    what to look at in the law
+    wrench  what the program has instead (6; N, N m), on the carrier about O1 in E1
+    """
+
+    name: str
+    words: str
+    look: str
+    wrench: Callable[[Stand, State, Pose], Array]

@@ -1,4 +1,4 @@
-"""What a program with faults of the dictionary would answer, as errors on a sheet."""
+"""Errors of the answers that a program with faults of the dictionary would give."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.diagnose.answer_vector import NOT_COMPARED, AnswerVector
 from mahovik.proof.diagnose.fault import Case, Fault, Stage
-from mahovik.proof.diagnose.sheet import NOT_COMPARED, Sheet
 from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import Pieces
@@ -45,7 +45,7 @@ Known = dict[int, tuple[State, Pieces]]
 """Pieces by the identity of their state, which is held so that the identity stays its own."""
 
 
-class Faulty:
+class FaultyProgram:
     """The literal reference with some faults at once, as a program that answers requests."""
 
     def __init__(self, stand: Stand, suspect: Suspect = (), known: Known | None = None) -> None:
@@ -56,7 +56,7 @@ class Faulty:
         self._known: Known = {} if early or known is None else known
 
     def answer(self, request: Request) -> Values:
-        """Its values that are numbers; none where it has no answer to the state."""
+        """Values that are numbers; none if it has no answer at the state."""
         (want,) = request.want
         try:
             with np.errstate(all="ignore"):
@@ -100,7 +100,7 @@ def _with_attitude(state: State, C: Array) -> State:
 
 
 def _apply(stage: Stage, right: Any, part: Part, case: Case, *more: object) -> Any:
-    """What a stage gives, after the changes of one fault."""
+    """Result of a stage after the changes of one fault."""
     for edit in part.fault.edits:
         if edit.stage == stage:
             right = edit.change(right, *more, case)
@@ -108,9 +108,9 @@ def _apply(stage: Stage, right: Any, part: Part, case: Case, *more: object) -> A
 
 
 class Predictions:
-    """Errors that suspects would make, kept: each is asked for again and again."""
+    """Errors that suspects would make, cached, for each is needed many times."""
 
-    def __init__(self, stand: Stand, whole: Sheet, first: int) -> None:
+    def __init__(self, stand: Stand, whole: AnswerVector, first: int) -> None:
         """`first`: the number of requests that the search begins with."""
         self._stand = stand
         self._whole, self._first, self._rest = whole, whole.head(first), whole.tail(first)
@@ -123,7 +123,7 @@ class Predictions:
         return self._answers(self._whole, ())
 
     def error(self, suspect: Suspect, whole: bool) -> Array:
-        """Error over scale, on the whole sheet or on its first requests."""
+        """Error over scale, of the whole vector or of its first requests."""
         key = (suspect, whole)
         if key not in self._errors:
             found = self._answers(self._rest if whole else self._first, suspect)
@@ -134,10 +134,10 @@ class Predictions:
             self._errors[key] = error
         return self._errors[key]
 
-    def _answers(self, sheet: Sheet, suspect: Suspect) -> Array:
-        return sheet.fill(Faulty(self._stand, suspect, self._pieces).answer)
+    def _answers(self, vector: AnswerVector, suspect: Suspect) -> Array:
+        return vector.fill(FaultyProgram(self._stand, suspect, self._pieces).answer)
 
 
-def singles(faults: Sequence[Fault]) -> list[Suspect]:
+def single_faults(faults: Sequence[Fault]) -> list[Suspect]:
     """Each fault for itself, in all bodies that it concerns."""
     return [(Part(fault),) for fault in faults]

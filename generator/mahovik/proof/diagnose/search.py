@@ -2,39 +2,90 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
+from mahovik.proof.diagnose.answer_vector import Numbers
+from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.diagnose.faults import DICTIONARY
-from mahovik.proof.diagnose.match import Match, match, share
-from mahovik.proof.diagnose.predict import Part, Predictions, Suspect, singles
-from mahovik.proof.diagnose.sheet import Numbers
+from mahovik.proof.diagnose.predict import Part, Predictions, Suspect, single_faults
 from mahovik.proof.reference.array import Array
 
+ABSENT = 0.1
+"""Weight of quantities that a fault would spoil and that are right: a program may have it in one function only."""
+
+
+@dataclass(frozen=True)
+class Match:
+    """Likeness of a predicted error p and the error e that was found.
+
+    score   0: p is e to rounding; 1: it explains nothing of it
+    rest    the same over the quantities that are wrong, without what is right and should not be
+    absent  indices of the quantities that p would spoil and that are right
+    """
+
+    score: float
+    rest: float
+    absent: tuple[int, ...]
+
+
+def match(e: Array, p: Array, noise: Array, block: NDArray[np.int64]) -> Match:
+    """Number by number, so that a small term counts as much as a large one; the mean of each quantity, then of all.
+
+    Numbers that are within `noise` in both are not counted. A p that is not a number explains nothing.
+    """
+    wrong, predicted = np.abs(e) > noise, ~(np.abs(p) <= noise)
+    count = int(block.max()) + 1 if block.size else 0
+    with np.errstate(all="ignore"):
+        off = (np.abs(e - p) - noise) / np.maximum(np.abs(e), np.abs(p))
+    off = np.clip(np.nan_to_num(off, nan=1.0, posinf=1.0), 0.0, 1.0)
+    active = wrong | predicted
+    of_block = np.bincount(block[active], minlength=count)
+    mean = np.bincount(block[active], weights=off[active], minlength=count) / np.maximum(of_block, 1)
+    spoiled = np.bincount(block[wrong], minlength=count) > 0
+    absent = (of_block > 0) & ~spoiled
+    if not spoiled.any():
+        return Match(1.0, 1.0, tuple(np.flatnonzero(absent)))
+    rest = float(mean[spoiled].mean())
+    missing = float(absent.sum() / (absent.sum() + spoiled.sum()))
+    return Match(rest + ABSENT * missing, rest, tuple(int(i) for i in np.flatnonzero(absent)))
+
+
+def share(e: Array, p: Array, noise: Array) -> float:
+    """a of e = a p: least squares of each number over its size, without what is far from the middle; 0 where p is."""
+    seen = np.isfinite(p) & (np.abs(p) > 10 * noise)
+    if not seen.any():
+        return 0.0
+    ratios = e[seen] / p[seen]
+    a = float(np.median(ratios))
+    near = np.abs(ratios - a) <= 0.5 * abs(a)
+    if not near.any():
+        return a
+    weight = 1.0 / np.maximum(np.abs(e[seen][near]), np.abs(p[seen][near])) ** 2
+    product = float(np.sum(weight * e[seen][near] * p[seen][near]))
+    return product / float(np.sum(weight * p[seen][near] ** 2))
+
+
 EXACT = 1e-3
-"""A score below this is the fault itself: no other has to be looked for."""
+"""Scores below this are the fault itself: the search ends."""
 
-NAMED = 0.3
-"""A single fault with a higher score is not named."""
-
-NAMED_AS_PART = 0.2
-"""Nor a part of a fault, which has more freedom to fit what it is not (and is not always a part of the error)."""
-
-NAMED_AS_TWO = 0.1
-"""Nor two at once, with more freedom still."""
+NAMED = 0.1
+"""Largest score of what is named, a fault, a part of one, or two: it explains nine tenths of the error."""
 
 PENALTY = 0.05
-"""On the score of a part of a fault, or two: a whole single one that is as good comes first."""
+"""Added to the score of a part of a fault, or of two: a whole single one that is as good comes first."""
 
 LEAST_SHARE, LARGEST_SHARE = 0.02, 50.0
-"""Parts of a fault that are looked for; smaller ones are what rounding looks like."""
+"""Range of the parts of a fault in the search; smaller ones look like rounding."""
 
 WHOLE = 1e-3
-"""A share that is as near to 1 is the whole."""
+"""Largest distance from 1 of a share that counts as the whole."""
 
 ALIKE = 0.5
 """Part of the wrong quantities that a fault must spoil in all flywheels, to be tried in one flywheel."""
@@ -46,7 +97,7 @@ PAIRED = 40
 """Number of single faults that are tried two at a time."""
 
 TWIN = 1e-3
-"""Two faults whose predictions are as near as this are one as far as the stand can tell."""
+"""Largest score between the predictions of two faults that this stand cannot tell apart; or between their scores."""
 
 
 @dataclass(frozen=True)
@@ -69,14 +120,17 @@ class Finding:
 
     @property
     def named(self) -> bool:
-        """Whether it is good enough to be named."""
-        if len(self.suspect) > 1:
-            return self.match.score <= NAMED_AS_TWO
-        return self.match.score <= (NAMED if self.share == 1.0 else NAMED_AS_PART)
+        """Whether its score is low enough to name it."""
+        return self.match.score <= NAMED
+
+    @property
+    def faults(self) -> set[Fault]:
+        """The faults of its suspect, in whichever flywheels."""
+        return {part.fault for part in self.suspect}
 
     def repeats(self, other: Finding) -> bool:
-        """Whether it says no more than the other: the same in another share, or with something more."""
-        return set(other.suspect) <= set(self.suspect)
+        """Whether it has the faults of the other: in other flywheels, in another share, or with one more."""
+        return other.faults <= self.faults
 
 
 @dataclass(frozen=True)
@@ -101,8 +155,9 @@ class Search:
         self._e_first, self._e_whole = (evidence.e[: asked.size][asked] for asked in self._asked)
         self._noise_first, self._noise_whole = (evidence.noise[: asked.size][asked] for asked in self._asked)
         self._blocks = tuple(evidence.block[: asked.size][asked] for asked in self._asked)
+        self._early = bool(np.any(np.abs(self._e_first) > self._noise_first))
 
-    def ranked(self, freely: bool = True) -> list[Finding]:
+    def rank_suspects(self, freely: bool = True) -> list[Finding]:
         """Suspects, the best first: wider and wider, until one is exact. `freely`: parts and pairs as well."""
         found: list[Finding] = []
         for stage in (self._of_all, self._of_one, *((self._parts, self._pairs) if freely else ())):
@@ -112,22 +167,40 @@ class Search:
         return found
 
     def unseen(self) -> list[Suspect]:
-        """Faults that change nothing at the states that were asked: with them a program looks correct."""
-        return [each for each in singles(DICTIONARY) if not self._visible(each)]
+        """Faults that change nothing at the requested states: with them a program looks correct."""
+        return [each for each in single_faults(DICTIONARY) if not self._visible(each)]
 
-    def twins(self, finding: Finding, others: Sequence[Finding]) -> list[Finding]:
-        """Others that are the same as the finding at all states."""
-        noise, block = self._rounding(True)
-        own = finding.share * self._prediction(finding.suspect, True)
+    def twins(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
+        """Findings as good as this one: each predicts the same at all states, or explains as much of what was found.
+
+        Of a whole fault: all that were tried, whole, and the same in one flywheel; of a part of one, or of two: those
+        of `ranked`.
+        """
+        found = {each.suspect: each for each in ranked if each.share == 1.0 or finding.share != 1.0}
+        if len(finding.suspect) == 1 and finding.share == 1.0:
+            found |= {each: self._examine(each, True) for each in self._tried if self._alike(finding, each)}
+            found |= {each: self._examine(each, True) for each in self._in_one(finding.suspect[0].fault)}
         return [
-            other
-            for other in others
-            if match(own, other.share * self._prediction(other.suspect, True), noise, block).score <= TWIN
+            each
+            for each in found.values()
+            if each.suspect != finding.suspect
+            and len(each.suspect) == len(finding.suspect)
+            and (each.match.score <= finding.match.score + TWIN or self._same(finding, each, True))
         ]
+
+    def _alike(self, finding: Finding, suspect: Suspect) -> bool:
+        """Whether a suspect predicts the same as the finding at the first states."""
+        return self._same(finding, self._examine(suspect, False), False)
+
+    def _same(self, finding: Finding, other: Finding, whole: bool) -> bool:
+        """Whether both predict the same."""
+        noise, block = self._rounding(whole)
+        own, others = (each.share * self._prediction(each.suspect, whole) for each in (finding, other))
+        return match(own, others, noise, block).score <= TWIN
 
     def _of_all(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Every fault in all bodies that it concerns."""
-        for each in singles(DICTIONARY):
+        for each in single_faults(DICTIONARY):
             if self._visible(each):
                 self._tried.append(each)
                 yield self._examine(each, False)
@@ -137,15 +210,18 @@ class Search:
 
         Not all of them: what flywheels do together may cancel where they mirror one another.
         """
-        if len(self._stand.flywheels) < 2:
-            return
         spoiled = self._spoiled_quantities(self._e(False))
-        for (part,) in singles([fault for fault in DICTIONARY if fault.of_flywheels]):
+        for (part,) in single_faults([fault for fault in DICTIONARY if fault.of_flywheels]):
             like = self._spoiled_quantities(self._prediction((part,), False))
             if len(spoiled & like) >= ALIKE * len(spoiled):
-                for wheel in self._stand.flywheels:
-                    self._tried.append((Part(part.fault, wheel.name),))
-                    yield self._examine(self._tried[-1], False)
+                for each in self._in_one(part.fault):
+                    self._tried.append(each)
+                    yield self._examine(each, False)
+
+    def _in_one(self, fault: Fault) -> list[Suspect]:
+        """A fault of flywheels in each of them alone, where there are others."""
+        wheels = self._stand.flywheels if fault.of_flywheels else ()
+        return [(Part(fault, wheel.name),) for wheel in wheels] if len(wheels) > 1 else []
 
     def _parts(self, found: Sequence[Finding]) -> Iterator[Finding]:
         """Shares of the faults tried so far."""
@@ -172,8 +248,9 @@ class Search:
         yield from (self._examine(both, False) for _, both in sums[:SHORT_LIST])
 
     def _confirm(self, found: Sequence[Finding]) -> list[Finding]:
-        """The best of them at all states, then the best first."""
-        best = {(each.suspect, each.share): each for each in sorted(found, key=lambda each: each.cost)[:SHORT_LIST]}
+        """The best of them at all states, then the best first; those that are as good as the last of the list too."""
+        costs = [math.inf, *sorted(each.cost for each in found)[:SHORT_LIST]]
+        best = {(each.suspect, each.share): each for each in found if each.cost <= costs[-1] + TWIN}
         return sorted(
             (self._examine(each.suspect, True, each.share) for each in best.values()), key=lambda each: each.cost
         )
@@ -182,18 +259,25 @@ class Search:
         noise, block = self._rounding(whole)
         return Finding(suspect, a, match(self._e(whole), a * self._prediction(suspect, whole), noise, block))
 
+    def _all_states(self, whole: bool) -> bool:
+        """Whether all states are looked at: where the first ones show no error they are no use."""
+        return whole or not self._early
+
     def _e(self, whole: bool) -> Array:
-        return self._e_whole if whole else self._e_first
+        return self._e_whole if self._all_states(whole) else self._e_first
 
     def _prediction(self, suspect: Suspect, whole: bool) -> Array:
+        whole = self._all_states(whole)
         return self._predictions.error(suspect, whole)[self._asked[whole]]
 
     def _rounding(self, whole: bool) -> tuple[Array, Numbers]:
         """Noise and quantity of each number that the program has answered."""
+        whole = self._all_states(whole)
         return self._noise_whole if whole else self._noise_first, self._blocks[whole]
 
     def _visible(self, suspect: Suspect) -> bool:
-        return not np.all(np.abs(self._prediction(suspect, False)) <= self._noise_first)
+        noise, _ = self._rounding(False)
+        return not np.all(np.abs(self._prediction(suspect, False)) <= noise)
 
     def _spoiled_quantities(self, error: Array) -> set[int]:
         """Quantities that an error of the first states is in."""

@@ -14,7 +14,7 @@ from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.core.stand.state import Quaternion, State
 
 FIRST = 3
-"""Number of leading states with everything in them: they show all that can be seen, and suffice to search by."""
+"""Number of leading states with all features active: every visible fault shows in them, so they suffice to search."""
 
 ALONE = 4
 """Largest number of flywheels that have a state in which they alone turn."""
@@ -24,8 +24,8 @@ def separating_states(stand: Stand, seed: int = 1) -> list[tuple[str, State]]:
     """States with their names, the same for the same seed; without stand.md's extremes, which rounding disturbs."""
     rng = np.random.default_rng(seed)
     found = [
-        ("all 1", _wrenched(stand, _by_angles(stand, rng), rng)),
-        ("all 2", _wrenched(stand, _by_quaternion(stand, rng), rng)),
+        ("all 1", _with_wrenches(stand, _by_angles(stand, rng), rng)),
+        ("all 2", _with_wrenches(stand, _by_quaternion(stand, rng), rng)),
         ("all 3", _by_angles(stand, rng)),
     ]
     assert len(found) == FIRST
@@ -68,6 +68,6 @@ def _plain(stand: Stand, rng: np.random.Generator) -> State:
     return replace(random_state(stand, rng), wrench=MappingProxyType({}))
 
 
-def _wrenched(stand: Stand, state: State, rng: np.random.Generator) -> State:
-    """The state with a run-time wrench on every body."""
-    return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies]))
+def _with_wrenches(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state with a run-time wrench on every body that takes one."""
+    return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]))

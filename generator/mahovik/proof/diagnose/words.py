@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
@@ -10,25 +11,25 @@ from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.search import EXACT
 
 SURE = 0.5
-"""With less confidence a fault is no more than a guess, and called so."""
+"""Least confidence of a fault that is not called a guess."""
 
 SUREST = 0.999
-"""No more is said: a fault that is not in the dictionary may look like one that is."""
+"""Largest confidence that is reported: a fault that is not in the dictionary may look like one that is."""
 
 
 def name_of(part: Part) -> str:
-    """Short: the fault's name, and the flywheel that has it alone."""
+    """Name of the fault, and the flywheel that has it alone."""
     return part.fault.name + (f" ({part.wheel} alone)" if part.wheel else "")
 
 
-def short(cause: Cause) -> str:
+def short_text(cause: Cause) -> str:
     """A cause in a few words."""
     words = " and ".join(name_of(part) for part in cause.parts)
     return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
 
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
-    """Lines that say what the program has, how sure that is, and where to look."""
+    """Lines with the fault of the program, the confidence, and the terms to look at."""
     match diagnosis.outcome:
         case "equal":
             return ["no fault: nothing differs beyond rounding at the states of the diagnosis"]
@@ -37,22 +38,19 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "unknown":
-            return [
-                f"no fault named: none of the {len(DICTIONARY)} in the dictionary explains the error",
-                *(f"  nearest: {short(each)}, which leaves {each.score:.0%} of it" for each in diagnosis.others[:1]),
-                *_unseen(diagnosis),
-            ]
+            nearest = "".join(f"; nearest: {short_text(each)} ({_explained(each)})" for each in diagnosis.others[:1])
+            return [f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}", *_unseen(diagnosis)]
     best, *twins = diagnosis.causes
-    sure = diagnosis.confidence >= SURE
-    lines = [("fault" if len(best.parts) == 1 else "two faults at once") + (" found:" if sure else ", perhaps:")]
+    what = "fault" if len(best.parts) == 1 else "two faults at once"
+    lines = [what + (" found:" if diagnosis.confidence >= SURE else ", perhaps:")]
     for part in best.parts:
-        lines += _of_part(part)
+        lines += _part_lines(part)
     if best.share != 1.0:
         lines.append(f"  not as a whole: the error is {_share(best.share)} of what that would give")
     if best.only_in:
         lines.append(f"  only in {', '.join(best.only_in)}: what else it would spoil is right")
     lines += [f"  or, with the same effect on this stand: {_sentence(each)}" for each in twins]
-    lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_why(best, diagnosis)}")
+    lines.append(f"confidence {min(diagnosis.confidence, SUREST):.1%}: {_reason(best, diagnosis)}")
     return lines + _unseen(diagnosis)
 
 
@@ -84,7 +82,7 @@ def _cause(cause: Cause) -> dict[str, Any]:
     return {"faults": faults, "share": cause.share, "unexplained": cause.score, "only_in": list(cause.only_in)}
 
 
-def _of_part(part: Part) -> list[str]:
+def _part_lines(part: Part) -> list[str]:
     where = f"in {part.wheel} alone: " if part.wheel else ""
     return [f"  {where}{part.fault.words}", f"  equation {part.fault.equation}; look at: {part.fault.look}"]
 
@@ -94,14 +92,19 @@ def _sentence(cause: Cause) -> str:
     return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
 
 
+def _explained(cause: Cause) -> str:
+    """Part of the error that a cause explains, rounded down: 90 % would be named."""
+    return f"{math.floor(100 * max(1.0 - cause.score, 0.0))} %"
+
+
 def _share(share: float) -> str:
     return f"{share:.3g} times" if abs(share) > 2 or share < 0 else f"{share:.0%}"
 
 
-def _why(best: Cause, diagnosis: Diagnosis) -> str:
+def _reason(best: Cause, diagnosis: Diagnosis) -> str:
     left = "it explains the error to rounding" if best.score <= EXACT else f"it leaves {best.score:.0%} of the error"
     for each in diagnosis.others[:1]:
-        return f"{left}; the next best, {short(each)}, leaves {each.score:.0%}"
+        return f"{left}; the next best, {short_text(each)}, leaves {each.score:.0%}"
     return left
 
 

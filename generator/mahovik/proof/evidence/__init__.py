@@ -1,1 +1,1 @@
-"""Everything that speaks for the C of one stand, in one folder: run piece by piece, kept, summed up on a page."""
+"""The evidence for the C of one stand in one folder: every check run, its output kept, and a summary page."""

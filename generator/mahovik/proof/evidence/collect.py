@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import shutil
 import tempfile
-from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,26 +13,26 @@ from mahovik.core.emit.delivery import delivery
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MahovikError, UsageError
-from mahovik.nearest import meant
-from mahovik.proof.evidence.folder import FORMAT, INDEX, RECORD, publish, require_place, seal
+from mahovik.nearest import suggestion
+from mahovik.proof.evidence.folder import FORMAT, INDEX, RECORD, require_place, seal
 from mahovik.proof.evidence.page import html
 from mahovik.proof.evidence.piece import Collected, Need, Outcome, Piece, Subject, Tell, Verdict
 from mahovik.proof.verify.delivery import deliver
-from mahovik.proof.verify.files import write
+from mahovik.writing import write, write_folder
 
 Say = Callable[[str, str], None]
-"""Name of the piece that runs, and what it does; "" when it is through."""
+"""Progress: name of the running piece, and what it does; "" when it is done."""
 
 
-def chosen(pieces: Sequence[Piece], only: str | None, without: str | None) -> frozenset[str]:
-    """Names of the pieces to run. Raises UsageError for a name that is none."""
+def select_pieces(pieces: Sequence[Piece], only: str | None, without: str | None) -> frozenset[str]:
+    """Names of the pieces to run. Raises UsageError for an unknown name."""
     known = [each.name for each in pieces]
 
     def names(option: str, text: str | None) -> list[str]:
         found = [] if text is None else [word.strip() for word in text.split(",")]
         for word in found:
             if word not in known:
-                raise UsageError(f'{option}: unknown "{word}"{meant(word, known)}')
+                raise UsageError(f'{option}: unknown "{word}"{suggestion(word, known)}')
         return found
 
     wanted = names("--only", only) or known
@@ -59,26 +57,30 @@ def collect(
 ) -> list[Collected]:
     """Collects the evidence of a stand, whose file has the content `text`, into a folder.
 
-    Raises UsageError where the folder is somebody else's, before anything is run.
+    Raises UsageError if the folder holds other files, before anything is run.
     """
-    require_place(folder, stand)
-    with _draft(folder) as draft, tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
+    found: list[Collected] = []
+
+    def fill(draft: Path) -> None:
         subject = Subject(stand, real, draft, Path(scratch), full, seconds)
         deliver(subject.c, stand, real, delivery(stand, real))
         write(draft / subject.stand_file, text)
-        found = [_collected(piece, subject, wanted, say) for piece in pieces]
+        found.extend(_collect_piece(piece, subject, wanted, say) for piece in pieces)
         for each in found:
             for name, content in each.outcome.files.items():
                 write(draft / "raw" / each.piece.name / name, content)
         write(draft / INDEX, html(subject, found))
         write(draft / RECORD, record(subject, found))
         seal(draft)
-        publish(draft, folder)
+
+    require_place(folder, stand)
+    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
+        write_folder(folder, fill)
     return found
 
 
 def record(subject: Subject, found: Sequence[Collected]) -> str:
-    """The summary for programs."""
+    """The summary as JSON."""
     names = identities(subject.stand)
     pieces = [
         {
@@ -104,29 +106,23 @@ def record(subject: Subject, found: Sequence[Collected]) -> str:
     return json.dumps(content, indent=1) + "\n"
 
 
-def failures(found: Sequence[Collected], strict: bool = False) -> list[str]:
-    """Names of pieces that failed; `strict`: of those without their tools as well."""
-    bad = {Verdict.FAILED, *((Verdict.MISSING,) if strict else ())}
-    return [each.piece.name for each in found if each.outcome.verdict in bad]
-
-
 def nothing_ran(found: Sequence[Collected]) -> bool:
     """Whether no piece has passed or failed: such a folder is no evidence of anything."""
     return not any(each.outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for each in found)
 
 
-def _collected(piece: Piece, subject: Subject, wanted: Collection[str] | None, say: Say) -> Collected:
+def _collect_piece(piece: Piece, subject: Subject, wanted: Collection[str] | None, say: Say) -> Collected:
     command = piece.command(subject)
     if wanted is not None and piece.name not in wanted:
         return Collected(piece, command, Outcome(Verdict.LEFT_OUT, "not run"))
     absent = [need for need in piece.needs(subject) if not need.found()]
     if absent:
-        return Collected(piece, command, _without(absent))
+        return Collected(piece, command, _missing_tools(absent))
 
     def tell(what: str) -> None:
         say(piece.name, what)
 
-    outcome = _cleaned(_run(piece, subject, tell), subject)
+    outcome = _without_paths(_run(piece, subject, tell), subject)
     say(piece.name, "")
     return Collected(piece, command, outcome)
 
@@ -139,14 +135,14 @@ def _run(piece: Piece, subject: Subject, tell: Tell) -> Outcome:
         return Outcome(Verdict.FAILED, lines[0], notes=tuple(lines[1:]), files={"error.txt": f"{error}\n"})
 
 
-def _without(absent: Sequence[Need]) -> Outcome:
+def _missing_tools(absent: Sequence[Need]) -> Outcome:
     names = ", ".join(need.name for need in absent)
     commands = tuple(dict.fromkeys(need.install for need in absent))
     return Outcome(Verdict.MISSING, f"no {names}", notes=tuple(f"To install: `{each}`" for each in commands))
 
 
-def _cleaned(outcome: Outcome, subject: Subject) -> Outcome:
-    """Without the names of the folders where it was made: they say nothing, and differ from machine to machine."""
+def _without_paths(outcome: Outcome, subject: Subject) -> Outcome:
+    """The outcome without names of temporary folders, which differ from machine to machine."""
 
     def clean(text: str) -> str:
         for place in (subject.folder, subject.scratch):
@@ -157,17 +153,3 @@ def _cleaned(outcome: Outcome, subject: Subject) -> Outcome:
     files = {name: clean(text) if isinstance(text, str) else text for name, text in outcome.files.items()}
     figure = clean(outcome.figure).removeprefix("passed: ").removeprefix("FAILED: ")  # the verdict stands beside it
     return replace(outcome, figure=figure, notes=tuple(map(clean, outcome.notes)), files=files)
-
-
-@contextmanager
-def _draft(folder: Path) -> Iterator[Path]:
-    """A folder beside the place of another, which is gone afterwards unless it was moved there."""
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent))
-    except OSError as error:
-        raise UsageError(f"{folder}: cannot be made: {error.strerror or error}") from None
-    try:
-        yield draft
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)

@@ -1,12 +1,10 @@
-"""The folder of evidence on disk: sealed by SHA-256 sums, put in its place as a whole, checked."""
+"""The folder of evidence on disk: sealed by SHA-256 sums, checked."""
 
 from __future__ import annotations
 
 import contextlib
 import json
 import os
-import shutil
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -14,11 +12,11 @@ from mahovik.core.emit.manifest import digest
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.proof.verify.files import write
+from mahovik.writing import write
 
 INDEX = "index.html"
 RECORD = "evidence.json"
-"""The summary for programs."""
+"""The summary as JSON."""
 
 SUMS = "SHA256SUMS"
 """Hashes of all other files, in the form that `sha256sum -c` reads."""
@@ -27,7 +25,7 @@ FORMAT = 1
 """Version of `RECORD`, raised when the meaning of a key changes."""
 
 LARGEST = 256 << 20
-"""Bytes of a file of a folder that is checked."""
+"""Largest file that is checked, bytes."""
 
 
 def seal(folder: Path) -> None:
@@ -36,11 +34,11 @@ def seal(folder: Path) -> None:
 
 
 def check(folder: Path) -> list[str]:
-    """What differs from the sums, a line each. Raises UsageError where there are none."""
+    """Differences from the sums, a line each. Raises UsageError if there are no sums."""
     path = folder / SUMS
     if not path.is_file():
         raise UsageError(f"{path}: no such file: is {folder} a folder of `mahovik evidence`?")
-    listed = _listed(path)
+    listed = _read_sums(path)
     there = _sums(folder)
     found = [f"{folder / name}: is missing" for name in listed if name not in there]
     found += [f"{folder / name}: was changed" for name in listed if name in there and there[name] != listed[name]]
@@ -60,7 +58,7 @@ def read_record(folder: Path) -> dict[str, object]:
 
 
 def require_place(folder: Path, stand: Stand) -> None:
-    """Raises UsageError unless evidence of a stand may be put there: nothing, or evidence of it as it was written."""
+    """Raise UsageError unless the place is empty or holds unchanged evidence of the stand."""
     if not os.path.lexists(folder):
         return
     if folder.is_symlink() or not folder.is_dir():
@@ -77,32 +75,6 @@ def require_place(folder: Path, stand: Stand) -> None:
         raise UsageError(f"{problems[0]}: move it away or choose another folder, nothing was written")
 
 
-def publish(draft: Path, folder: Path) -> None:
-    """Moves a complete folder to its place; what was there comes back where that fails. Raises UsageError."""
-    aside = None
-    try:
-        os.chmod(draft, 0o777 & ~_mask())
-        if folder.exists():
-            aside = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", dir=folder.parent)) / "old"
-            os.rename(folder, aside)
-        os.rename(draft, folder)
-    except BaseException as error:
-        if aside is not None and aside.exists() and not folder.exists():
-            os.rename(aside, folder)
-        if isinstance(error, OSError):
-            raise UsageError(f"{folder}: cannot be written: {error.strerror or error}") from None
-        raise
-    finally:
-        if aside is not None and folder.exists():
-            shutil.rmtree(aside.parent, ignore_errors=True)
-
-
-def _mask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
 def _sums(folder: Path) -> Mapping[str, str]:
     """SHA-256 of every file but the sums, by its path in the folder."""
     files = sorted(each for each in folder.rglob("*") if not each.is_dir() or each.is_symlink())
@@ -115,7 +87,7 @@ def _sums(folder: Path) -> Mapping[str, str]:
     return found
 
 
-def _listed(path: Path) -> Mapping[str, str]:
+def _read_sums(path: Path) -> Mapping[str, str]:
     found = {}
     with contextlib.suppress(UnicodeDecodeError):
         for line in content(path).decode("utf-8").splitlines():

@@ -14,10 +14,10 @@ from mahovik import __version__
 from mahovik.core.emit.generate import described
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
-from mahovik.proof.evidence.piece import Collected, Subject, Table, Verdict
+from mahovik.proof.evidence.piece import NO_VERDICT, Collected, Subject, Table, Verdict
 
 LONG = 14
-"""Rows of a table from which on it is closed until it is asked for."""
+"""Least number of rows of a table that is folded at first."""
 
 GENERAL = (
     ("Sine, cosine, square root, arc tangent: error bounds, operation by operation", "docs/results/arithmetic.md"),
@@ -26,20 +26,14 @@ GENERAL = (
     ("Every file reader on spoiled input; millions of executions of the example stands' C", "docs/results/fuzzing.md"),
     ("Largest differences to other multibody programs over the example stands", "docs/results/judges.md"),
 )
-"""What is shown once for the generator and not for a stand; where, in its repository."""
+"""Evidence for the generator as a whole, and its page in the repository."""
 
-_STYLE = {
-    Verdict.PASSED: "good",
-    Verdict.FAILED: "bad",
-    Verdict.MISSING: "open",
-    Verdict.LEFT_OUT: "open",
-    Verdict.NOTHING: "open",
-}
+_STYLE = {Verdict.PASSED: "good", Verdict.FAILED: "bad"} | dict.fromkeys(NO_VERDICT, "open")
 
 
 def html(subject: Subject, found: Sequence[Collected]) -> str:
     """The page."""
-    names = identities(subject.stand)
+    names, failed = identities(subject.stand), failures(found)
     return template("evidence.html.j2").render(
         name=subject.stand.name,
         bodies=described(subject.stand),
@@ -50,7 +44,7 @@ def html(subject: Subject, found: Sequence[Collected]) -> str:
         extent="full" if subject.full else "quick",
         stand_file=subject.stand_file,
         conclusion=conclusion(found),
-        style="bad" if _failed(found) else "good" if _complete(found) else "open",
+        style="bad" if failed else "good" if all(each.outcome.verdict is Verdict.PASSED for each in found) else "open",
         general=GENERAL,
         pieces=[_piece(each) for each in found],
     )
@@ -61,20 +55,18 @@ def conclusion(found: Sequence[Collected]) -> str:
     counts = Counter(each.outcome.verdict for each in found)
     ran = counts[Verdict.PASSED] + counts[Verdict.FAILED]
     words = f"{counts[Verdict.PASSED]} of {ran} pieces passed" if ran else "no piece was run"
-    if bad := _failed(found):
+    if bad := failures(found):
         words += f"; FAILED: {', '.join(bad)}"
-    for verdict in (Verdict.MISSING, Verdict.LEFT_OUT, Verdict.NOTHING):
+    for verdict in NO_VERDICT:
         if names := [each.piece.name for each in found if each.outcome.verdict is verdict]:
             words += f"; {verdict.value}: {', '.join(names)}"
     return words
 
 
-def _failed(found: Sequence[Collected]) -> list[str]:
-    return [each.piece.name for each in found if each.outcome.verdict is Verdict.FAILED]
-
-
-def _complete(found: Sequence[Collected]) -> bool:
-    return all(each.outcome.verdict is Verdict.PASSED for each in found)
+def failures(found: Sequence[Collected], strict: bool = False) -> list[str]:
+    """Names of pieces that failed; `strict`: of those without their tools as well."""
+    bad = {Verdict.FAILED, *((Verdict.MISSING,) if strict else ())}
+    return [each.piece.name for each in found if each.outcome.verdict in bad]
 
 
 def _piece(each: Collected) -> dict[str, Any]:

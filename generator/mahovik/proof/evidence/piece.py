@@ -22,9 +22,13 @@ class Verdict(Enum):
     NOTHING = "nothing to judge"
 
 
+NO_VERDICT = (Verdict.MISSING, Verdict.LEFT_OUT, Verdict.NOTHING)
+"""Verdicts of a piece that neither passed nor failed."""
+
+
 @dataclass(frozen=True)
 class Subject:
-    """What the evidence is of, and where it is collected.
+    """The stand whose evidence is collected, and the folders for it.
 
     folder   of the evidence: the delivered C lies in `c/`, the stand file beside it
     scratch  for what is not kept
@@ -38,6 +42,10 @@ class Subject:
     scratch: Path
     full: bool = False
     seconds: int = 20
+
+    def choose(self, quick: int, full: int) -> int:
+        """One of two numbers, by the extent."""
+        return full if self.full else quick
 
     @property
     def c(self) -> Path:
@@ -91,7 +99,7 @@ class Table:
 class Outcome:
     """How a piece came out.
 
-    figure  what is said of it in the summary, in one line
+    figure  result for the summary, one line
     tools   what did it, with versions
     notes   sentences for its section: what is missing, what was found
     files   what is kept, content by name
@@ -106,11 +114,12 @@ class Outcome:
 
 
 Tell = Callable[[str], None]
-"""Says what is being done, in a few words."""
+"""Reports the present step, in a few words."""
 
 
-def _nothing(_: Subject) -> Sequence[Need]:
-    return ()
+def count_to(tell: Tell, what: str = "") -> Callable[[int, int], None]:
+    """Progress callback of a harness that reports `{what}3 of 20`."""
+    return lambda done, total: tell(f"{what}{done} of {total}")
 
 
 @dataclass(frozen=True)
@@ -130,7 +139,7 @@ class Piece:
     limits: str
     command: Callable[[Subject], str]
     run: Callable[[Subject, Tell], Outcome]
-    needs: Callable[[Subject], Sequence[Need]] = _nothing
+    needs: Callable[[Subject], Sequence[Need]] = lambda _: ()
 
 
 @dataclass(frozen=True)
@@ -142,6 +151,6 @@ class Collected:
     outcome: Outcome
 
 
-def judged(good: bool) -> Verdict:
-    """The verdict of something that ran."""
+def verdict_of(good: bool) -> Verdict:
+    """The verdict of a piece that was run."""
     return Verdict.PASSED if good else Verdict.FAILED

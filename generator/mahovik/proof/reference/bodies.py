@@ -1,4 +1,4 @@
-"""Where each body is in the carrier: its Theta, its transfer L to E1 about O1, and its twist."""
+"""Each body of the carrier: its Mises (spatial) inertia Theta, its transfer L to E1 about O1, and its twist."""
 
 from __future__ import annotations
 
@@ -7,12 +7,31 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
+from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat6, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.inertia import added_mass, spatial_inertia
-from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting, flywheel_rotation
-from mahovik.proof.reference.screw import T, block_diagonal, f, wrench_to_parent
+from mahovik.proof.reference.rotation import C1, fixed_rotation, flywheel_mounting
+from mahovik.proof.reference.screw import E, T, block_diagonal, blocks, cross, f, wrench_to_parent
+
+
+def inertia_about_origin(body: Body) -> Array:
+    """J (3x3, kg m2) about the frame's origin; parallel axes from the centre of mass: J = Jc - m <rc> <rc>."""
+    J = np.array(body.inertia)
+    if body.inertia_about == "origin":
+        return J
+    rc = np.array(body.center_of_mass)
+    return J - body.mass * cross(rc) @ cross(rc)
+
+
+def spatial_inertia(body: Body) -> Array:
+    """Theta = [[m E, -m <rc>], [m <rc>, J]] (6x6; kg, kg m, kg m2), about the origin of the body's frame."""
+    mu = body.mass * np.array(body.center_of_mass)
+    return blocks(body.mass * E, -cross(mu), cross(mu), inertia_about_origin(body))
+
+
+def added_mass(given: Mat6 | None) -> Array:
+    """Lambda (6x6; kg, kg m, kg m2) about O1 in E1, for an instrument as well; zero where none is given."""
+    return np.zeros((6, 6)) if given is None else np.array(given)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,12 +113,6 @@ def mount_transfer(stand: Stand, mount: str) -> Array:
     if mount == stand.carrier.name:
         return np.eye(6)
     return next(instrument_transfer(p) for p in stand.instruments if p.name == mount)
-
-
-def flywheel_transfer(stand: Stand, flywheel: Flywheel, phi: float) -> Array:
-    """Ls (6x6) of a flywheel at the phase phi: Ls = Lp L_{s in p} where an instrument p bears it."""
-    L_in_mount = wrench_to_parent(np.array(flywheel.position), flywheel_rotation(flywheel, phi))
-    return mount_transfer(stand, flywheel.mount) @ L_in_mount
 
 
 Placed = Fixed | Spinning

@@ -6,9 +6,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
 from mahovik.proof.reference.forward import bias
-from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import Phi, f, spin
 
@@ -40,7 +39,7 @@ def coupled(at: Pieces, tau: Array) -> tuple[Array, Array]:
     With a stream, for V_r.
     """
     right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
-    solution = solve(full_mass_matrix(at), right)
+    solution = solve_symmetric(full_mass_matrix(at), right)
     return at.V_dot(solution[:6]), solution[6:]
 
 
@@ -48,3 +47,15 @@ def answer(at: Pieces, stand: Stand, state: State) -> Values:
     """V_dot (6), phi_ddot (N)."""
     V_dot, phi_ddot = coupled(at, vector(state.tau))
     return {"V_dot": V_dot, "phi_ddot": phi_ddot}
+
+
+def coupled_with_locks(at: Pieces, tau: Array, locked: Array) -> tuple[Array, Array]:
+    """V* (6) in E1 and phi'' (N) where `locked` (N, bool) flywheels are held at phi'' = 0, whatever their tau.
+
+    The equations of `coupled` without the rows and columns of the locked flywheels: their torques are reactions.
+    """
+    free = np.concatenate([np.full(6, True), np.logical_not(locked)])
+    right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
+    solution = np.zeros(6 + len(locked))
+    solution[free] = solve_symmetric(full_mass_matrix(at)[np.ix_(free, free)], right[free])
+    return at.V_dot(solution[:6]), solution[6:]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.linear import solve
+from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
 from mahovik.proof.reference.pieces import Pieces
 
 
@@ -16,7 +15,7 @@ def bias(at: Pieces) -> Array:
 
 def forward(at: Pieces, phi_ddot: Array) -> Array:
     """V* (6; m/s2, rad/s2) in E1 by (8), phi_ddot (N, rad/s2): K V* + M V + sum_s (I_s phi_s'' + J_s phi_s') = F."""
-    V_r_dot = solve(at.K, at.F - bias(at) - at.I @ phi_ddot)
+    V_r_dot = solve_symmetric(at.K, at.F - bias(at) - at.I @ phi_ddot)
     return at.V_dot(V_r_dot)
 
 

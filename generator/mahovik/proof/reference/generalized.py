@@ -9,8 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.linear import solve
+from mahovik.proof.reference.array import Array, Values, solve
 from mahovik.proof.reference.mass import velocity_matrix
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix, kinematic_matrix_rate

@@ -55,15 +55,17 @@ def demand(at: Pieces, V_dot: Array) -> Array:
     return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
 
 
-def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
+def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
     """Least residual of (12) in the K^-1 norm, then least phi'' in the Theta_ff norm; no limits, no damping.
 
     By the singular values of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
+    `rank`: how many of them count, where that is given; otherwise those above the threshold of `cuts`.
     """
     K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
     wanted = demand(at, V_dot)
     U, sigma, Vt = np.linalg.svd(K_root @ at.I @ Theta_root.T, full_matrices=False)
-    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
+    if rank is None:
+        rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     scaled = Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank])
     phi_ddot = Theta_root.T @ scaled
     residual = wanted - at.I @ phi_ddot

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, solve
 from mahovik.proof.reference.inverse import demand
-from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.pieces import Pieces
 
 

@@ -27,7 +27,7 @@ from mahovik.proof.reference.wrenches import Kinds, body_wrench, external_wrench
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """What the equations are made of, at one state. SI, in E1 about O1 unless said otherwise.
+    """Terms of the equations at one state. SI, in E1 about O1 unless said otherwise.
 
     C, L1        3x3, 6x6: attitude and transfer from E1 to E0
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)

@@ -74,16 +74,11 @@ def fixed_rotation(psi: float, theta: float, phi: float) -> Array:
     return C3(psi) @ C2(theta) @ C1(phi)
 
 
-def flywheel_rotation(flywheel: Flywheel, phi: float) -> Array:
-    """Cs (3x3) of a flywheel in its mount at the phase phi: C3(psi_s) C2(theta_s) C1(zero + phi), or by axes."""
-    # C1(zero) C1(phi) is C1(zero + phi) without the rounding of that sum, 1e-9 where phi is 1e7
-    return flywheel_mounting(flywheel) @ C1(phi)
-
-
 def flywheel_mounting(flywheel: Flywheel) -> Array:
     """Cs (3x3) at phase zero: C3(psi_s) C2(theta_s) C1(zero), or by axes.
 
-    By axes: the first column is along `axis`, the second along the part of `zero` across it.
+    By axes: the first column is along `axis`, the second along the part of `zero` across it. At the phase phi it is
+    Cs C1(phi): that is C1(zero + phi) without the rounding of this sum, 1e-9 where phi is 1e7.
     """
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):

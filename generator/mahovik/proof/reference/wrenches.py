@@ -6,46 +6,14 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from mahovik import laws
-from mahovik.core.stand.model import Body, Damping, Stand
+from mahovik.contract import laws
+from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
 from mahovik.proof.reference.pose import Pose
-from mahovik.proof.reference.screw import force_at
 
 Kinds = Mapping[str, Array]  # wrench (6) by its kind
-
-
-def weight(body: Body, gravity: Array) -> Array:
-    """Weight (6; N, N m): m g at the centre of mass; `gravity` (3, m/s2) in the body's frame."""
-    return force_at(body.mass * gravity, np.array(body.center_of_mass))
-
-
-def buoyancy(body: Body, gravity: Array) -> Array:
-    """Archimedes force (6; N, N m): -displaced_mass g at the centre of buoyancy; `gravity` (3) in its frame."""
-    if body.buoyancy is None:
-        return np.zeros(6)
-    return force_at(-body.buoyancy.displaced_mass * gravity, np.array(body.buoyancy.center))
-
-
-def linear_damping(damping: Damping, V_r: Array) -> Array:
-    """-(linear V_r) (6; N, N m), V_r the body's twist relative to the fluid, all in the body's frame."""
-    return np.zeros(6) if damping.linear is None else -np.array(damping.linear) @ V_r
-
-
-def quadratic_damping(damping: Damping, V_r: Array) -> Array:
-    """-(quadratic (V_r |V_r|)) (6; N, N m), product element by element, all in the body's frame."""
-    return np.zeros(6) if damping.quadratic is None else -np.array(damping.quadratic) @ (V_r * np.abs(V_r))
-
-
-def damping_terms(damping: Damping, V_r: Array) -> Array:
-    """Sum of hydrodynamic derivatives (6; N, N m): component `wrench` += value * product of two."""
-    P = np.zeros(6)
-    for term in damping.terms:
-        first, second = (abs(V_r[a.component]) if a.absolute else V_r[a.component] for a in term.of)
-        P[term.wrench] += term.value * first * second
-    return P
 
 
 def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
@@ -53,12 +21,10 @@ def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds
 
     `gravity` (3, m/s2), `V_r` (6, twist relative to the fluid) in its frame; `given` (6) is the run-time wrench.
     """
-    kinds = {"weight": weight(body, gravity), "buoyancy": buoyancy(body, gravity), "run-time": given}
-    if body.damping is not None:
-        kinds["linear damping"] = linear_damping(body.damping, V_r)
-        kinds["quadratic damping"] = quadratic_damping(body.damping, V_r)
-        kinds["damping terms"] = damping_terms(body.damping, V_r)
-    return kinds
+    kinds: dict[str, Array] = {}
+    for wrenches in laws.of_bodies("reference", "wrenches"):
+        kinds |= wrenches(body, gravity, V_r)
+    return kinds | {"run-time": given}
 
 
 def run_time_wrench(state: State, body: Body) -> Array:

@@ -1,4 +1,4 @@
-"""What is asked of the pieces: forward (8), torque, mounts, coupled, momentum."""
+"""Questions to the pieces: forward (8), torque, mounts, coupled, momentum."""
 
 from __future__ import annotations
 

@@ -27,11 +27,11 @@ MOST_BITS = 8192
 def want_matrices(at: Pieces, state: State) -> Balls:
     """K, K_dot, M (6x6), I, J (6xN), F (6)."""
     found: Balls = {name: getattr(at, name).tolist() for name in ("K", "K_dot", "M")}
-    found |= {name: _beside(getattr(at, name)) for name in ("I", "J")}
+    found |= {name: _columns_as_rows(getattr(at, name)) for name in ("I", "J")}
     return found | {"F": elements(at.F)}
 
 
-def _beside(columns: tuple[arb_mat, ...]) -> list[list[arb]]:
+def _columns_as_rows(columns: tuple[arb_mat, ...]) -> list[list[arb]]:
     """Columns as the six rows of a matrix."""
     return [[c[i, 0] for c in columns] for i in range(6)]
 

@@ -18,7 +18,7 @@ from mahovik.proof.rigorous.wrenches import external_wrenches
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """What the equations are made of.
+    """Terms of the equations.
 
     L1           6x6: transfer from E1 to E0
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)

@@ -26,7 +26,7 @@ def elementary(axis: int, angle: float) -> arb_mat:
     return matrix([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def turned(axes: Sequence[int], angles: Sequence[float]) -> arb_mat:
+def rotation_product(axes: Sequence[int], angles: Sequence[float]) -> arb_mat:
     """Product of elementary rotations (3x3), from the left to the right."""
     C = identity(3)
     for axis, angle in zip(axes, angles, strict=True):
@@ -46,19 +46,19 @@ def carrier_rotation(stand: Stand, state: State) -> arb_mat:
     """C (3x3) of the carrier, by angles or quaternion; of neither: aligned with E0."""
     if state.quaternion is not None:
         return of_quaternion(state.quaternion)
-    return turned(SEQUENCE[stand.angles], state.angles or (0.0, 0.0, 0.0))
+    return rotation_product(SEQUENCE[stand.angles], state.angles or (0.0, 0.0, 0.0))
 
 
 def fixed_rotation(angles: Sequence[float]) -> arb_mat:
     """C3(psi) C2(theta) C1(phi) (3x3) of an instrument."""
-    return turned((3, 2, 1), angles)
+    return rotation_product((3, 2, 1), angles)
 
 
 def flywheel_rotation(flywheel: Flywheel, phi: float) -> arb_mat:
     """Cs (3x3) in the mount at the phase phi: C3(psi_s) C2(theta_s) C1(zero) C1(phi), or by `axis` and `zero`."""
     mounting = flywheel.mounting
     if isinstance(mounting, MountingAngles):
-        return turned((3, 2, 1, 1), (mounting.psi, mounting.theta, mounting.zero, phi))
+        return rotation_product((3, 2, 1, 1), (mounting.psi, mounting.theta, mounting.zero, phi))
     axis, zero = column(mounting.axis), column(mounting.zero)
     first = axis * (1 / length(axis))
     across = zero - first * dot(first, zero)

@@ -1,5 +1,5 @@
-"""The second derivation: energies body by body, differentiated by CasADi. It shares no formula with the others."""
+"""The second derivation: energies body by body, differentiated by CasADi. It differs from the others in kind."""
 
-from mahovik.proof.second.evaluate import Second, evaluate
+from mahovik.proof.second.evaluate import Second
 
-__all__ = ["Second", "evaluate"]
+__all__ = ["Second"]

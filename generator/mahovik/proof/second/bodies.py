@@ -1,4 +1,4 @@
-"""Where every body is on the carrier, its mass and its inertia about its own mass centre: one column a body."""
+"""Where every body is on the carrier, its mass and its inertia about its own mass centre: one column per body."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from mahovik.proof.second.rotation import Array, elementary, fixed, mounting
 Place = tuple[Array, Array]
 """Origin (3; m, from O1) and axes (3x3) in E1; a flywheel's at phi_s = 0."""
 
-SIZE = 29
-"""Numbers of a body: origin 3, axes 9, mass 1, mass centre 3, inertia 9, displaced mass 1, its centre 3."""
+SIZE = 25
+"""Numbers of a body: origin 3, axes 9, mass 1, mass centre 3, inertia 9."""
 
 
 def places(stand: Stand) -> dict[str, Place]:
@@ -22,13 +22,13 @@ def places(stand: Stand) -> dict[str, Place]:
     for p in stand.instruments:
         found[p.name] = (np.array(p.position), fixed(p.angles))
     for s in stand.flywheels:
-        found[s.name] = on(found[s.mount], (np.array(s.position), mounting(s.mounting)))
+        found[s.name] = place_in_E1(found[s.mount], (np.array(s.position), mounting(s.mounting)))
     for point in stand.points:
-        found[point.name] = on(found[point.mount], (np.array(point.position), fixed(point.angles)))
+        found[point.name] = place_in_E1(found[point.mount], (np.array(point.position), fixed(point.angles)))
     return found
 
 
-def on(mount: Place, place: Place) -> Place:
+def place_in_E1(mount: Place, place: Place) -> Place:
     """A place in the mount's frame as a place in E1."""
     (at, axes), (position, rotation) = mount, place
     return at + axes @ position, axes @ rotation
@@ -50,11 +50,8 @@ def columns(stand: Stand) -> Array:
 
 def _column(body: Body, place: Place) -> Array:
     origin, axes = place
-    displaced, center = (body.buoyancy.displaced_mass, body.buoyancy.center) if body.buoyancy else (0.0, (0.0,) * 3)
     J = central_inertia(body)
-    return np.concatenate(
-        [origin, axes.ravel("F"), [body.mass], body.center_of_mass, J.ravel("F"), [displaced], center]
-    )
+    return np.concatenate([origin, axes.ravel("F"), [body.mass], body.center_of_mass, J.ravel("F")])
 
 
 class MovingBody:
@@ -66,8 +63,8 @@ class MovingBody:
     def __init__(self, chart: Chart) -> None:
         self.chart = chart
         self.numbers = ca.SX.sym("body", SIZE)
-        split = ca.vertsplit(self.numbers, [0, 3, 12, 13, 16, 25, 26, 29])
-        self._origin, axes, self.mass, self.center_of_mass, J, self.displaced_mass, self.center = split
+        split = ca.vertsplit(self.numbers, [0, 3, 12, 13, 16, 25])
+        self._origin, axes, self.mass, self.center_of_mass, J = split
         self.central_inertia = ca.reshape(J, 3, 3)
         self._turned = turn(chart.xi)
         self._axes = ca.reshape(axes, 3, 3) @ elementary(1, chart.phi)

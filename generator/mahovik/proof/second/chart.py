@@ -30,21 +30,21 @@ class Chart:
 
     def rate(self, expression: Expr) -> Expr:
         """d/dt of an expression in q, along q'; of the same shape."""
-        return along(expression, self.q, self.q_dot)
+        return directional_derivative(expression, self.q, self.q_dot)
 
     def second_rate(self, expression: Expr) -> Expr:
         """d/dt of an expression in q and q', along (q', q''); of the same shape.
 
         The parts by q' and by q'' are formed apart: where the first cancels in itself, it leaves the second intact.
         """
-        return self.rate(expression) + along(expression, self.q_dot, self.q_ddot)
+        return self.rate(expression) + directional_derivative(expression, self.q_dot, self.q_ddot)
 
     def here(self, expression: Expr) -> Expr:
         """The expression at the present pose, delta = 0 and xi = 0."""
         return ca.substitute(expression, self.q[:6], ca.SX.zeros(6))
 
 
-def along(expression: Expr, variables: Expr, rates: Expr) -> Expr:
+def directional_derivative(expression: Expr, variables: Expr, rates: Expr) -> Expr:
     """Directional derivative of a matrix expression along `rates` of `variables`; of the same shape."""
     return ca.reshape(ca.jtimes(ca.vec(expression), variables, rates), *expression.shape)
 
@@ -72,6 +72,6 @@ def inertial_acceleration(V: Expr, V_dot: Expr) -> Expr:
     """
     xi = ca.SX.sym("xi", 3)
     v, omega = ca.SX.sym("v", 3), ca.SX.sym("omega", 3)
-    turning = ca.substitute(along(turn(xi) @ v, xi, omega), xi, ca.SX.zeros(3))
+    turning = ca.substitute(directional_derivative(turn(xi) @ v, xi, omega), xi, ca.SX.zeros(3))
     rate = ca.Function("turning", [v, omega], [turning])
     return ca.vertcat(V_dot[:3] + rate(V[:3], V[3:]), V_dot[3:])

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.contract.functions import CONFLICTS, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -133,16 +133,6 @@ class Second:
         for name in state.wrench:
             if name not in names:
                 raise StateError(f"wrench: {name!r} is no body of the stand; known are " + ", ".join(names))
-
-
-def evaluate(stand: Stand, state: State, want: Sequence[str]) -> Values:
-    """See Second.evaluate. The functions of the last few stands are kept."""
-    return _second(stand).evaluate(state, want)
-
-
-@lru_cache(maxsize=8)
-def _second(stand: Stand) -> Second:
-    return Second(stand)
 
 
 def check_want(want: Sequence[str]) -> None:

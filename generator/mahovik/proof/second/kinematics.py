@@ -10,7 +10,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Sequence, Vec3
 from mahovik.errors import StateError
-from mahovik.proof.second.chart import Expr, along, angular_velocity
+from mahovik.proof.second.chart import Expr, angular_velocity, directional_derivative
 from mahovik.proof.second.rotation import Array, by_angles
 
 SINGULAR = 1e-6
@@ -22,9 +22,9 @@ def matrices(sequence: Sequence) -> Expr:
     """(angles, q') -> A, D (6x6): V = A q', D = A' along the motion; q = (O1 in E0, psi, theta, phi)."""
     angles, q_dot = ca.SX.sym("angles", 3), ca.SX.sym("q_dot", 6)
     C = by_angles(sequence, angles)
-    omega = angular_velocity(C, along(C, angles, q_dot[3:]))
+    omega = angular_velocity(C, directional_derivative(C, angles, q_dot[3:]))
     A = ca.jacobian(ca.vertcat(C.T @ q_dot[:3], omega), q_dot)
-    return ca.Function("kinematic_matrices", [angles, q_dot], [A, along(A, angles, q_dot[3:])])
+    return ca.Function("kinematic_matrices", [angles, q_dot], [A, directional_derivative(A, angles, q_dot[3:])])
 
 
 def generalized(sequence: Sequence, angles: Vec3, V: Array, V_dot: Array) -> dict[str, Array]:

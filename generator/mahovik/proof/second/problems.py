@@ -1,6 +1,8 @@
-"""What is asked of the equations of motion: momentum, forward, torque, coupled. Each gives named expressions."""
+"""Questions to the equations of motion: momentum, forward, torque, coupled. Each gives named expressions."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import casadi as ca
 
@@ -47,13 +49,18 @@ def torque(system: System) -> Results:
     return {"tau": inertial - applied}
 
 
-def coupled(system: System) -> Results:
-    """V_dot (6) and phi_ddot (N) for given tau: all 6 + N equations together."""
+def coupled(system: System, locked: Sequence[bool] = ()) -> Results:
+    """V_dot (6) and phi_ddot (N) for given tau: all 6 + N equations together.
+
+    `locked` (N, none by default): flywheels for whose equation stands phi_ddot = 0, as their torques are reactions.
+    """
     _, _, K, columns = system.kinetics()
     applied = ca.vertcat(*system.applied_force())
     still = ca.vertcat(*system.inertial_force(ca.MX.zeros(6), ca.MX.zeros(system.N)))
     drive = ca.vertcat(ca.MX.zeros(6), system.inputs["tau"])
     coupling, own = columns[:6, :], columns[6, :]
     full = ca.vertcat(ca.horzcat(K, coupling), ca.horzcat(coupling.T, ca.diag(own)))
-    found = ca.solve(full, applied + drive - still, SOLVER)
+    held = ca.DM([0] * 6 + [int(x) for x in locked or [False] * system.N])
+    free = ca.diag(1 - held)
+    found = ca.solve(free @ full @ free + ca.diag(held), free @ (applied + drive - still), SOLVER)
     return {"V_dot": found[:6], "phi_ddot": found[6:]}

@@ -5,12 +5,11 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.stand.model import Stand
 from mahovik.proof.second import force, lagrange
 from mahovik.proof.second.bodies import columns
 from mahovik.proof.second.chart import Expr, inertial_acceleration
-from mahovik.proof.second.laws import damping_wrench
 from mahovik.proof.second.rotation import Array
 
 
@@ -36,6 +35,7 @@ class System:
         self.gravity = self.inputs["C"].T @ ca.DM(stand.gravity)
         self.stream = self.inputs["C"].T @ ca.DM(stand.stream or (0.0, 0.0, 0.0))
         self.bodies = ca.DM(columns(stand))
+        self.law_numbers = ca.DM(force.law_columns(stand))
         self.phi = self._flywheel_row(self.inputs["phi"])
         self.q_dot = self._rates(self.V, self.inputs["phi_dot"])
         self.Lambda = added_mass(stand)
@@ -68,20 +68,21 @@ class System:
     def applied_force(self) -> tuple[Expr, Expr]:
         """Generalized forces of all wrenches but the drive torques: on the carrier (6), on the flywheels (N)."""
         gravity = ca.repmat(self.gravity, 1, self.count)
-        found = self._mapped(force.body_force())(self.bodies, self.phi, gravity, self._wrenches())
+        found = self._mapped(force.body_force())(self.bodies, self.law_numbers, self.phi, gravity, self._wrenches())
         carrier = ca.sum2(found[:6, :])
         for law in laws.parts("second"):
             carrier += law.force(self.stand, self.inputs)
         return carrier, self._of_flywheels(found[6, :])
 
     def _wrenches(self) -> Expr:
-        """P (6 x bodies): the run-time wrench and the damping of each body, in its own frame."""
+        """P (6 x bodies): the run-time wrench and those of laws without a potential, each in its body's frame."""
         stream = ca.repmat(self.stream, 1, self.count)
         twists = self._mapped(force.body_twist())(self.bodies, self.q_dot, self.phi, stream)
         wrenches = ca.horzsplit(self.inputs["wrench"])
-        for k, body in enumerate(self.stand.bodies):
-            if body.damping is not None:
-                wrenches[k] = wrenches[k] + damping_wrench(body.damping, twists[:, k])
+        for wrench in laws.of_bodies("second", "wrench"):
+            for k, body in enumerate(self.stand.bodies):
+                if (found := wrench(body, twists[:, k])) is not None:
+                    wrenches[k] = wrenches[k] + found
         return ca.horzcat(*wrenches)
 
     def _mapped(self, function: Expr) -> Expr:
@@ -93,7 +94,7 @@ class System:
         return ca.vertcat(ca.repmat(carrier, 1, self.count), self._flywheel_row(flywheels))
 
     def _flywheel_row(self, values: Expr) -> Expr:
-        """One number a body (1 x bodies): those of the flywheels, zero for the bodies that have no phi."""
+        """One number per body (1 x bodies): those of the flywheels, zero for the bodies that have no phi."""
         return ca.horzcat(ca.MX.zeros(1, self.fixed), values.T)
 
     def _of_flywheels(self, row: Expr) -> Expr:

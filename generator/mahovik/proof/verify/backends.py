@@ -1,4 +1,4 @@
-"""What evaluates a state: one interface for the generated C, the interpreter, the references and foreign programs."""
+"""Backends evaluate states: one interface for the generated C, the interpreter, the references, foreign programs."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from mahovik.proof import reference
 
 
 class Backend(Protocol):
-    """Evaluates states of one stand."""
+    """An evaluator of states of one stand."""
 
     @property
     def name(self) -> str:
-        """Word for tables and messages."""
+        """Name in tables and messages."""
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """What `want` names, under the names of the contract. Raises StateError."""
+        """Quantities of `want`, by the names of the contract. Raises StateError."""
 
 
 class NumpyBackend:

@@ -1,4 +1,4 @@
-"""Accepted differences of every quantity, relative to its natural scale, by element type. The one place of them."""
+"""Accepted differences of every quantity, relative to its natural scale, by element type; written nowhere else."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mahovik.proof.reference.inverse import CUTS, Cuts
 
 @dataclass(frozen=True)
 class Bounds:
-    """What is accepted of the judged program, and how the references are evaluated for it.
+    """Accepted differences of the judged program, and how the references are evaluated for it.
 
     default      of every quantity that `special` does not name
     special      by (want, quantity)
@@ -67,5 +67,5 @@ BOUNDS = {"double": DOUBLE, "float": FLOAT}
 
 
 def uniform(tolerance: float) -> Bounds:
-    """The same for all: what a caller gives."""
+    """Bounds of a caller: the same for all quantities."""
     return Bounds(tolerance, derivations=tolerance)

@@ -1,23 +1,178 @@
-"""The generated C as a backend: printed, compiled, loaded and called; beside it the interpreter of the same program."""
+"""A stand's program as a backend: the generated C, printed, compiled, loaded and called; beside it the interpreter."""
 
 from __future__ import annotations
 
+import math
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from mahovik.contract.functions import FUNCTIONS, WANTS
+from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
-from mahovik.core.emit.header import read_header
+from mahovik.core.emit.reading import read_header
+from mahovik.core.lower.layout import Layout
+from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
-from mahovik.errors import CheckError, UsageError
-from mahovik.proof.verify.program_backend import ProgramBackend
+from mahovik.errors import CheckError, StateError, UsageError
+
+NEAR_SINGULAR_BELOW = 1e-6
+"""`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
+
+
+Runner = Callable[[str, Mapping[str, Any]], tuple[int, dict[str, Any]]]
+"""Calls a function of the program by name with plain inputs; returns its status and outputs."""
+
+
+class ProgramBackend:
+    """Answers of a program, run as compiled C or by the interpreter.
+
+    `table`, `mounting`: the prepared stand as the functions take it; no mounting without flywheels.
+    """
+
+    def __init__(self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner) -> None:
+        self.name = name
+        self.mounting = mounting
+        self.layout = layout
+        self.program = program
+        self._table = table
+        self._run = run
+
+    @property
+    def wants(self) -> tuple[str, ...]:
+        """Wants that the program answers: no `points` on a stand without points, no `mounts` without flywheels."""
+        needs = {want: "" if want == "coupled" else FUNCTIONS[want].needs for want in WANTS}
+        return tuple(want for want, part in needs.items() if not part or getattr(self.layout, part))
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Bodies on which the program takes a run-time wrench."""
+        return self.layout.inputs
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """Results by the names of stand.md. Raises StateError."""
+        for name in want:
+            if name not in WANTS:
+                raise StateError(f'want: unknown "{name}", expected one of {", ".join(WANTS)}')
+        missing = [body for body in state.wrench if body not in self.inputs]
+        if missing:
+            raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
+        inputs = self.arguments(state)
+        results: dict[str, Any] = {}
+        if any(law.invalid for law in self.layout.law_tables):
+            self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
+        for name in want:
+            results |= self.answer(name, state, inputs)
+        return results
+
+    def answer(self, want: str, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """Results of one want, for arguments by name. Raises StateError."""
+        shaped = getattr(self, f"_{want}", None)
+        found: dict[str, Any] = shaped(state, inputs) if shaped else self._plain(want, inputs)
+        return found
+
+    def _plain(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """Results of a function by name; those of a struct of results by its members."""
+        outputs = self._call(function, inputs)
+        found: dict[str, Any] = outputs.get("out", outputs)
+        return found
+
+    def arguments(self, state: State) -> dict[str, Any]:
+        """A state as arguments of the program's functions, by name."""
+        if state.quaternion is not None:
+            attitude: Any = state.quaternion
+        elif state.angles is not None:
+            attitude = self._call("quaternion", {"angles": state.angles})["attitude"]
+        else:
+            attitude = (1.0, 0.0, 0.0, 0.0)
+        x = {"position": state.position, "attitude": attitude, "V": state.V}
+        if self.layout.flywheels:
+            x |= {"phi": state.phi, "phi_dot": state.phi_dot}
+        zero = (0.0,) * 6
+        wrench = [number for body in self.inputs for number in state.wrench.get(body, zero)]
+        return {
+            "table": self._table,
+            "mounting": self.mounting,
+            "x": x,
+            "sine": [math.sin(phi) for phi in state.phi],
+            "cosine": [math.cos(phi) for phi in state.phi],
+            "V_dot": state.V_dot,
+            "phi_ddot": state.phi_ddot,
+            "tau": state.tau,
+            "locked": [0] * len(state.phi),
+            "wrench": wrench,
+            "options": {  # of `inverse`, by stand.md
+                "weight": [1.0] * len(state.phi),
+                "limit": [self.layout.precision.largest] * len(state.phi),
+                "near": NEAR_SINGULAR_BELOW,
+                "damping": 0.0,
+            },
+        }
+
+    def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Calls one function with those of the inputs that it takes; returns status and outputs."""
+        wanted = {a.name for a in self.program.function(function).arguments if a.direction != "out"}
+        return self._run(function, {name: value for name, value in inputs.items() if name in wanted})
+
+    def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        status, outputs = self.call(function, inputs)
+        self._refuse(status)
+        return outputs
+
+    def _refuse(self, status: int) -> None:
+        """Raises StateError for a negative status."""
+        if status < 0:
+            name = status_words(status)
+            raise StateError(f"{name}: {refusal_reason(name, 'refused')}")
+
+    def _matrices(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        found = self._plain("matrices", inputs)
+        if not self.layout.flywheels:
+            found |= {"I": [[] for _ in range(6)], "J": [[] for _ in range(6)]}
+        return found
+
+    def _generalized(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if state.quaternion is not None:
+            raise StateError("generalized: needs angles, not a quaternion")
+        angles = state.angles or (0.0, 0.0, 0.0)
+        found: dict[str, Any] = self._call("generalized", {**inputs, "angles": angles})["out"]
+        return found
+
+    def _torque(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        return self._call("torque", inputs) if self.layout.flywheels else {"tau": []}
+
+    def _mounts(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.flywheels:
+            return {"mount_wrench": np.zeros((0, 6))}
+        flat = self._call("mounts", inputs)["mount_wrench"]
+        return {"mount_wrench": [flat[i : i + 6] for i in range(0, len(flat), 6)]}
+
+    def _coupled(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.flywheels:
+            return {**self._call("forward", inputs), "phi_ddot": []}
+        return self._call("coupled", inputs)
+
+    def _inverse(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        status, outputs = self.call("inverse", inputs)
+        self._refuse(status)
+        found = {"phi_ddot": [], "sigma": []} | outputs["out"]
+        result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
+        return result | {"status": status_words(status)}
+
+    def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        if not self.layout.sensors:
+            return {"points": {}}
+        readings = self._call("points", inputs)["out"]
+        return {"points": dict(zip(self.layout.sensors, readings, strict=True))}
 
 
 def with_all_inputs(stand: Stand) -> Stand:
@@ -34,24 +189,23 @@ class InterpreterBackend(ProgramBackend):
     """A stand's program run by the interpreter."""
 
     def __init__(self, generated: Generated) -> None:
-        interpreter = Interpreter(generated.program)
+        interpreter, values = Interpreter(generated.program), generated.values
+        stand = prepare_records(interpreter, generated.layout, values.table, values.mounting)
+        super().__init__("interpreter", generated.layout, generated.program, *stand, interpreter.run)
 
-        def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
-            return interpreter.run(function, inputs)
 
-        table = interpreter.filled(generated.layout.table, generated.values.table)
-        mounting = None
-        if generated.values.mounting is not None:
-            mounting = interpreter.filled(generated.layout.mount_table, generated.values.mounting)
-        super().__init__("interpreter", generated.layout, generated.program, table, mounting, run)
+def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounting: Any) -> tuple[Any, Any]:
+    """Table and mounting as records, which the interpreter takes as they are: made once, for every call."""
+    records = None if mounting is None else interpreter.filled(layout.mount_table, mounting)
+    return interpreter.filled(layout.table, table), records
 
 
 class CBackend(ProgramBackend):
-    """Compiled C of a stand: freshly generated, or with `folder` what lies there as <name>.h and <name>.c.
+    """Compiled C of a stand: freshly generated, or <name>.h and <name>.c of `folder`.
 
-    `lanes`: None for those of the C that lies there, of fresh C 1, or what suits the host where it is `fast`. C that
-    lies there is compiled for speed where its header says so. `generated`: what `generate_all` gives, with these
-    options, where the caller has it.
+    `lanes`: None means those of the C in the folder; without a folder 1, or what suits the host if it is `fast`. C of a
+    folder is compiled for speed if its header asks for it. `generated`: the result of `generate_all` with these
+    options, if the caller has it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
@@ -66,19 +220,17 @@ class CBackend(ProgramBackend):
         fast: bool = False,
         generated: Generated | None = None,
     ) -> None:
-        self._stand = stand
-        self._precision_name = precision_name
-        self._folder = folder
+        self._stand, self._precision_name, self._folder = stand, precision_name, folder
         says_fast = fast
         if folder is not None:
-            lanes, says_fast = _given(folder, stand, precision_name, lanes)
+            lanes, says_fast = _check_folder(folder, stand, precision_name, lanes)
         elif lanes is None:
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
         self.fast = fast or says_fast
         self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            place = folder if folder is not None else _written(self.generated.files, Path(scratch))
+            place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
             header, source = place / f"{stand.name}.h", place / f"{stand.name}.c"
             self.library = Library(header, source, Path(scratch), stand.name, self.fast)
         program = self.generated.program
@@ -102,11 +254,9 @@ class CBackend(ProgramBackend):
     def full(self) -> CBackend:
         """The C of the same stand with a run-time wrench on every body."""
         stand = with_all_inputs(self._stand)
-        return (
-            self
-            if stand == self._stand
-            else CBackend(stand, self._precision_name, lanes=self.layout.lanes, fast=self.fast)
-        )
+        if stand == self._stand:
+            return self
+        return CBackend(stand, self._precision_name, lanes=self.layout.lanes, fast=self.fast)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
@@ -115,7 +265,7 @@ class CBackend(ProgramBackend):
         return super().evaluate(state, want)
 
     def interpreter_evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        """The same by the interpreter: equal bits are demanded."""
+        """The same results by the interpreter, whose bits must be equal."""
         if any(body not in self.inputs for body in state.wrench):
             return self.full.interpreter.evaluate(state, want)
         return self.interpreter.evaluate(state, want)
@@ -125,34 +275,29 @@ class CBackend(ProgramBackend):
         return self.library.value(self.generated.program.function("forward"), "table")
 
 
-def _written(files: Mapping[str, str], scratch: Path) -> Path:
+def _write_files(files: Mapping[str, str], scratch: Path) -> Path:
     for name, text in files.items():
         (scratch / name).write_text(text, encoding="ascii", newline="\n")
     return scratch
 
 
-def _given(folder: Path, stand: Stand, real: str, lanes: int | None) -> tuple[int, bool]:
-    """Lanes of the C in the folder, and whether it is for speed. Raises UsageError, CheckError where it is other C."""
+def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> tuple[int, bool]:
+    """Lanes of the C in the folder, and whether it is for speed. Raises UsageError; CheckError: other C."""
     path = folder / f"{stand.name}.h"
     header = read_header(folder, stand.name)
     if header is None or not path.with_suffix(".c").is_file():
         missing = path if header is None else path.with_suffix(".c")
         raise UsageError(f"{missing}: no such file; --against wants the folder with {stand.name}.h and {stand.name}.c")
     expected = identities(stand)
-    pairs = (
-        ("structure", header.structure, expected.structure),
-        ("physics", header.physics, expected.physics),
-    )
-    for kind, have, want in pairs:
+    for kind in ("structure", "physics"):
+        have, want = getattr(header, kind), getattr(expected, kind)
         if have != want:
             raise CheckError(
                 f"{path}: its {kind} is {have or 'none'}, that of the stand file {want}: generate it again"
             )
     if header.real != real:
         remedy = f"give --real {header.real}" if header.real in PRECISIONS else "generate it again"
-        raise UsageError(
-            f"{path}: its C is {header.real or 'of no known element type'}, asked was for {real}: {remedy}"
-        )
+        raise UsageError(f"{path}: its C is {header.real or 'of no known element type'}, expected {real}: {remedy}")
     if lanes is not None and header.lanes != lanes:
-        raise UsageError(f"{path}: its C has lanes {header.lanes}, asked was for {lanes}: leave --lanes out")
+        raise UsageError(f"{path}: its C has lanes {header.lanes}, expected {lanes}: leave --lanes out")
     return header.lanes, header.fast

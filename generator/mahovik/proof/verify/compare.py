@@ -14,26 +14,29 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.reference.inverse import inverse as reference_inverse
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, Bounds
 from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales.magnitudes import Magnitudes
+from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 from mahovik.proof.verify.states import Request
 
 
 @dataclass(frozen=True)
-class Three:
-    """Differences of the three pairs at one state; the names are those of Row."""
+class Differences:
+    """Differences of the three pairs at one state, as in Row; of judged and reference alone, the others are None."""
 
     worst: float
-    second: float
-    between: float
+    second: float | None = None
+    between: float | None = None
 
-    def alone(self, tolerance: float, derivations: float, judged: str) -> str:
-        """Who stands alone: the two that are nearest are taken to agree, if they do within what is accepted."""
+    def odd_one(self, tolerance: float, derivations: float, judged: str) -> str:
+        """The one of the three that differs: the two that are nearest agree, if they do within what is accepted."""
         pairs = (
-            (self.between / tolerance, f"{judged} and second agree, reference differs"),
-            (self.second / derivations, f"reference and second agree, {judged} differs"),
+            ((self.between or 0.0) / tolerance, f"{judged} and second agree, reference differs"),
+            ((self.second or 0.0) / derivations, f"reference and second agree, {judged} differs"),
             (self.worst / tolerance, f"{judged} and reference agree, second differs"),
         )
         nearest, words = min(pairs)
@@ -47,10 +50,10 @@ class Row:
     worst         judged - reference
     second        second derivation - reference; None where the second derivation has no such quantity
     between       judged - second derivation; None likewise
-    disagreement  who stands alone, where they do not all agree
+    disagreement  which of the three differs, where they do not all agree
     tolerance     accepted of `worst` and `between`, where it is not the report's
     derivations   accepted of `second`, where it is not the tolerance
-    three         the differences of `state`
+    at_state      the differences at `state`
     """
 
     want: str
@@ -66,64 +69,51 @@ class Row:
     disagreement: str = ""
     tolerance: float | None = None
     derivations: float | None = None
-    three: Three | None = None
+    at_state: Differences | None = None
 
     @property
     def failed(self) -> bool:
-        """Whether the whole verification fails by this row."""
+        """Whether this row makes the whole verification fail."""
         return self.verdict not in ("ok", "not offered", "not compared")
 
     @property
     def excess(self) -> float:
         """The largest difference of any pair over what is accepted of it."""
-        return self._excess(Three(self.worst, self.second or 0.0, self.between or 0.0))
+        difference, accepted, _ = self.nearest()
+        return difference / accepted
 
-    def _excess(self, three: Three) -> float:
-        return max(difference / accepted for difference, accepted, _ in self._pairs(three))
+    def nearest(self, at: Differences | None = None) -> tuple[float, float, str]:
+        """Difference of the pair that is nearest to its bound, the accepted difference, and the names of the pair.
 
-    def nearest(self) -> tuple[float, float, str]:
-        """Difference of the pair that is nearest to its bound, the accepted difference, and the names of the pair."""
-        three = Three(self.worst, self.second or 0.0, self.between or 0.0)
-        return max(self._pairs(three), key=lambda pair: pair[0] / pair[1])
-
-    def _pairs(self, three: Three) -> tuple[tuple[float, float, str], ...]:
-        tolerance = self.tolerance or 1.0
-        return (
-            (three.worst, tolerance, "judged and reference"),
-            (three.second, self.derivations or tolerance, "second and reference"),
-            (three.between, tolerance, "judged and second"),
+        `at`: of these differences, by default of the largest.
+        """
+        found, tolerance = at or Differences(self.worst, self.second, self.between), self.tolerance or 1.0
+        pairs = (
+            (found.worst, tolerance, "judged and reference"),
+            (found.second or 0.0, self.derivations or tolerance, "second and reference"),
+            (found.between or 0.0, tolerance, "judged and second"),
         )
+        return max(pairs, key=lambda pair: pair[0] / pair[1])
 
-    def note(self, difference: float, request: Request, reason: str = "") -> None:
-        """Count one state, of what the second derivation does not have."""
+    def note(self, at: Differences, request: Request, reason: str = "") -> None:
+        """Count one state; its request is kept where none before was worse."""
         self.states += 1
-        self._keep(Three(difference, 0.0, 0.0), request, reason)
-        self.worst = max(self.worst, difference)
-
-    def note_three(self, three: Three, request: Request, reason: str = "") -> None:
-        """Count one state that all three have evaluated, or refused."""
-        self.states += 1
-        if self._keep(three, request, reason):
-            self.three = three
-        self.worst = max(self.worst, three.worst)
-        self.second = max(self.second or 0.0, three.second)
-        self.between = max(self.between or 0.0, three.between)
-
-    def _keep(self, three: Three, request: Request, reason: str) -> bool:
-        """Keep this state where none before was worse."""
-        if self.request is not None and self._excess(three) <= self.excess:
-            return False
-        self.request, self.reason = request, reason
-        self.state = str(request.id).partition(",")[0]
-        return True
+        difference, accepted, _ = self.nearest(at)
+        if self.request is None or difference / accepted > self.excess:
+            self.request, self.reason, self.at_state = request, reason, at
+            self.state = str(request.id).partition(",")[0]
+        self.worst = max(self.worst, at.worst)
+        if at.second is not None and at.between is not None:
+            self.second, self.between = max(self.second or 0.0, at.second), max(self.between or 0.0, at.between)
 
 
 class Judge:
     """Compares results of one stand with the reference and keeps the worst of every quantity.
 
     With `second`, the second derivation, all three are compared with one another where it has the want.
-    A state that the reference refuses is no test of anybody, and `expected` is None there; so is a state of
-    `inverse` whose rank or status hangs on the last digits of a singular value.
+    A state that the reference refuses tests nothing, and `expected` is None there. Where the rank or status of
+    `inverse` depends on the last digits of a singular value, the rank of the judged program is taken if it is one of
+    those that rounding allows, and its answer is compared with that of the reference for this rank.
     """
 
     def __init__(self, stand: Stand, bounds: Bounds, second: Second | None = None, judged: str = "C") -> None:
@@ -134,75 +124,88 @@ class Judge:
         self._rows: dict[tuple[str, str], Row] = {}
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
         self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
+        self._undecided = False
 
     def expected(self, state: State, want: str) -> dict[str, Any] | None:
-        """What the reference gives, or None."""
+        """Answer of the reference, or None."""
         if self._last[0] is not state or self._last[1] != want:
-            self._last = (state, want, self._evaluated(state, want))
+            found: dict[str, Any] | None
+            try:
+                found = reference.evaluate(self._stand, state, [want], self._at(state), self._bounds.cuts)
+            except (StateError, np.linalg.LinAlgError, ArithmeticError):
+                found = None
+            self._undecided = found is not None and want == "inverse" and self._ambiguous(found, state)
+            self._last = (state, want, found)
         return self._last[2]
 
-    def _evaluated(self, state: State, want: str) -> dict[str, Any] | None:
-        try:
-            found = reference.evaluate(self._stand, state, [want], self._at(state), self._bounds.cuts)
-        except (StateError, np.linalg.LinAlgError, ArithmeticError):
-            return None
-        return None if want == "inverse" and self._ambiguous(found, state) else found
+    def compare(
+        self,
+        request: Request,
+        want: str,
+        found: Mapping[str, Any] | None,
+        left_out: Collection[str] = (),
+        reason: str = "",
+    ) -> None:
+        """Note the differences of one state, but of what is `left_out`.
 
-    def compare(self, request: Request, want: str, found: Mapping[str, Any], left_out: Collection[str] = ()) -> float:
-        """Note the differences of one state, but of what is `left_out`; returns the largest from the reference."""
+        `found`: the judged values; None where the state was refused, for the `reason`.
+        """
         expected = self.expected(request.state, want)
         if expected is None:
-            return 0.0
-        natural, floor = self._scales(request.state, want), self._bounds.floor
-        second, refusal = self._second_values(request.state, want)
-        largest = 0.0
-        for quantity, value in expected.items():
-            if quantity in left_out:
-                continue
-            off, reason = difference(found.get(quantity), value, natural[quantity], floor)
-            largest = max(largest, off)
-            row = self._row(want, quantity)
-            if refusal:
-                row.note_three(Three(off, math.inf, math.inf), request, refusal)
-            elif quantity in second:
-                other, words = difference(second[quantity], value, natural[quantity], floor)
-                apart = difference(found.get(quantity), second[quantity], natural[quantity], floor)[0]
-                row.note_three(Three(off, other, apart), request, reason or words)
-            else:
-                row.note(off, request, reason)
-        return largest
-
-    def refused(self, request: Request, want: str, reason: str, left_out: Collection[str] = ()) -> None:
-        """Note a state that was refused though the reference evaluates it; of what is `left_out`, nothing."""
-        expected = self.expected(request.state, want)
-        if expected is None:
+            return
+        if self._undecided and found is not None:
+            self._compare_at_its_rank(request, found, left_out)
             return
         natural, floor = self._scales(request.state, want), self._bounds.floor
         second, refusal = self._second_values(request.state, want)
         for quantity, value in expected.items():
             if quantity in left_out:
                 continue
+            off, words, between = math.inf, reason, math.inf
+            if found is not None:
+                off, words = difference(found.get(quantity), value, natural[quantity], floor)
             row = self._row(want, quantity)
-            if refusal:
-                row.note_three(Three(math.inf, math.inf, 0.0), request, f"{reason}; {refusal}")
+            if refusal and found is None:
+                row.note(Differences(off, math.inf, 0.0), request, f"{reason}; {refusal}")
+            elif refusal:
+                row.note(Differences(off, math.inf, math.inf), request, refusal)
             elif quantity in second:
-                other = difference(second[quantity], value, natural[quantity], floor)[0]
-                row.note_three(Three(math.inf, other, math.inf), request, reason)
+                other, more = difference(second[quantity], value, natural[quantity], floor)
+                if found is not None:
+                    between = difference(found.get(quantity), second[quantity], natural[quantity], floor)[0]
+                row.note(Differences(off, other, between), request, words or more)
             else:
-                row.note(math.inf, request, reason)
+                row.note(Differences(off), request, words)
+
+    def _compare_at_its_rank(self, request: Request, found: Mapping[str, Any], left_out: Collection[str]) -> None:
+        """Note sigma, and phi_ddot and residual for the rank that was found; status and rank depend on rounding."""
+        state, at, cuts = request.state, self._at(request.state), self._bounds.cuts
+        sigma, rank = reference_inverse(at, np.array(state.V_dot), cuts).sigma, found.get("rank")
+        cut = cuts.rank * sigma[0]
+        least, most = int(np.sum(sigma > 10 * cut)), int(np.sum(sigma > cut / 10))
+        if not isinstance(rank, int) or not least <= rank <= most:
+            words = f"rank {rank}, expected {least} to {most}"
+            self._row("inverse", "rank").note(Differences(math.inf), request, words)
+            return
+        expected = vars(reference_inverse(at, np.array(state.V_dot), cuts, rank))
+        natural = inverse_scales(Magnitudes(self._stand, state, at, cuts), rank)
+        for quantity in ("phi_ddot", "residual", "sigma"):
+            if quantity not in left_out:
+                off, words = difference(found.get(quantity), expected[quantity], natural[quantity], self._bounds.floor)
+                self._row("inverse", quantity).note(Differences(off), request, words)
 
     def _ambiguous(self, found: Mapping[str, Any], state: State) -> bool:
-        """Whether rank or status of `inverse` hangs on rounding.
+        """Whether rank or status of `inverse` depends on rounding.
 
         That is, a singular value within a factor of ten of a threshold, or so near to it as the accepted difference
         of `sigma`; or a residual as near to UNREACHABLE as the accepted difference of `residual`.
         """
         sigma = np.asarray(found["sigma"])
-        if not sigma.size or sigma[0] == 0.0:
+        if sigma.size and sigma[0] == 0.0:
             return False
         bounds, natural, at = self._bounds, self._scales(state, "inverse"), self._at(state)
-        ratios = sigma / sigma[0]
-        apart = bounds.of("inverse", "sigma") * natural["sigma"] / sigma[0]
+        ratios = sigma / sigma[0] if sigma.size else sigma
+        apart = bounds.of("inverse", "sigma") * natural["sigma"] / sigma[0] if sigma.size else sigma
         for cut in (bounds.cuts.rank, bounds.cuts.near):
             near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
             if np.any(near):
@@ -226,10 +229,9 @@ class Judge:
         """All rows with their verdicts, in the order in which the quantities came."""
         for row in self._rows.values():
             row.verdict = "ok" if row.states and row.excess <= 1 else "FAILED"
-            if row.failed and row.three is not None:
-                row.disagreement = row.three.alone(
-                    self._bounds.of(row.want, row.quantity), self._bounds.derivations, self._judged
-                )
+            if row.failed and row.at_state is not None and row.second is not None:
+                tolerance = self._bounds.of(row.want, row.quantity)
+                row.disagreement = row.at_state.odd_one(tolerance, self._bounds.derivations, self._judged)
         return list(self._rows.values())
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
@@ -237,7 +239,7 @@ class Judge:
             return scales(self._stand, state, self._at(state), want, self._bounds.cuts)
 
     def _at(self, state: State) -> reference.Pieces:
-        """Pieces of a state, kept for all that is wanted of it."""
+        """Pieces of a state, kept for its other wants."""
         known, at = self._pieces
         if known is not state or at is None:
             with np.errstate(all="ignore"):
@@ -251,7 +253,7 @@ class Judge:
 
 
 def difference(found: Any, expected: Any, natural: Any, floor: float = DOUBLE.floor) -> tuple[float, str]:
-    """Largest |found - expected| / scale over the components, and words where there is more to say than that."""
+    """Largest |found - expected| / scale over the components, and a reason if the values cannot be compared."""
     if found is None:
         return math.inf, "missing"
     if isinstance(expected, dict):

@@ -1,4 +1,4 @@
-"""The delivered folder on disk: written whole or not at all, never over what is somebody else's, and checked.
+"""The delivered folder on disk: written whole or not at all, never over files of others, and checked.
 
 A file is the generator's own where the folder's manifest lists it with the hash it still has, or where it is C of
 this stand that was generated before there were manifests.
@@ -14,20 +14,45 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.emit.generate import LANES, PRECISIONS, generate
-from mahovik.core.emit.header import read_header
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
+from mahovik.core.emit.reading import read_header
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.proof.verify.cost_files import COST, FIGURES, is_figures, is_page, speaks_of
-from mahovik.proof.verify.files import write_all
+from mahovik.writing import write_all
+
+COST = "COST.md"
+"""Measured cost of the C whose SHA-256 it names; kept as long as the folder holds that C."""
+
+FIGURES = "cost.json"
+"""Accepted figures, with which later C is compared; kept when the C changes."""
+
+
+def is_page(text: str, stand: Stand) -> bool:
+    """Whether it is a COST.md of this stand."""
+    return text.startswith(f"# Cost of {stand.name}\n\nWritten by `mahovik cost`")
+
+
+def is_figures(text: str, stand: Stand) -> bool:
+    """Whether it is a cost.json of this stand."""
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        return False
+    return isinstance(found, dict) and found.get("stand") == stand.name and isinstance(found.get("targets"), list)
+
+
+def names_source(cost: str, stand: Stand, files: Mapping[str, str]) -> bool:
+    """Whether a COST.md names the source of these files."""
+    return digest(files[f"{stand.name}.c"]) in cost
+
 
 _MARK = "Generated: change the stand file instead."
 
 
 @dataclass(frozen=True)
 class Delivered:
-    """Paths that were written, manifest last, and what was done beside that, a line each."""
+    """Paths that were written, manifest last, and a line on each file that was removed."""
 
     paths: tuple[Path, ...]
     notes: tuple[str, ...]
@@ -55,7 +80,7 @@ def deliver(
         raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
     _refuse_changed(folder, old)
     cost = _text(folder, COST)
-    kept = _kept(folder, stand, files)
+    kept = _kept_files(folder, stand, files)
     stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST)
@@ -63,7 +88,7 @@ def deliver(
     notes = []
     for name in stale:
         (folder / name).unlink(missing_ok=True)
-        why = "speaks of other C: measure again with `mahovik cost`" if name == COST else "is no longer delivered"
+        why = "was measured on other C: measure again with `mahovik cost`" if name == COST else "is no longer delivered"
         notes.append(f"{folder / name} was removed: it {why}")
     return Delivered(paths, tuple(notes))
 
@@ -71,22 +96,22 @@ def deliver(
 def differences(
     folder: Path, stand: Stand, real: str, files: Mapping[str, str], lanes: int = 1, fast: bool = False
 ) -> list[str]:
-    """Lines on what differs in the folder from what `deliver` would leave; none: it is what the stand file gives.
+    """Differences of the folder from what `deliver` would leave, a line each; none if it is as the stand file gives it.
 
     A folder of the other element type, of another number of lanes, or fast where that was not asked for, differs in
-    every file: that is said in one line.
+    every file: one line reports that.
     """
     header = read_header(folder, stand.name)
     if header is not None and header.real is not None and header.real != real:
         there = header.real
-        return [f"{folder}: its C is {there}, asked was for {real}: give --real {there}, or generate it again"]
+        return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
     if header is not None and header.fast != fast:
-        words = ("fast", "not") if header.fast else ("not fast", "for fast")
+        words = ("fast", "not fast") if header.fast else ("not fast", "fast")
         remedy = "give --fast" if header.fast else "leave --fast out"
-        return [f"{folder}: its C is {words[0]}, asked was {words[1]}: {remedy}, or generate it again"]
+        return [f"{folder}: its C is {words[0]}, expected {words[1]}: {remedy}, or generate it again"]
     if header is not None and header.lanes != lanes:
         remedy = f"give --lanes {header.lanes}, or generate it again"
-        return [f"{folder}: its C has lanes {header.lanes}, asked was for {lanes}: {remedy}"]
+        return [f"{folder}: its C has lanes {header.lanes}, expected {lanes}: {remedy}"]
     found = []
     for name, text in files.items():
         path = folder / name
@@ -95,9 +120,9 @@ def differences(
         elif path.read_bytes() != text.encode("utf-8"):
             found.append(f"{path}: is not what the generator makes of the stand file")
     cost = _text(folder, COST)
-    if cost is not None and not speaks_of(cost, stand, files):
-        found.append(f"{folder / COST}: speaks of other C")
-    kept = _kept(folder, stand, files) | ({COST: cost} if cost is not None else {})
+    if cost is not None and not names_source(cost, stand, files):
+        found.append(f"{folder / COST}: was measured on other C")
+    kept = _kept_files(folder, stand, files) | ({COST: cost} if cost is not None else {})
     path = folder / NAME
     if not path.is_file():
         found.append(f"{path}: is missing")
@@ -133,7 +158,7 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
                 f"{folder}: holds C of --fast, for the host alone: `mahovik generate` without it first, "
                 "nothing was written"
             )
-        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"], lanes_of(old))[f"{stand.name}.c"]:
+        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"], manifest_lanes(old))[f"{stand.name}.c"]:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
             )
@@ -154,7 +179,7 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
 def accepted_figures(folder: Path, stand: Stand) -> str | None:
     """Text of the cost.json of a stand in a folder, None where there is none.
 
-    Raises UsageError where it is of somebody else, or not as it was written.
+    Raises UsageError if the file is not ours, or was changed.
     """
     _refuse_changed(folder, _manifest(folder), (FIGURES,))
     text = _text(folder, FIGURES)
@@ -166,11 +191,11 @@ def accepted_figures(folder: Path, stand: Stand) -> str | None:
 def delivered_lanes(folder: Path) -> int:
     """The lanes of the C in a folder, by its manifest; 1 where there is none. Raises UsageError."""
     found = _manifest(folder)
-    return 1 if found is None else lanes_of(found)
+    return 1 if found is None else manifest_lanes(found)
 
 
-def lanes_of(found: Mapping[str, Any]) -> int:
-    """The lanes that a manifest tells; 1 where it was written before there were any."""
+def manifest_lanes(found: Mapping[str, Any]) -> int:
+    """Lanes in a manifest; 1 in one that was written before there were any."""
     return int(found.get("lanes", 1))
 
 
@@ -214,7 +239,7 @@ def _refuse_stand(folder: Path, stand: Stand, old: Mapping[str, Any]) -> None:
 
 
 def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST, FIGURES)) -> None:
-    """Raises UsageError for a file of `mahovik cost` that is not as the manifest has it."""
+    """Raises UsageError for a file of `mahovik cost` that differs from the manifest."""
     for name in names:
         path = folder / name
         listed = old["files"].get(name) if old is not None else None
@@ -230,10 +255,10 @@ def _unchanged(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
     return [n for n in names if digest((folder / n).read_bytes()) == old["files"][n]]
 
 
-def _kept(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
-    """What of `mahovik cost` stays beside delivered files, by name: COST.md of the same C, figures of the stand."""
+def _kept_files(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
+    """Files of `mahovik cost` that stay beside delivered ones, by name: COST.md of the same C, figures of the stand."""
     cost, figures = _text(folder, COST), _text(folder, FIGURES)
-    found = {COST: cost} if cost is not None and speaks_of(cost, stand, files) else {}
+    found = {COST: cost} if cost is not None and names_source(cost, stand, files) else {}
     return found | ({FIGURES: figures} if figures is not None and is_figures(figures, stand) else {})
 
 

@@ -9,38 +9,38 @@ from typing import Any, cast
 
 import numpy as np
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.contract.quantities import QUANTITIES, limits_of
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 
 CUT = {"double": 1e-6, "float": 1e-5}
-"""rad; nearer than this to a half turn, rounding decides which way a law turns it back."""
+"""Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
-"""Exponents of the tiniest numbers drawn; those below 1e-308, in float 1e-38, are subnormal."""
+"""Least decimal exponent of a number in a state; below 1e-308, in float 1e-38, numbers are subnormal."""
 
 
 def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:
     """`count` states with their names, `KIND NUMBER`: two ordinary, one extreme, and so on.
 
-    Every fourth ordinary one has a run-time wrench on every body, where `wrenches` allows it. For float every number
-    is one of float, but for the quaternion: it has unit length in double.
+    Every fourth ordinary one has a run-time wrench on every body; without `wrenches` on those that take one only. For
+    float every number is one of float, but for the quaternion: it has unit length in double.
     """
     found = []
     rng = np.random.default_rng(seed)
-    for number, kind in zip(range(count), _kinds(), strict=False):
-        state = _one(stand, rng, kind, real)
+    for number, kind in zip(range(count), _state_kinds(), strict=False):
+        state = _draw_state(stand, rng, kind, real)
         while _near_a_branch(stand, state, CUT[real]):
-            state = _one(stand, rng, "random", real)
-        if not wrenches and kind == "wrenched":
-            state = replace(state, wrench=MappingProxyType({}))
-        found.append((f"{kind} {number}", rounded(state) if real == "float" else state))
+            state = _draw_state(stand, rng, "random", real)
+        if not wrenches:
+            state = without_others(stand, state)
+        found.append((f"{kind} {number}", round_to_float(state) if real == "float" else state))
     return found
 
 
-def _kinds() -> Iterator[str]:
+def _state_kinds() -> Iterator[str]:
     yield "rest"
     extremes = [kind for kind in EXTREMES if kind != "rest"]
     number = 0
@@ -51,7 +51,7 @@ def _kinds() -> Iterator[str]:
         number += 1
 
 
-def _one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
+def _draw_state(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
     if kind in EXTREMES:
         return extreme_state(stand, rng, kind, limits_of("phi", real)[0], LEAST_EXPONENT[real])
     state = random_state(stand, rng)
@@ -60,7 +60,13 @@ def _one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
     return state
 
 
-def rounded(state: State) -> State:
+def without_others(stand: Stand, state: State) -> State:
+    """The state with run-time wrenches on the bodies that take one (`wrench_input`) only."""
+    takes = {body.name for body in stand.bodies if body.wrench_input}
+    return replace(state, wrench=MappingProxyType({name: w for name, w in state.wrench.items() if name in takes}))
+
+
+def round_to_float(state: State) -> State:
     """The state with every number but the quaternion rounded to the nearest float."""
     keys = [row.symbol for row in QUANTITIES.values() if row.input and row.symbol != "wrench"]
     given = {key: getattr(state, key) for key in keys}
@@ -74,5 +80,5 @@ def _float(number: float) -> float:
 
 
 def _near_a_branch(stand: Stand, state: State, cut: float) -> bool:
-    """Whether some law is nearer than `cut` (rad) to where two answers are equally right."""
+    """Whether some law is nearer than `cut` (rad) to a state with two right answers."""
     return any(law.margin(stand, state) < cut for law in laws.parts("reference") if hasattr(law, "margin"))

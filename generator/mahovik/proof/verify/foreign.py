@@ -1,11 +1,17 @@
-"""Any program that speaks the `eval` contract, judged as a whole: states into it, its results against ours."""
+"""Comparison of any program that follows the `eval` contract: states are sent to it, its results are compared."""
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import shlex
+import signal
+import subprocess
+import threading
+from collections import deque
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import IO, Any
 
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand.model import Stand
@@ -14,15 +20,13 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import DOUBLE, uniform
 from mahovik.proof.verify.compare import Judge, Row
-from mahovik.proof.verify.converse import converse
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.evaluate import state_line
-from mahovik.proof.verify.harness import askable, report
+from mahovik.proof.verify.harness import applicable, report
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.states import Request, shown
+from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 
 OPTIONAL = {"generalized": ("I0", "J0")}
-"""Quantities that a program may leave out of a want that it offers: (10) and (11) can be had without them."""
+"""Quantities that a program may leave out of a want that it offers: (10) and (11) do not need them."""
 
 
 def verify_program(
@@ -41,7 +45,7 @@ def verify_program(
     A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
     Raises UsageError where it cannot be started.
     """
-    states = draw(stand, seed, count)
+    states = draw(stand, seed, count, wrenches=False)
     requests = _requests(states, wants or WANTS)
     try:
         found = ask(command, stand_file, requests, timeout)
@@ -52,7 +56,7 @@ def verify_program(
 
 
 def ask(command: str, stand_file: str, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
-    """What a program says to requests: a result for each, in order; `{stand}` in the command becomes the stand file.
+    """Results of a program for requests, in order; `{stand}` in the command becomes the stand file.
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
@@ -61,9 +65,12 @@ def ask(command: str, stand_file: str, requests: Sequence[Request], timeout: flo
 
 
 def _requests(states: Sequence[tuple[str, State]], wants: Sequence[str]) -> list[Request]:
-    """One want a line, so that a want which a program lacks spoils no other."""
+    """Requests of one want each, so that a want that a program lacks does not affect others."""
     return [
-        Request(f"{name}, {want}", state, (want,)) for name, state in states for want in wants if askable(state, want)
+        Request(f"{name}, {want}", state, (want,))
+        for name, state in states
+        for want in wants
+        if applicable(state, want)
     ]
 
 
@@ -88,7 +95,7 @@ def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Ma
         if not isinstance(result, dict):
             raise CheckError(f"line {number} of its output is no object: {_start(line)}")
         if result.get("id") != request.id:
-            given = shown(result.get("id"))
+            given = excerpt(result.get("id"))
             raise CheckError(f'line {number} of its output has the id {given}, expected "{request.id}"')
         found.append(result)
     if len(lines) != len(requests):
@@ -107,29 +114,104 @@ def _rows(
 ) -> list[Row]:
     """Rows of the wants it offers; one row for each it does not."""
     judge = Judge(stand, uniform(tolerance), Second(stand), "program")
-    wants = list(dict.fromkeys(request.want[0] for request in requests))
-    offered = {request.want[0] for request, result in zip(requests, found, strict=True) if "error" not in result}
-    left_out = {want: _left_out(want, requests, found) for want in offered}
+    by_want: dict[str, list[Mapping[str, Any]]] = {}
+    for request, result in zip(requests, found, strict=True):
+        by_want.setdefault(request.want[0], []).append(result)
+    # of each want it offers, the optional quantities that are in no result; one that is in some must be in all
+    omitted = {
+        want: tuple(name for name in OPTIONAL.get(want, ()) if not any(name in result for result in results))
+        for want, results in by_want.items()
+        if not all("error" in result for result in results)
+    }
     for request, result in zip(requests, found, strict=True):
         want = request.want[0]
-        if want not in offered:
-            continue
-        if "error" in result:
-            judge.refused(request, want, f"refused: {result['error']}"[:200], left_out[want])
-        else:
-            judge.compare(request, want, result, left_out[want])
+        if want in omitted:
+            refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
+            judge.compare(request, want, None if refusal else result, omitted[want], refusal)
     rows = judge.rows()
-    for want in wants:
-        for quantity in left_out.get(want, ()):
-            rows.append(Row(want, quantity, verdict="not offered", reason="in none of its results"))
-    for want in wants:
-        if want not in offered:
-            reason = next(str(r["error"])[:200] for q, r in zip(requests, found, strict=True) if q.want[0] == want)
-            rows.append(Row(want, want, verdict="MISSING" if required else "not offered", reason=reason))
+    for want, names in omitted.items():
+        rows += (Row(want, name, verdict="not offered", reason="in none of its results") for name in names)
+    for want, results in by_want.items():
+        if want not in omitted:
+            verdict = "MISSING" if required else "not offered"
+            rows.append(Row(want, want, verdict=verdict, reason=str(results[0]["error"])[:200]))
     return rows
 
 
-def _left_out(want: str, requests: Sequence[Request], found: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
-    """Optional quantities that are in no result; one that is in some results must be in all."""
-    results = [result for request, result in zip(requests, found, strict=True) if request.want[0] == want]
-    return tuple(name for name in OPTIONAL.get(want, ()) if not any(name in result for result in results))
+def converse(words: Sequence[str], lines: Sequence[str], timeout: float) -> list[bytes]:
+    """Output lines of a program for these input lines, without blank lines.
+
+    All lines are written and its input is closed, whether it answers each at once or all at the end.
+    Raises CheckError where it dies, hangs or does not stop printing; UsageError where it cannot be started.
+    """
+    try:
+        process = subprocess.Popen(
+            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        )
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise UsageError(f"--with {words[0]}: cannot be started: {reason}") from None
+    assert process.stdin is not None and process.stdout is not None and process.stderr is not None
+    found: list[bytes] = []
+    complaints: deque[bytes] = deque(maxlen=1)
+    threads = [
+        threading.Thread(target=_feed, args=(process.stdin, lines), daemon=True),
+        threading.Thread(target=_read, args=(process.stdout, found, len(lines)), daemon=True),
+        threading.Thread(target=_listen, args=(process.stderr, complaints), daemon=True),
+    ]
+    try:
+        for thread in threads:
+            thread.start()
+        threads[1].join(timeout)
+        if threads[1].is_alive():
+            raise CheckError(f"{words[0]} gave no complete answer in {timeout:g} s")
+        if len(found) > len(lines):
+            raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
+        try:
+            status = process.wait(timeout)
+        except subprocess.TimeoutExpired:
+            raise CheckError(f"{words[0]} did not end in {timeout:g} s") from None
+    finally:
+        _stop(process)
+        for thread in threads:
+            thread.join()
+        process.stdout.close()
+        process.stderr.close()
+    last = complaints[0].decode("utf-8", "replace").strip()[:200] if complaints else ""
+    if status not in (0, 1):  # 1: some states failed, which their lines say
+        how = f"signal {-status}" if status < 0 else f"status {status}"
+        raise CheckError(f"{words[0]} ended with {how}" + (f": {last}" if last else ""))
+    if not found:
+        raise CheckError(f"{words[0]} gave nothing" + (f": {last}" if last else ""))
+    return found
+
+
+def _feed(pipe: IO[bytes], lines: Sequence[str]) -> None:
+    with contextlib.suppress(OSError):  # it has stopped reading: what it printed will tell
+        for line in lines:
+            pipe.write(line.encode() + b"\n")
+    with contextlib.suppress(OSError):
+        pipe.close()
+
+
+def _read(pipe: IO[bytes], found: list[bytes], count: int) -> None:
+    """Lines until the end, or until there are too many."""
+    while len(found) <= count:
+        line = pipe.readline(LONGEST)
+        if not line:
+            return
+        if line.strip():
+            found.append(line)
+
+
+def _listen(pipe: IO[bytes], complaints: deque[bytes]) -> None:
+    while line := pipe.readline(LONGEST):
+        if line.strip():
+            complaints.append(line)
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    """Kill the program and all processes that it started."""
+    with contextlib.suppress(OSError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()

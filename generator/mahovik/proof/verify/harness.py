@@ -1,37 +1,41 @@
-"""Judging a backend, the generated C in particular, by two derivations, over random and extreme states."""
+"""Comparison of a backend, the generated C above all, with two derivations over random and extreme states."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
-from mahovik.proof.verify.batch import batch_row
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Judge, Row, same_bits
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.refusals import refusals
+from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.functions.registry import function_rows
+from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request
 
-if TYPE_CHECKING:
-    from mahovik.proof.verify.c_backend import CBackend
-
 INVERSE_EVERY = 8
-"""The interpreter runs `inverse`, tens of thousands of operations, on one state of so many."""
+"""The interpreter runs `inverse`, tens of thousands of operations, at every eighth state."""
+
+FUNCTION_STATES = 12
+"""Ordinary states at which functions that answer no want are judged."""
 
 Progress = Callable[[int, int], None]
 """States done, states in all."""
 
 
-def askable(state: State, want: str) -> bool:
-    """Whether the contract lets a state ask for it: `generalized` wants angles."""
+def applicable(state: State, want: str) -> bool:
+    """Whether the contract allows this want at the state: `generalized` needs angles."""
     return want != "generalized" or state.quaternion is None
 
 
@@ -49,18 +53,24 @@ def judge(
     found = Judge(stand, bounds, second, judged)
     for done, (name, state) in enumerate(states):
         for want in wants:
-            if not askable(state, want):
+            if not applicable(state, want):
                 continue
-            request = Request(name, state, (want,))
             if found.expected(state, want) is None:
                 continue
             try:
-                found.compare(request, want, backend.evaluate(state, (want,)))
+                values, reason = backend.evaluate(state, (want,)), ""
             except StateError as error:
-                found.refused(request, want, f"refused: {error}")
+                values, reason = None, f"refused: {error}"
+            found.compare(Request(name, state, (want,)), want, values, reason=reason)
         if progress is not None:
             progress(done + 1, len(states))
-    return found.rows()
+    rows = found.rows()
+    compared = {row.want for row in rows}
+    return rows + [
+        Row(want, "no state compared", verdict="FAILED", reason="no reference has an answer at any of the states")
+        for want in wants
+        if want not in compared and states
+    ]
 
 
 def verify_c(
@@ -76,7 +86,7 @@ def verify_c(
     wrenches: bool = True,
     backend: CBackend | None = None,
 ) -> Report:
-    """Generated C, fresh or as it lies in `against`: compiled without a warning, and judged three ways.
+    """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
     `lanes`, `fast`: as CBackend has them. C for speed is held to the same tolerances, not to the interpreter's bits.
     `wrenches`: run-time wrenches on every body, for which fresh C is compiled once more, with all its inputs.
@@ -85,15 +95,16 @@ def verify_c(
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
-    from mahovik.proof.verify.c_backend import CBackend
-
     backend = backend or CBackend(stand, real, against, lanes, fast)
     states = draw(stand, seed, count, real, wrenches=wrenches and against is None)
-    rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, Second(stand))
-    rows.append(bits(backend, states, against))
-    rows.append(refusals(backend.program, _good_inputs(backend, states), _raw(backend)))
-    beside = None if against is None else batch_row(stand, backend.generated, against)
-    rows += [] if beside is None else [beside]
+    second = Second(stand)
+    rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
+    some = ordinary(states, backend.inputs, FUNCTION_STATES)
+    rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
+    rows.append(check_bits(backend, states, against))
+    rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
+    if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
+        rows.append(batch)
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", lanes {backend.layout.lanes}" if backend.layout.lanes > 1 else ""
     judged += ", fast" if backend.fast else ""
@@ -108,8 +119,8 @@ def report(
     return Report(stand.name, names.structure, names.physics, judged, seed, count, tolerance, tuple(rows), error)
 
 
-def bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Row:
-    """The interpreter of the program gives the same bits as the compiled C: printer, templates and compiler are right.
+def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Row:
+    """Row: the interpreter of the program gives the same bits as the compiled C, so printer and compiler are right.
 
     C that another version generated may round otherwise: it is held to the tolerance only.
     """
@@ -121,7 +132,7 @@ def bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path |
         row.verdict, row.reason = "not compared", "its text is not what this version generates"
         return row
     for number, (name, state) in enumerate(states):
-        wants = [want for want in backend.wants if askable(state, want)]
+        wants = [want for want in backend.wants if applicable(state, want)]
         if number % INVERSE_EVERY and "inverse" in wants:
             wants.remove("inverse")
         row.states += 1
@@ -135,7 +146,7 @@ def bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path |
 
 
 def _outcome(evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str) -> Any:
-    """Results, or the words of the refusal: these must be equal as well."""
+    """Results, or the text of the refusal, which must be equal as well."""
     try:
         return evaluate(state, (want,))
     except StateError as error:
@@ -148,14 +159,28 @@ def _same_text(files: Mapping[str, str], folder: Path) -> bool:
     )
 
 
-def _good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
-    """Arguments of an ordinary state, with angles as well."""
-    state = next((s for name, s in states if name.startswith("random")), states[0][1])
-    return {**backend.arguments(state), "angles": (0.1, 0.7, -0.2), "dt": 1e-4, "order": 4}
+BATCH = "batch C = as generated, byte for byte"
 
 
-def _raw(backend: CBackend) -> Callable[[str, Mapping[str, Any]], tuple[int, bool]]:
-    def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        return backend.library.probe(backend.program.function(name), inputs)
+def check_batch(stand: Stand, generated: Generated, folder: Path) -> Row | None:
+    """Row on the bytes of `<stand>_batch.h` and `<stand>_batch.c` in a folder; None if neither exists.
 
-    return call
+    `generated`: C with the element type and lanes of the folder. Batches have one lane and are not fast: beside other
+    C they fail.
+    """
+    paths = [folder / f"{stand.name}_batch.{kind}" for kind in ("h", "c")]
+    if not any(path.is_file() for path in paths):
+        return None
+    row = Row("", BATCH, verdict="ok")
+    try:
+        expected = batch_files(stand, generated)
+    except UsageError:
+        row.verdict, row.reason = "FAILED", f"{paths[0].stem}: there is none of C with lanes, or fast: remove it"
+        return row
+    for path in paths:
+        if not path.is_file():
+            row.verdict, row.reason = "FAILED", f"{path.name} is missing: generate it again with --batch"
+        elif path.read_bytes() != expected[path.name].encode("utf-8"):
+            row.verdict = "FAILED"
+            row.reason = f"{path.name} is not what this version generates: generate it again with --batch"
+    return row

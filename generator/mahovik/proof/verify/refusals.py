@@ -1,81 +1,201 @@
-"""Inputs that every function must refuse, not finite or out of range, with its outputs untouched."""
+"""Inputs that every function must refuse, one wrong value at a time, with its outputs untouched.
+
+What is wrong with which argument is data of the contract: bounds, and values that are refused (`contract/quantities`).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
 
-from mahovik.contract.quantities import QUANTITIES
-from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.program.function import Program
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import BOUNDS, QUANTITIES, TABLES, UNIT_LENGTH, limits_of
+from mahovik.contract.status import STATUS_VALUES, status_words
+from mahovik.core.emit.generate import Generated
+from mahovik.core.program.call import Argument
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.state import State
+from mahovik.core.toolchain.library import Library
 from mahovik.proof.verify.compare import Row
 
 Call = Callable[[str, Mapping[str, Any]], tuple[int, bool]]
 """Function name, inputs by argument name; status, and whether its outputs are untouched."""
 
+NULL = object()
+"""An address that is null, where a call takes one."""
 
-def refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
-    """Every function of a state with one bad number at a time. `inputs` is a good state by argument name."""
-    real = program.precision.name
-    limits = {row.symbol: row.limits(real) for row in QUANTITIES.values() if row.input}
-    limits |= {"sine": (2.0,), "cosine": (2.0,)}
+Path = tuple[str | int, ...]
+"""Where a value stands among the inputs: name of the argument, names of members, indices."""
+
+READ_TABLES = ("parameters", "inverse_options")
+"""Structs of numbers of the stand that functions check; the prepared tables are trusted, but for their stream."""
+
+BEYOND = 1 + 1e-6
+"""Times its bound: a value out of range."""
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """One wrong value: where it stands, and the status that is due."""
+
+    path: Path
+    value: Any
+    status: str
+
+    @property
+    def words(self) -> str:
+        """The place and the value, `V[3] = nan`."""
+        names = [part for part in self.path if isinstance(part, str)]
+        index = "".join(f"[{part}]" for part in self.path if isinstance(part, int))
+        value = "null" if self.value is NULL else f"{self.value:g}" if isinstance(self.value, float | int) else "scaled"
+        return f"{'.'.join(names)}{index} = {value}"
+
+
+def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> Row:
+    """Row: every public function refuses one wrong value at a time. `inputs` are good ones, by argument name.
+
+    A function that is not tried at all fails.
+    """
     row = Row("", "bad inputs refused, outputs untouched", verdict="ok")
     for function in program.functions:
-        names = {a.name for a in function.arguments if a.direction == "in"}
-        if not function.public or not names & {"x", "angles"}:
+        if not function.public:
             continue
-        for where, value, bad, expected in bad_inputs({n: v for n, v in inputs.items() if n in names}, limits):
-            if where.startswith("attitude") and "angles" in names:
-                continue  # not read
-            status, untouched = call(function.name, bad)
+        good = {a.name: inputs[a.name] for a in function.arguments if a.direction != "out" and a.name in inputs}
+        tried = 0
+        for wrong in wrong_values(function, good, program.precision.name):
+            tried += 1
+            status, untouched = call(function.name, with_value(good, wrong))
             row.states += 1
-            words = f"{function.name}: {where} = {value:g}"
-            if status != STATUS_VALUES[expected]:
-                row.verdict, row.state, row.reason = "FAILED", words, f"status {status}, expected {expected}"
+            if status != STATUS_VALUES[wrong.status]:
+                found = f"status {status_words(status)}, expected {wrong.status}"
+                row.verdict, row.state, row.reason = "FAILED", f"{function.name}: {wrong.words}", found
             elif not untouched:
-                row.verdict, row.state, row.reason = "FAILED", words, "refused, but outputs were written"
+                row.verdict, row.state = "FAILED", f"{function.name}: {wrong.words}"
+                row.reason = "refused, but outputs were written"
+        if not tried:
+            row.verdict, row.state, row.reason = "FAILED", function.name, "no wrong input is known for it"
     return row
 
 
-def bad_inputs(
-    inputs: Mapping[str, Any], limits: Mapping[str, tuple[float, ...]]
-) -> Iterator[tuple[str, float, dict[str, Any], str]]:
-    """Copies of the inputs with one bad number each: where, the number, the inputs, the status that is due."""
-    paths = [("x", name) for name in inputs.get("x", {})] + [(name,) for name in inputs if name in limits]
-    for path in paths:
-        name = path[-1]
-        count = len(_at(inputs, path))
-        if name == "attitude":
-            yield _with(inputs, path, None, 1.01)
-            yield _with(inputs, path, None, 0.99)
-        for index in range(count):
-            bad = [math.nan, math.inf, -math.inf]
-            given = limits.get(name)
-            if given is not None:
-                limit = given[index % len(given)] * (1 + 1e-6)
-                bad += [limit, -limit]
-            for value in bad:
-                yield _with(inputs, path, index, value)
+def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[Wrong]:
+    """All wrong values of the arguments of a function, one at a time."""
+    ignored = FUNCTIONS[function.name].ignores if function.name in FUNCTIONS else ()
+    for a in function.arguments:
+        if (a.shape or isinstance(a.type, Struct) or a.direction != "in") and not a.optional:
+            yield Wrong((a.name,), NULL, "BAD_ARGUMENT")
+        if a.direction != "out" and a.name not in ignored and a.name in good:
+            yield from _wrong(a, (a.name,), good[a.name], real, ignored)
 
 
-def _with(
-    inputs: Mapping[str, Any], path: tuple[str, ...], index: int | None, value: float
-) -> tuple[str, float, dict[str, Any], str]:
-    """One number replaced; without index, all of them multiplied."""
-    changed = dict(inputs)
-    if path[0] == "x":
-        changed["x"] = dict(inputs["x"])
-    old = list(_at(inputs, path))
-    new = [x * value for x in old] if index is None else [*old[:index], value, *old[index + 1 :]]
-    holder = changed["x"] if path[0] == "x" else changed
-    holder[path[-1]] = new
-    where = path[-1] + ("" if index is None else f"[{index}]")
-    return where, value, changed, "RANGE" if math.isfinite(value) else "NOT_FINITE"
+def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tuple[str, ...]) -> Iterator[Wrong]:
+    """Wrong values of an argument or member, of its members and its elements."""
+    if isinstance(a.type, Struct):
+        if a.type.name in TABLES and a.type.name not in READ_TABLES:
+            return
+        items: list[tuple[Path, Any]] = [((k,), each) for k, each in enumerate(value)] if a.shape else [((), value)]
+        for index, item in items:
+            for field in a.type.fields:
+                if field.name not in ignored:
+                    yield from _wrong(field, (*path, *index, field.name), item[field.name], real, ignored)
+        return
+    if a.name == "attitude" and len(path) > 1:
+        yield from (Wrong(path, [x * (1 + sign * 10 * UNIT_LENGTH) for x in value], "RANGE") for sign in (1, -1))
+    limits = (BOUNDS["MAX_PARAMETER"].at(real),) if path[0] == "parameters" else limits_of(a.name, real)
+    for place, _ in _elements(value):
+        limit = limits[(place[-1] if place else 0) % len(limits)] if limits else None
+        yield from (Wrong((*path, *place), bad, status) for bad, status in _bad(a, path, limit))
 
 
-def _at(inputs: Mapping[str, Any], path: tuple[str, ...]) -> Any:
-    found: Any = inputs
-    for name in path:
-        found = found[name]
-    return found
+def _elements(value: Any) -> Iterator[tuple[tuple[int, ...], float]]:
+    """Indices and numbers of a scalar, a vector or a matrix."""
+    if isinstance(value, list | tuple):
+        for k, each in enumerate(value):
+            yield from (((k, *index), number) for index, number in _elements(each))
+    else:
+        yield (), value
+
+
+def _bad(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple[float, str]]:
+    """Wrong values of one number, with the statuses that are due."""
+    row = QUANTITIES.get(a.name)
+    if a.type is Kind.REAL:
+        yield math.nan, "NOT_FINITE"
+        if row is None or not row.infinite:
+            yield math.inf, "NOT_FINITE"
+            yield -math.inf, "NOT_FINITE"
+        if limit is not None:
+            yield limit * BEYOND, "RANGE"
+            if row is None or all(value >= 0 for value, _ in row.refused):
+                yield -limit * BEYOND, "RANGE"
+    if row is not None and (path[0] != "parameters" or a.name == "mass"):
+        yield from row.refused
+
+
+def with_value(good: Mapping[str, Any], wrong: Wrong) -> dict[str, Any]:
+    """A copy of the inputs with one value replaced."""
+    changed = dict(good)
+    if wrong.value is NULL:
+        changed[str(wrong.path[0])] = NULL
+    else:
+        changed[str(wrong.path[0])] = _replaced(good[str(wrong.path[0])], wrong.path[1:], wrong.value)
+    return changed
+
+
+def _replaced(value: Any, path: Path, new: Any) -> Any:
+    """A copy of nested data with the element at a path replaced."""
+    if not path:
+        return new
+    copy: Any = dict(value) if isinstance(value, Mapping) else list(value)
+    copy[path[0]] = _replaced(value[path[0]], path[1:], new)
+    return copy
+
+
+class Compiled(Protocol):
+    """C that is loaded, with the program that it was printed from."""
+
+    generated: Generated
+    library: Library
+    program: Program
+
+    def arguments(self, state: State) -> dict[str, Any]:
+        """A state as arguments by name."""
+
+
+def good_inputs(backend: Compiled, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
+    """Good arguments of every public function: an ordinary state, and what does not belong to one."""
+    state = next((s for name, s in states if name.startswith("random")), states[0][1])
+    others = {
+        "angles": (0.1, 0.7, -0.2),
+        "q_dot": (0.1,) * 6,
+        "q_ddot": (0.2,) * 6,
+        "position": state.position,
+        "phi": 1.0,
+        "dt": 1e-4,
+        "order": 4,
+        "parameters": backend.generated.values.parameters,
+        "count": 100,
+        "moved": 10,
+        "counter": 110,
+        "bits": 16,
+        "per_turn": 4096,
+        "zero": 0.5,
+        "encoder": {"counter": 100, "place": 100, "moved": 0},
+        "carry": {"rounding": [0.0] * (13 + 2 * len(state.phi))},
+    }
+    return {**backend.arguments(state), **others}
+
+
+def raw_call(backend: Compiled) -> Call:
+    """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
+
+    def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        library, program = backend.library, backend.program
+        given = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
+        if name == "prepare" and inputs["table"] is not NULL:
+            given["table"] = library.value(program.function("forward"), "table")  # it is written to
+        return library.probe(program.function(name), given)
+
+    return call

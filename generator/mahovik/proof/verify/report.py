@@ -5,17 +5,17 @@ from __future__ import annotations
 import json
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.evaluate import state_line
+from mahovik.proof.verify.states import state_line
 
 
 @dataclass(frozen=True)
 class Report:
-    """What was compared, of which stand (without what `left_out` names), and how it came out."""
+    """Result of a verification: the stand (without the features in `left_out`), what was judged, and the rows."""
 
     stand: str
     structure: str
@@ -30,7 +30,7 @@ class Report:
 
     @property
     def passed(self) -> bool:
-        """Something was compared, and nothing failed."""
+        """Whether something was compared and nothing failed."""
         return not self.error and any(row.verdict == "ok" for row in self.rows) and not self.failures
 
     @property
@@ -47,24 +47,26 @@ def conclusion(report: Report) -> str:
         return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
     if not report.passed:
         return "FAILED: nothing was compared"
-    row = max((row for row in report.rows if row.verdict == "ok"), key=lambda row: row.excess)
+    ok = [row for row in report.rows if row.verdict == "ok"]
+    quantities = [row for row in ok if row.request is not None] or ok  # of wants: functions have scales of their own
+    row = max(quantities, key=lambda row: row.excess)
     difference, accepted, pair = row.nearest()
-    if one_bound(report):
+    if has_one_bound(quantities):
         return f"passed: worst {difference:.1e} of the natural scale, {row.tolerance or report.tolerance:.0e} accepted"
     off = f"{difference:.1e} of the natural scale, {accepted:.0e} accepted"
     return f"passed: nearest to its bound {row.quantity}, {pair}: {off}"
 
 
-def one_bound(report: Report) -> bool:
-    """Whether the same is accepted of all quantities and pairs."""
-    judged = [row for row in report.rows if row.tolerance is not None]
+def has_one_bound(rows: Sequence[Row]) -> bool:
+    """Whether all quantities and pairs of these rows have the same accepted difference."""
+    judged = [row for row in rows if row.tolerance is not None]
     return len({bound for row in judged for bound in (row.tolerance, row.derivations or row.tolerance)}) <= 1
 
 
 def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
-    """The table for programs, and what `more` is to stand beside it.
+    """The table as JSON; the keys of `more` are added.
 
-    A difference that is no number (missing, refused, not finite) is null.
+    A difference that is not a finite number (missing, refused) is null.
     """
     rows = [
         {
@@ -103,7 +105,7 @@ def _finite(number: float | None) -> float | None:
 
 
 def as_junit(report: Report) -> str:
-    """The table for continuous integration: a test case a row."""
+    """The table as JUnit XML: one test case for each row."""
     suite = ET.Element("testsuite", name=f"mahovik verify {report.stand}")
     skipped = 0
     for row in report.rows:
@@ -147,5 +149,5 @@ def worst_lines(report: Report) -> str:
 
 
 def _printable(text: str) -> str:
-    """Text that XML can hold: a foreign program may print anything."""
+    """Text without characters that XML cannot hold: a foreign program may print anything."""
     return "".join(c if c in "\t\n" or (c >= " " and c.isprintable()) else "?" for c in text)

@@ -1,8 +1,7 @@
-"""The log of a self-test, as a serial terminal has kept it: read, and judged.
+"""The log of a self-test from a real board: read, then judged by itself, by the stand file and by the sweep run here.
 
 The text is that which the head of `<stand>_selftest.c` describes. A terminal may put words before a line, end lines
-with CR, LF or both, lose some, and begin or end in the middle: what is no line of the test is passed over, and what is
-missing is said.
+with CR, LF or both, lose some, and begin or end in the middle: other lines are ignored, and missing lines are reported.
 """
 
 from __future__ import annotations
@@ -13,13 +12,18 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from mahovik import __version__
-from mahovik.core.lower.golden import CASES, FAR
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.lower.golden import CASES, FAR, sweep_hashes, tested
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
+from mahovik.proof.verify.targets import run_selftest, selftest_sources
 
 _Value = TypeVar("_Value")
 
-MOST = 1_000_000
-"""States of a sweep that are judged at most: minutes on a desk. More is a damaged line, or a test of another kind."""
+LONGEST_SWEEP = 1_000_000
+"""Most states of a sweep that is judged, which take minutes. More come from a damaged line or another test."""
 
 _HEAD = re.compile(
     r"mahovik selftest (\w+) structure ([0-9a-f]{8}) physics ([0-9a-f]{8}) real (double|float)"
@@ -36,9 +40,9 @@ _FAILURES = re.compile(r"\bfailures ([0-9]{1,9})\s*$")
 
 @dataclass(frozen=True)
 class FunctionLine:
-    """What the test says of one function: golden cases, how many of them are wrong, worst distance in ulp.
+    """Line of the test on one function: golden cases, wrong cases, worst distance in ulp.
 
-    `worst` is FAR + 1 where the test says that it is more than FAR.
+    `worst` is FAR + 1 if the test prints that it is more than FAR.
     """
 
     passed: bool
@@ -67,7 +71,7 @@ class SelfTestLog:
     hashes: dict[str, str] = field(default_factory=dict)
     failures: int | None = None
     repeated: list[str] = field(default_factory=list)
-    """Functions of which two lines say different things."""
+    """Functions with two lines that differ."""
 
 
 def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
@@ -94,7 +98,7 @@ def _read_line(run: SelfTestLog, line: str) -> None:
     if found := _FUNCTION.search(line):
         name, verdict, cases, wrong, far, worst = found.groups()
         distance = FAR + 1 if far else int(worst)
-        _once(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance))
+        _record(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance))
     elif found := _GENERATOR.search(line):
         run.generator = found[1]
     elif found := _SWEEP.search(line):
@@ -102,16 +106,16 @@ def _read_line(run: SelfTestLog, line: str) -> None:
     elif found := _FAILURES.search(line):
         run.failures = int(found[1])
     elif run.sweep is not None and (found := _HASH.search(line)):
-        _once(run, run.hashes, found[1], found[2])
+        _record(run, run.hashes, found[1], found[2])
 
 
-def _once(run: SelfTestLog, known: dict[str, _Value], name: str, value: _Value) -> None:
+def _record(run: SelfTestLog, known: dict[str, _Value], name: str, value: _Value) -> None:
     if known.setdefault(name, value) != value:
         run.repeated.append(name)
 
 
 def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[str]:
-    """What is wrong with a run by itself, one line a kind; `functions`: those that a stand has, where it is known."""
+    """Problems within a run, a line for each kind; `functions`: those of the stand, if it is known."""
     found = []
     wanted = list(functions) if functions is not None else list(dict.fromkeys((*run.functions, *run.hashes)))
     if failed := [f"{name} (worst {line.distance})" for name, line in run.functions.items() if not line.passed]:
@@ -128,8 +132,8 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
         found.append(f"not {len(CASES) + 1} cases, as this version has: {', '.join(few)}")
     if run.sweep is None:
         found.append('no line "sweep": the log ends before it')
-    elif run.sweep > MOST:
-        found.append(f"sweep of {run.sweep} states: at most {MOST} are judged: run fewer on the board")
+    elif run.sweep > LONGEST_SWEEP:
+        found.append(f"sweep of {run.sweep} states: at most {LONGEST_SWEEP} are judged: run fewer on the board")
     elif absent := [name for name in wanted if name not in run.hashes]:
         found.append(f"no hash of the sweep of: {', '.join(absent)}")
     if run.failures is None:
@@ -140,7 +144,7 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
 
 
 def identity_problems(run: SelfTestLog, stand: str, structure: str, physics: str) -> list[str]:
-    """Whether the C on the board is that of a stand file, by this version of the generator."""
+    """Differences of the C on the board from that of a stand file by this version of the generator."""
     pairs = (("stand", run.stand, stand), ("structure", run.structure, structure), ("physics", run.physics, physics))
     found = [f"{kind} {has}, the stand file has {wants}" for kind, has, wants in pairs if has != wants]
     if run.generator is not None and run.generator != __version__:
@@ -149,7 +153,7 @@ def identity_problems(run: SelfTestLog, stand: str, structure: str, physics: str
 
 
 def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
-    """Where the sweep on the board has other bits than here."""
+    """Functions whose sweep on the board has other bits than here, in one line."""
     off = [name for name, value in expected.items() if run.hashes.get(name, value) != value]
     if not off:
         return []
@@ -158,3 +162,73 @@ def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
         f"other bits in the sweep of {run.sweep} states: {', '.join(off)} "
         f"({first}: {run.hashes[first]} on the board, {expected[first]} here)"
     ]
+
+
+HOSTS = ("host", "host-clang")
+"""Targets that are this machine, in the order in which they are tried."""
+
+INTERPRETED = 200
+"""States of a sweep up to which the interpreter takes the place of a missing compiler."""
+
+TIMEOUT = 600.0
+"""Longest sweep on this machine, s."""
+
+
+@dataclass(frozen=True)
+class LogVerdict:
+    """`problems`: what differs, a line each. `checked`, `unchecked`: what was compared, and what could not be."""
+
+    runs: tuple[SelfTestLog, ...]
+    problems: tuple[str, ...]
+    checked: tuple[str, ...]
+    unchecked: tuple[str, ...]
+
+
+def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
+    """Judges every run in a log. Raises UsageError where the text is no log, ToolchainError where C does not run."""
+    runs = read_log(text, where)
+    found: list[str] = []
+    checked = ["golden vectors, as the board has judged them"]
+    unchecked: list[str] = []
+    if stand is None:
+        for number, one in enumerate(runs):
+            found += _with_run_numbers(problems(one), number, runs)
+        unchecked.append("identities, the list of functions, and the sweep: give the stand file")
+        return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
+    expected = identities(stand)
+    here: dict[tuple[str, int, int], Mapping[str, str]] = {}  # hashes, empty where there are none
+    for number, one in enumerate(runs):
+        lines = identity_problems(one, stand.name, expected.structure, expected.physics)
+        if not lines:
+            made = generate_all(stand, one.real, one.lanes)
+            lines = problems(one, [f.name for f in tested(made.program)])
+            if one.sweep is not None and one.sweep <= LONGEST_SWEEP:
+                key = (one.real, one.lanes, one.sweep)
+                if key not in here:
+                    here[key], maker = _hashes(stand, made, one.sweep)
+                    what = f"sweep of {one.sweep} states, {one.real}"
+                    if maker:
+                        checked.append(f"{what}, by {maker}")
+                    else:
+                        unchecked.append(f"{what}: no C compiler here, and too long for the interpreter")
+                lines += hash_problems(one, here[key])
+        found += _with_run_numbers(lines, number, runs)
+    checked[:0] = ["identities", "every function there"]
+    return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
+
+
+def _with_run_numbers(lines: list[str], number: int, runs: tuple[SelfTestLog, ...]) -> list[str]:
+    return [f"run {number + 1} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
+
+
+def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
+    """Hashes of a sweep by function, and what computed them: nothing if no tool on this machine can."""
+    real = made.program.precision.name
+    target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
+    if target is not None:
+        printed = run_selftest(target, stand.name, selftest_sources(stand, real, sweep, made.layout.lanes), TIMEOUT)
+        return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
+    if sweep <= INTERPRETED:
+        found = sweep_hashes(made.program, made.values, sweep)
+        return {name: f"{value:08x}" for name, value in found.items()}, "the interpreter"
+    return {}, ""

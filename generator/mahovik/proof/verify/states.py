@@ -1,21 +1,25 @@
-"""One line of states: JSON in, (id, State, want) out, with every check of the evaluation contract."""
+"""The evaluation contract on lines of JSON: states in, results out, with every check of the contract."""
 
 from __future__ import annotations
 
+import codecs
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import cycle
 from types import MappingProxyType
-from typing import Any, cast
+from typing import IO, Any, cast
+
+import numpy as np
 
 from mahovik.contract.functions import CONFLICTS, WANTS
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import StateError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
+from mahovik.proof.verify.backends import Backend
 
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
@@ -42,7 +46,7 @@ def read_object(line: str) -> dict[str, Any]:
     except RecursionError:
         raise StateError("not readable: nested too deeply") from None
     if not isinstance(found, dict):
-        raise StateError(f"expected an object, found {shown(found)}")
+        raise StateError(f"expected an object, found {excerpt(found)}")
     return found
 
 
@@ -61,10 +65,9 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     refuse_duplicates(found)
     for key, value in found.items():
         if key not in KEYS:
-            raise StateError(f'unknown key "{key}"{meant(key, KEYS)}')
-        duplicated = _duplicate_in(value)
-        if duplicated is not None:
-            raise StateError(f'{key}: key "{duplicated}" is there twice')
+            raise StateError(f'unknown key "{key}"{suggestion(key, KEYS)}')
+        if isinstance(value, _Duplicated):
+            raise StateError(f'{key}: key "{value.key}" appears twice')
     if "angles" in found and "quaternion" in found:
         raise StateError("angles, quaternion: both given, expected one of them")
     want = _want(found)
@@ -89,7 +92,7 @@ def read_line(stand: Stand, line: str, real: str = "double") -> Request:
 def refuse_duplicates(found: dict[str, Any]) -> None:
     """Raises StateError where an object that `read_object` gave has a key twice."""
     if isinstance(found, _Duplicated):
-        raise StateError(f'key "{found.key}" is there twice')
+        raise StateError(f'key "{found.key}" appears twice')
 
 
 def _integer(digits: str) -> int | float:
@@ -116,12 +119,8 @@ def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return marked
 
 
-def _duplicate_in(value: Any) -> str | None:
-    return value.key if isinstance(value, _Duplicated) else None
-
-
-def shown(value: Any) -> str:
-    """A value in a message: short, whatever it is."""
+def excerpt(value: Any) -> str:
+    """A value for a message, at most 40 characters."""
     try:
         text = json.dumps(value)
     except (ValueError, RecursionError):
@@ -134,14 +133,14 @@ def _want(found: dict[str, Any]) -> tuple[str, ...]:
         raise StateError(f"want: missing, expected a list of {', '.join(WANTS)}")
     given = found["want"]
     if not isinstance(given, list):
-        raise StateError(f"want: expected a list of names, found {shown(given)}")
+        raise StateError(f"want: expected a list of names, found {excerpt(given)}")
     if not given:
         raise StateError(f"want: empty, expected at least one of {', '.join(WANTS)}")
     for name in given:
         if not isinstance(name, str):
-            raise StateError(f"want: expected names, found {shown(name)}")
+            raise StateError(f"want: expected names, found {excerpt(name)}")
         if name not in WANTS:
-            raise StateError(f'want: unknown "{name}"{meant(name, WANTS)}')
+            raise StateError(f'want: unknown "{name}"{suggestion(name, WANTS)}')
     for first, second, value in CONFLICTS:
         if first in given and second in given:
             raise StateError(f'want: "{first}" and "{second}" both give {value}, ask for them in two states')
@@ -158,7 +157,7 @@ def _numbers(found: dict[str, Any], row: Quantity, count: int, real: str) -> tup
 def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
     """`count` finite numbers within their limits in magnitude, which repeat."""
     if not isinstance(given, list):
-        raise StateError(f"{where}: expected a list of {count} numbers, found {shown(given)}")
+        raise StateError(f"{where}: expected a list of {count} numbers, found {excerpt(given)}")
     if len(given) != count:
         raise StateError(f"{where}: expected {count} numbers, found {len(given)}")
     numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
@@ -170,13 +169,13 @@ def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tup
 
 def _number(given: Any, where: str) -> float:
     if isinstance(given, bool) or not isinstance(given, int | float):
-        raise StateError(f"{where}: expected a number, found {shown(given)}")
+        raise StateError(f"{where}: expected a number, found {excerpt(given)}")
     try:
         number = float(given)
     except OverflowError:
-        raise StateError(f"{where}: {shown(given)} is not finite as a double") from None
+        raise StateError(f"{where}: {excerpt(given)} is not finite as a double") from None
     if not math.isfinite(number):
-        raise StateError(f"{where}: {shown(given)} is not finite")
+        raise StateError(f"{where}: {excerpt(given)} is not finite")
     return number
 
 
@@ -193,12 +192,122 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
 def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
     given = found.get("wrench", {})
     if not isinstance(given, dict):
-        raise StateError(f"wrench: expected an object of bodies, found {shown(given)}")
+        raise StateError(f"wrench: expected an object of bodies, found {excerpt(given)}")
     bodies = [body.name for body in stand.bodies]
     for name in given:
         if name not in bodies:
-            raise StateError(f'wrench: unknown body "{name}"{meant(name, bodies)}')
+            raise StateError(f'wrench: unknown body "{name}"{suggestion(name, bodies)}')
     limits = QUANTITIES["wrench"].limits(real)
     return MappingProxyType(
         {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
     )
+
+
+LONGEST = 16_000_000
+"""Longest line, bytes; longer ones hold no state of any stand and are not kept."""
+
+
+def split_lines(stream: IO[bytes]) -> Iterator[bytes]:
+    """Lines of a stream as they arrive; one that is too long is cut just beyond the limit."""
+    while line := stream.readline(LONGEST + 1):
+        yield line
+        while len(line) > LONGEST and not line.endswith(b"\n"):
+            line = stream.readline(LONGEST + 1)
+
+
+def evaluate_lines(
+    stand: Stand, backend: Backend, lines: Iterable[bytes], real: str = "double"
+) -> Iterator[tuple[str, bool]]:
+    """For every line that is not blank, in order: a line of strict JSON, and whether the state was evaluated."""
+    for number, raw in enumerate(lines):
+        line = raw.removeprefix(codecs.BOM_UTF8) if number == 0 else raw
+        if line.strip():
+            yield evaluate_line(stand, backend, line, real)
+
+
+def evaluate_line(stand: Stand, backend: Backend, line: bytes, real: str = "double") -> tuple[str, bool]:
+    """The result of one line, an error line where it cannot be evaluated."""
+    given: Any = None
+    try:
+        if len(line) > LONGEST:
+            raise StateError(f"a line of more than {LONGEST} bytes")
+        found = read_object(_text(line))
+        given = identifier(found)
+        request = read_request(stand, found, real)
+        values = backend.evaluate(request.state, request.want)
+        return _line(given, values), True
+    except StateError as error:
+        return _line(given, {"error": str(error)}), False
+
+
+def _line(given: Any, values: dict[str, Any]) -> str:
+    """The id as it was given (any JSON value, nested however deep), then the values."""
+    return f'{{"id": {json.dumps(given)}, {_members(values)}}}'
+
+
+def _text(line: bytes) -> str:
+    try:
+        return line.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise StateError(f"not UTF-8: byte 0x{line[error.start]:02x}") from None
+
+
+def encode(value: Any) -> str:
+    """Strict JSON, floats with 17 significant digits, so that they read back as the same bits.
+
+    StateError where a number is not finite. Arrays are lists; a float is never written like an integer.
+    """
+    match value:
+        case dict():
+            return "{" + _members(value) + "}"
+        case np.ndarray():
+            return encode(value.tolist())
+        case list() | tuple():
+            return "[" + ", ".join(encode(each) for each in value) + "]"
+        case float() | np.floating():
+            return _float(float(value))
+        case np.integer():
+            return str(int(value))
+    return json.dumps(value, allow_nan=False)
+
+
+def _members(value: dict[str, Any]) -> str:
+    return ", ".join(f"{json.dumps(name)}: {_member(name, each)}" for name, each in value.items())
+
+
+def _member(name: str, value: Any) -> str:
+    try:
+        return encode(value)
+    except StateError as error:
+        reason = str(error)
+    raise StateError(reason if ":" in reason else f"{name}: {reason}")
+
+
+def _float(x: float) -> str:
+    if not math.isfinite(x):
+        raise StateError("not finite at this state")
+    text = f"{x:.17g}"
+    return text + ".0" if text.lstrip("-").isdigit() else text
+
+
+def state_object(state: State) -> dict[str, Any]:
+    """The keys of a state as in a line, without those that are zero."""
+    found: dict[str, Any] = {}
+    if any(state.position):
+        found["position"] = state.position
+    if state.angles is not None:
+        found["angles"] = state.angles
+    if state.quaternion is not None:
+        found["quaternion"] = state.quaternion
+    for key in ("V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau"):
+        if any(getattr(state, key)):
+            found[key] = getattr(state, key)
+    wrench = {name: value for name, value in state.wrench.items() if any(value)}
+    if wrench:
+        found["wrench"] = wrench
+    return found
+
+
+def state_line(request: Request) -> str:
+    """The line that asks for a request: reading it back gives the same numbers."""
+    return _line(request.id, {**state_object(request.state), "want": list(request.want)})

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import json
 import tempfile
+import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
 from mahovik.core.emit.delivery import firmware
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.program.function import Program
+from mahovik.core.lower.golden import CASES, FAR
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.types import Kind, NamedCount, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import build, build_version, run, selftest_flags, selftest_main
+from mahovik.core.toolchain.board import build, build_version, difference_main, run, selftest_flags, selftest_main
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.nearest import meant
-from mahovik.proof.verify.difference import first_difference
+from mahovik.nearest import suggestion
 
 REALS = ("double", "float")
 
@@ -29,10 +32,10 @@ SWEEP = 20
 """Pseudo-random states, beside the golden vectors, on which every function is called."""
 
 TIMEOUT = 300.0
-"""s; for one run on an emulator, on a machine that does something else as well."""
+"""Longest run on an emulator, s; the machine may be busy."""
 
-_UNSTARTED = "not installed"
-_ELSEWHERE = "not here"
+_NOT_INSTALLED = "not installed"
+_NOT_HERE = "not here"
 
 
 @dataclass(frozen=True)
@@ -57,13 +60,13 @@ class TargetRow:
 
     @property
     def missing(self) -> bool:
-        """Whether nothing could be said, since a tool is not installed."""
-        return self.verdict == _UNSTARTED
+        """Whether there is no verdict because a tool is not installed."""
+        return self.verdict == _NOT_INSTALLED
 
 
 @dataclass(frozen=True)
 class TargetsReport:
-    """What came out, target by target. `expected`: the lines that every target has to print, by element type."""
+    """Result of a verification on targets, a row for each target and element type."""
 
     stand: str
     structure: str
@@ -73,7 +76,7 @@ class TargetsReport:
 
     @cached_property
     def passed(self) -> bool:
-        """Every target that was asked for has the bits of the host, but those that this processor cannot run."""
+        """Whether every requested target has the bits of the host, apart from those that this processor cannot run."""
         return any(r.verdict == "ok" for r in self.rows) and not any(r.failed or r.missing for r in self.rows)
 
     @cached_property
@@ -87,7 +90,7 @@ class TargetsReport:
         return f"passed: the same bits on {equal} pairs of target and element type" if equal else "FAILED: nothing ran"
 
 
-def asked(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, str]]:
+def parse_targets(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, str]]:
     """Targets and element types of `all`, `quick`, or a list of names. Raises UsageError.
 
     Without `reals`, both of them; `quick` has its own.
@@ -102,7 +105,7 @@ def asked(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, 
     for word in words:
         if word not in TARGETS:
             known = [*TARGETS, "all", "quick"]
-            raise UsageError(f'--targets: unknown "{word}"{meant(word, known)}')
+            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, known)}')
     return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
 
 
@@ -115,13 +118,13 @@ def verify_targets(
 ) -> TargetsReport:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
 
-    The golden vectors in the self-test are the interpreter's: a line says PASS only where all bits are its bits.
+    The golden vectors in the self-test are the interpreter's: a line reads PASS only if all bits equal its bits.
     Raises ToolchainError where the host itself has no gcc or cannot run the test.
     """
     names = identities(stand)
     sources = {real: selftest_sources(stand, real, sweep, lanes) for real in dict.fromkeys(real for _, real in pairs)}
     programs = {real: generate_all(stand, real, lanes).program for real in sources}
-    expected = {real: _printed(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
+    expected = {real: run_selftest(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
     rows = []
     with side_by_side() as pool:
         tasks = [pool.submit(_row, t, real, programs[real], sources[real], expected[real], sweep) for t, real in pairs]
@@ -147,12 +150,12 @@ def _row(
 
     built_with = " ".join((*target.compiler[:1], target.optimisation))
     if missing := target.missing():
-        return row(_UNSTARTED, f"no {', '.join(missing)}: make targets")
+        return row(_NOT_INSTALLED, f"no {', '.join(missing)}: make targets")
     built_with = build_version(target)
     if unable := target.unable():
-        return row(_ELSEWHERE, unable)
+        return row(_NOT_HERE, unable)
     try:
-        found = _printed(target, program.name, files).splitlines()
+        found = run_selftest(target, program.name, files).splitlines()
     except ToolchainError as error:
         return row("FAILED", str(error))
     problem = next(_problems(expected, found), "")
@@ -162,13 +165,14 @@ def _row(
     return row("FAILED" if problem else "ok", problem, sum(" PASS " in line for line in found))
 
 
-def _printed(target: Target, name: str, files: Mapping[str, str]) -> str:
+def run_selftest(target: Target, name: str, files: Mapping[str, str], timeout: float = TIMEOUT) -> str:
+    """Output of the self-test of a stand, built for a target. Raises ToolchainError."""
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        return run(target, build(target, files, Path(scratch), extra=selftest_flags(name)), TIMEOUT)
+        return run(target, build(target, files, Path(scratch), extra=selftest_flags(name)), timeout)
 
 
 def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
-    """What is wrong with a printed self-test: golden vectors first, then what differs from the host."""
+    """Problems of a printed self-test: golden vectors first, then differences from the host."""
     for line in found:
         if " FAIL " in line:
             yield f"not the interpreter's bits: {line}"
@@ -179,3 +183,83 @@ def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
         yield f"{len(found)} lines, the host has {len(expected)}"
     if not any(line == "failures 0" for line in found):
         yield "no line says that there were no failures"
+
+
+def as_json(report: TargetsReport) -> str:
+    """The table as JSON."""
+    found = {
+        "stand": report.stand,
+        "structure": report.structure,
+        "physics": report.physics,
+        "states": report.sweep,
+        "passed": report.passed,
+        "conclusion": report.conclusion,
+        "rows": [asdict(row) for row in report.rows],
+    }
+    return json.dumps(found, indent=1)
+
+
+def as_junit(report: TargetsReport) -> str:
+    """The table as JUnit XML: one test case for each target and element type."""
+    suite = ET.Element("testsuite", name=f"mahovik verify {report.stand} --targets")
+    for row in report.rows:
+        name = f"{row.target} {row.real}: {row.built_with}"
+        case = ET.SubElement(suite, "testcase", classname=f"mahovik.{report.stand}", name=name)
+        if row.failed:
+            ET.SubElement(case, "failure", message=row.reason)
+        elif row.missing:
+            ET.SubElement(case, "error", message=row.reason)
+        elif row.verdict != "ok":
+            ET.SubElement(case, "skipped", message=row.reason)
+    counts = {
+        "tests": len(report.rows),
+        "failures": sum(row.failed for row in report.rows),
+        "errors": sum(row.missing for row in report.rows),
+        "skipped": sum(row.verdict == "not here" for row in report.rows),
+    }
+    for key, number in counts.items():
+        suite.set(key, str(number))
+    ET.indent(suite)
+    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, encoding="unicode") + "\n"
+
+
+def first_difference(target: Target, program: Program, files: Mapping[str, str], timeout: float) -> str:
+    """`forward, V_dot[2], case "ordinary", 3 ulp`; "" where no listed output differs or the target does not run.
+
+    `files` are the delivered C and self-test.
+    """
+    test = f"{program.name}_selftest.c"
+    sources = {name: text for name, text in files.items() if name not in ("main.c", test)}
+    sources["main.c"] = difference_main(program.name)
+    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
+        (Path(scratch) / test).write_text(files[test], encoding="utf-8")  # main.c includes it
+        try:
+            printed = run(target, build(target, sources, Path(scratch), extra=selftest_flags(program.name)), timeout)
+        except ToolchainError:
+            return ""
+    for line in printed.splitlines():
+        name, case, number, ulp = line.split()
+        distance = f"more than {FAR}" if int(ulp) > FAR else ulp
+        outputs = list(output_names(program.function(name)))
+        return f'{name}, {outputs[int(number)]}, case "{CASES[int(case)]}", {distance} ulp'
+    return ""
+
+
+def output_names(function: Function) -> Iterator[str]:
+    """Names of the reals that a function gives, in the order in which the self-test takes them."""
+    for a in sorted(function.arguments, key=lambda a: a.direction != "inout"):
+        if a.direction != "in":
+            yield from _names(a.name, a.type, a.shape)
+    if function.returns is Kind.REAL:
+        yield "value"
+
+
+def _names(name: str, type_: Kind | Struct, shape: tuple[int | NamedCount, ...]) -> Iterator[str]:
+    if shape:
+        for i in range(int(shape[0])):
+            yield from _names(f"{name}[{i}]", type_, shape[1:])
+    elif isinstance(type_, Struct):
+        for f in type_.fields:
+            yield from _names(f"{name}.{f.name}", f.type, f.shape)
+    elif type_ is Kind.REAL:
+        yield name

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.errors import MahovikError
-from mahovik.use.control.following import following
 from mahovik.use.control.loop import Case, close_loop
+from mahovik.use.control.record import following
 from mahovik.use.control.wanted import Wanted
 
 FASTER = 4

@@ -1,4 +1,4 @@
-"""The part that runs once per sample in firmware: the C of servos and trim, compiled and called."""
+"""What firmware does once per sample: read the encoders, and the C of servos and trim, compiled and called."""
 
 from __future__ import annotations
 
@@ -18,10 +18,30 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library, filled
 from mahovik.errors import StateError
-from mahovik.use.control.gains import gains
+from mahovik.use.control.servo import gains
 from mahovik.use.control.trim import TrimDesign, trim_members
 from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.array import Array
+
+
+class Encoders:
+    """Encoders of the stand file: a reading is the middle of the count reached.
+
+    A flywheel without an encoder, or any if `ideal`, is measured exactly and without delay. `latency`: (N, s).
+    """
+
+    def __init__(self, stand: Stand, ideal: bool = False) -> None:
+        own = [None if ideal else s.encoder for s in stand.flywheels]
+        self.latency = np.array([0.0 if e is None else e.latency for e in own])
+        self._exact = np.array([e is None for e in own])
+        self._counts = np.array([1 if e is None else e.counts for e in own]) / (2.0 * np.pi)
+        self._zero = np.array([0.0 if e is None else e.zero for e in own])
+
+    def read(self, phi: Array) -> Array:
+        """Angles (N, rad) as measured; true angles are not wrapped."""
+        counted = (np.floor(self._counts * phi + self._zero) + 0.5 - self._zero) / self._counts
+        return np.where(self._exact, phi, counted)
+
 
 _LIMITED = STATUS_VALUES["LIMITED"]
 
@@ -47,6 +67,7 @@ class Controller:
         # phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, tau
         self._rows = np.zeros((6, N))
         self._places = [ffi.cast(f"{name}_real *", row.ctypes.data) for row in self._rows]
+        self._all_valid = ffi.NULL
         self._trim: Any = None
         self.corrections = np.zeros((N, 1))
         if design is not None:
@@ -92,7 +113,8 @@ class Controller:
             self._check(self._trim_step(self._design, self._trim, phase, self._q_place, *self._places[:3]))
             if not self._feedforward:
                 rows[2] = 0.0
-        status = self._check(self._servo_step(self._gains, self._servo, *self._places))
+        *measured, tau = self._places
+        status = self._check(self._servo_step(self._gains, self._servo, *measured, self._all_valid, tau))
         self.limited += bool(status & _LIMITED)
         return np.array(rows[5])
 

@@ -18,14 +18,11 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.use.control.controller import Controller
-from mahovik.use.control.encoder import Encoders, Ideal
-from mahovik.use.control.orbit import nodes, required_orbit, settled_state
-from mahovik.use.control.plant import Plant, plant
-from mahovik.use.control.pose import coordinates, plant_state
+from mahovik.use.control.controller import Controller, Encoders
+from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
 from mahovik.use.control.record import Record
 from mahovik.use.control.trim import TrimDesign
-from mahovik.use.control.wanted import Wanted
+from mahovik.use.control.wanted import Wanted, nodes, required_orbit, settled_state
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import equilibrium
 from mahovik.use.plan.residual import Mechanics
@@ -70,6 +67,13 @@ class Case:
     def last(self) -> int:
         """Number of the last sample."""
         return math.ceil(self.periods * self.wanted.motion.span / self.servo.period * (1.0 - 1e-12))
+
+    @property
+    def delay(self) -> tuple[int, float]:
+        """The servo's latency: whole samples, and the rest in s."""
+        late = self.servo.latency / self.servo.period
+        whole = math.floor(late + 1e-9)
+        return whole, max(0.0, late - whole) * self.servo.period
 
 
 def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
@@ -120,11 +124,9 @@ class _Loop:
         self._case, self._plant, self._record = case, own, record
         self._servo, self._wanted = case.servo, case.wanted
         self.controller = Controller(case.wanted, case.servo, case.design)
-        self._encoders = Ideal(case.real) if case.servo.encoder == "ideal" else Encoders(case.real)
         self._ideal = case.servo.encoder == "ideal"
-        late = case.servo.latency / case.servo.period
-        self._whole = math.floor(late + 1e-9)
-        self._part = max(0.0, late - self._whole) * case.servo.period
+        self._encoders = Encoders(case.real, self._ideal)
+        self._whole, self._part = case.delay
         self._waiting: deque[Array] = deque()
         self._history = _History(
             own, case.first * case.servo.period, max(float(self._encoders.latency.max(initial=0.0)), case.servo.period)
@@ -253,9 +255,7 @@ def step_error(case: Case, record: Record, periods: int = 2) -> float:
         return 0.0
     finer = plant(case.real, record.start, case.backend, finer=2)
     apart = 0.0
-    late = case.servo.latency / case.servo.period
-    whole = math.floor(late + 1e-9)
-    part = max(0.0, late - whole) * case.servo.period
+    whole, part = case.delay
     for n in range(count + 1):
         t = record.t[n]
         q = coordinates(case.real.angles, finer.position[None], finer.attitude[None], record.required[n][None])[0]

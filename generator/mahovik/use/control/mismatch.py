@@ -8,12 +8,10 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import (
     Body,
-    Buoyancy,
-    Damping,
     Flywheel,
     Instrument,
     LawData,
@@ -39,13 +37,13 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
 
     e stands for a random number, uniform in -share..share, a new one each time:
 
-    masses, displaced masses           times 1 + e
-    vectors (centres of mass and of buoyancy, positions)   each component plus e |vector| / sqrt(3)
+    masses                             times 1 + e
+    vectors (centres of mass, positions)   each component plus e |vector| / sqrt(3)
     second moments of a body's mass about its centre, in its axes        S M S, S = diag(sqrt(1 + e)): a body that
                                        can exist stays one
     mounting of a flywheel             axis and zero turned by a rotation vector of components e (rad) / sqrt(3)
     attitude of an instrument          likewise, its three angles plus e / sqrt(3)
-    added mass, matrices of damping    S A S, S = diag(sqrt(1 + e)): definite stays definite; terms times 1 + e
+    added mass                         S A S, S = diag(sqrt(1 + e)): definite stays definite
     laws of `laws/`                    as each says in its folder
 
     Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
@@ -75,8 +73,9 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
 
 def _law(draw: Errors, law: LawData) -> LawData:
     """The data of one law with errors."""
-    for part in laws.parts("mismatch"):
-        found: LawData | None = part.mismatched(draw, law)
+    on_carrier = (part.mismatched for part in laws.parts("mismatch"))
+    for mismatched in (*on_carrier, *laws.of_bodies("mismatch", "mismatched")):
+        found: LawData | None = mismatched(draw, law)
         if found is not None:
             return found
     return law
@@ -98,17 +97,7 @@ class _Bodies(Errors):
             inertia=cast(Mat3, tuple(map(tuple, ((inertia + inertia.T) / 2.0).tolist()))),
             inertia_about="center_of_mass",
         )
-        if body.buoyancy is not None:
-            own = body.buoyancy
-            buoyancy = Buoyancy(self.times(own.displaced_mass), self.vector(own.center))
-            changed = replace(changed, buoyancy=buoyancy)
-        if body.damping is not None:
-            changed = replace(changed, damping=self.damping(body.damping))
-        return changed
-
-    def damping(self, damping: Damping) -> Damping:
-        terms = tuple(replace(term, value=self.times(term.value)) for term in damping.terms)
-        return Damping(self.matrix(damping.linear), self.matrix(damping.quadratic), terms)
+        return replace(changed, laws=tuple(_law(self, law) for law in body.laws))
 
     def instrument(self, own: Instrument) -> Instrument:
         angles = cast(Vec3, tuple((np.array(own.angles) + self.direction()).tolist()))

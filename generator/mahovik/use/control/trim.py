@@ -27,8 +27,9 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.use.control.orbit import Orbit, nodes, required_orbit
+from mahovik.use.control.wanted import Orbit, nodes, required_orbit
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.problem import Basis
 from mahovik.use.plan.residual import Mechanics
 
 QUICK = 8.0
@@ -116,7 +117,7 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window)
     if not found.radius < 1.0:
         raise UsageError(
-            f"trim: does not converge, errors grow by {found.radius:.3g} a window; use a `gain` below {trim.gain:g} "
+            f"trim: does not converge, errors grow by {found.radius:.3g} per window; use a `gain` below {trim.gain:g} "
             f"or a `settling` above {trim.settling} periods"
         )
     return found
@@ -144,14 +145,9 @@ def trim_members(design: TrimDesign, motion: RequiredMotion, programme: Programm
 
 def _basis(orbit: Orbit, H: int) -> Array:
     """(3, M + 1, T): 1, cos, sin, cos 2, ... of the programme's phase, with two derivatives by time."""
-    k = np.arange(1.0, H + 1.0)
-    a, w = 2.0 * np.pi * np.outer(orbit.t / orbit.span, k), 2.0 * np.pi * k / orbit.span
-    c, s = np.cos(a), np.sin(a)
-    found = np.zeros((3, len(a), 2 * H + 1))
-    found[0, :, 0] = 1.0
-    for order, (cos, sin) in enumerate(((c, s), (-w * s, w * c), (-w * w * c, -w * w * s))):
-        found[order, :, 1::2], found[order, :, 2::2] = cos, sin
-    return found
+    k = np.arange(1, H + 1)
+    alternating = [0, *np.stack([k, H + k], axis=1).ravel()]
+    return np.stack(Basis.of(orbit.span, H, orbit.t).of_each)[:, :, alternating]
 
 
 def _averages(H: int, M: int) -> Array:

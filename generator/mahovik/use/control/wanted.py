@@ -1,4 +1,9 @@
-"""The wanted motion at any time: angles and speeds of the flywheels, their drive torques, the carrier's motion."""
+"""The wanted motion: angles, speeds, torques of the flywheels, and the carrier's periodic motion with its response.
+
+Linear equations along the motion, x' = A(t) x + B(t) c, are those of plan/forward: derivatives of (8) along the
+programme, exact in the flywheels' motion. With the monodromy matrix Phi of a period, the periodic response to c has
+x(0) = (1 - Phi)^-1 p, where p is the end of a period that starts from x(0) = 0.
+"""
 
 from __future__ import annotations
 
@@ -7,16 +12,26 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.errors import UsageError
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, course, drive, equilibrium, linearise_along
-from mahovik.use.plan.forward.collocation import INTERVALS
+from mahovik.errors import CheckError, StateError, UsageError
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.forward import (
+    INTERVALS,
+    Chart,
+    Drive,
+    Eliminated,
+    acceleration_rates,
+    course,
+    drive,
+    equilibrium,
+    integrate,
+    linearise,
+    linearise_along,
+)
 from mahovik.use.plan.residual import Mechanics, prescribe, torques
 
 TORQUES = 512
@@ -88,7 +103,7 @@ class Wanted:
         return lambda times: spline(np.maximum(times, -table.duration))
 
     @cached_property
-    def _coefficients(self) -> tuple[NDArray[np.complex128], Array]:
+    def _coefficients(self) -> tuple[Complex, Array]:
         """Harmonics of the drive torques, complex (H, N): mean first; and their numbers (H)."""
         t = self.motion.span * np.arange(TORQUES) / TORQUES
         at = prescribe(Mechanics.of(self.stand), self.motion.at(t), self.programme.bias)
@@ -105,3 +120,127 @@ def tabulate(programme: Programme, rows: int) -> Programme:
         raise UsageError(f"--table {rows}: expected at least 4 nodes")
     t = programme.span * np.arange(rows) / rows
     return replace(programme, course=Samples(t, *programme.at(t)))
+
+
+ORBIT_NODES = 96
+"""Least nodes per period of the fastest part."""
+_SINGULAR = 1e-7
+"""Part of the largest singular value of 1 - Phi below which a direction is free: nothing returns the carrier."""
+_MOST = 12
+_STEP = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """One period of the carrier at M + 1 uniform nodes, the last one period after the first.
+
+    chart, given   the stand's equations about the mean pose, and the flywheels' sums at the nodes
+    phi_ddot       (M + 1, N)
+    y              (M + 1, 12): states of the chart
+    near           the linear equations along it
+    free           (M + 1, 12, 12): propagation of a deviation at the first node; the last is the monodromy matrix
+    q              (M + 1, 6): coordinates of the required motion
+    """
+
+    chart: Chart
+    span: float
+    given: Drive
+    phi_ddot: Array
+    y: Array
+    near: Eliminated
+    free: Array
+    q: Array
+
+    @property
+    def monodromy(self) -> Array:
+        """Phi (12, 12)."""
+        return np.asarray(self.free[-1])
+
+    @property
+    def t(self) -> Array:
+        """Times of the nodes (M + 1), s."""
+        return np.linspace(0.0, self.span, len(self.y))
+
+    def periodic_start(self, ends: Array) -> Array:
+        """x(0) (12, n) with x(0) = Phi x(0) + ends; the smallest one if directions are free."""
+        return np.asarray(np.linalg.lstsq(np.eye(12) - self.monodromy, ends, rcond=_SINGULAR)[0])
+
+    def response(self, basis: Array) -> Array:
+        """x (M + 1, 12, N, P): the carrier's periodic response to phi_s = c_sj basis_j, at c_sj = 1.
+
+        basis (3, M + 1, P): functions of a period at the nodes, with two derivatives.
+        """
+        N, P = self.phi_ddot.shape[1], basis.shape[2]
+        rates = np.zeros((len(self.y), 12, N, P))
+        found = linearise_along(self.chart, self.given, self.y, self.phi_ddot)
+        for B, function in zip(acceleration_rates(self.given, found), basis, strict=True):
+            rates[:, 6:] += B[:, :, :, None] * function[:, None, None, :]
+        spacing = self.span / (len(self.y) - 1)
+        defects = integrate(rates.reshape(-1, 12, N * P), spacing)
+        ends = self.near.solve(defects, np.zeros((12, N * P)))[-1]
+        return self.near.solve(defects, self.periodic_start(ends)).reshape(-1, 12, N, P)
+
+    def coordinates(self) -> Array:
+        """dq/dx (M + 1, 6, 6): derivatives of q (m, rad) by the pose in y, along the motion."""
+        columns = []
+        still = np.zeros_like(self.q)
+        for i in range(6):
+            aside = np.zeros(6)
+            aside[i] = _STEP
+            ends = (self.chart.of(Course(self.q + sign * aside, still, still))[:, :6] for sign in (1, -1))
+            columns.append(np.subtract(*ends) / (2.0 * _STEP))
+        return np.asarray(np.linalg.inv(np.stack(columns, axis=2)))
+
+
+def nodes(motion: RequiredMotion, programme: Programme, highest: int = 1) -> int:
+    """Number of intervals per period, enough for harmonics up to `highest`."""
+    fastest = max([1, highest, *motion.harmonics, *(abs(n) for n in programme.winding)])
+    return INTERVALS * -(-ORBIT_NODES * fastest // INTERVALS)
+
+
+def required_orbit(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Orbit:
+    """The orbit of a stand that matches its programme: the required motion itself, at `count` intervals per period."""
+    t = np.linspace(0.0, motion.span, count + 1)
+    required = motion.at(t, programme.bias)
+    chart, given, phi_ddot = _chart_and_sums(mechanics, motion, programme, t)
+    y = chart.of(required)
+    near = linearise(chart, given, motion.span / count, y)
+    free = near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))
+    return Orbit(chart, motion.span, given, phi_ddot, y, near, free, required.q)
+
+
+def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
+    """y (12) at t = 0 of the periodic motion near the required one, for a stand that differs from the programme's.
+
+    In the chart of `required_orbit`. Raises CheckError: none is near.
+    """
+    orbit = required_orbit(mechanics, motion, programme, count)
+    spacing, start, guess = orbit.span / count, orbit.y[0], orbit.y
+    for _ in range(_MOST):
+        try:
+            found = course(orbit.chart, orbit.given, spacing, start, guess, None)
+        except StateError:
+            break
+        ends = found.y[-1] - found.y[0]
+        if np.abs(ends).max() < 1e-10:
+            return np.asarray(start)
+        monodromy = found.near.solve(np.zeros((count // INTERVALS, INTERVALS, 12, 12)), np.eye(12))[-1]
+        step = np.linalg.lstsq(np.eye(12) - monodromy, ends, rcond=_SINGULAR)[0]
+        left = ends - (np.eye(12) - monodromy) @ step
+        start, guess = start + step, found.y + step
+        if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
+            return np.asarray(start)  # the remainder is drift along free directions
+    raise CheckError(
+        f"{mechanics.stand.name}: with this mismatch no periodic motion is near the required one; use a smaller "
+        "mismatch, or begin on the programme: --start programme"
+    )
+
+
+def _chart_and_sums(
+    mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array
+) -> tuple[Chart, Drive, Array]:
+    mean = (motion.mean + programme.bias)[None]
+    still = np.zeros((1, 6))
+    chart = Chart.about(mechanics, Course(mean, still, still))
+    angles = programme.at(t)
+    return chart, drive(mechanics, *angles), angles.phi_ddot

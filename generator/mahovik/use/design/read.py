@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field
 
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, choice, context_validator, positions, short_integer, whole
+from mahovik.core.motion.fields import NOT_NULL, choice, context_validator, positions, short_integer, whole_number
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Flag, Table, refuse, scalar, validator
 from mahovik.core.stand.model import Stand
@@ -29,10 +29,9 @@ from mahovik.core.stand.units import (
     show,
 )
 from mahovik.errors import DesignError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 from mahovik.use.design.freedom import MIRRORS, PARTS, WIDTH, Freedom, Key, Limits, Tie, Weights
-from mahovik.use.design.limits import nearest_two
-from mahovik.use.design.space import flywheel_numbers
+from mahovik.use.design.space import flywheel_numbers, nearest_two
 
 CHOICES = ("phase", "speed", "number")
 DIMENSIONS: dict[Key, Dimension] = {
@@ -68,7 +67,7 @@ def _box(key: Key) -> Any:
             raise QuantityError(f"expected true, false or {{ min = .., max = .. }}, found {show(raw)}")
         for name in raw:
             if name not in ("min", "max"):
-                raise QuantityError(f"unknown key {show(name)}{meant(name, ('min', 'max'))}")
+                raise QuantityError(f"unknown key {show(name)}{suggestion(name, ('min', 'max'))}")
         low, high = bound(raw, "min"), bound(raw, "max")
         for a, b in zip(low, high, strict=True):
             if a > b:
@@ -87,7 +86,7 @@ def _same(raw: Any) -> tuple[Key, ...]:
         raise QuantityError(f"expected a list, found {show(raw)}")
     for key in raw:
         if key not in PARTS:
-            raise QuantityError(f"unknown key {show(key)}{meant(str(key), PARTS)}")
+            raise QuantityError(f"unknown key {show(key)}{suggestion(str(key), PARTS)}")
     return tuple(key for key in PARTS if key in raw)
 
 
@@ -95,10 +94,10 @@ def _speeds(raw: Any) -> tuple[int, ...] | None:
     if isinstance(raw, bool):
         return (-2, -1, 0, 1, 2) if raw else None
     if not isinstance(raw, list) or not raw:
-        raise QuantityError(f"expected turns a period to choose from, as [-1, 1], found {show(raw)}")
+        raise QuantityError(f"expected turns per period to choose from, as [-1, 1], found {show(raw)}")
     for turns in raw:
         if abs(short_integer(turns)) > FASTEST:
-            raise QuantityError(f"expected at most {FASTEST} turns a period, found {turns}")
+            raise QuantityError(f"expected at most {FASTEST} turns per period, found {turns}")
     return tuple(sorted(set(raw)))
 
 
@@ -164,7 +163,7 @@ class FreedomTable(Table):
     number: Annotated[tuple[int, int] | None, context_validator(_number)] = None
     phase: Flag = False
     speed: Annotated[tuple[int, ...] | None, validator(_speeds)] = None
-    harmonics: Annotated[int, whole(0, MOST_HARMONICS)] = 3
+    harmonics: Annotated[int, whole_number(0, MOST_HARMONICS)] = 3
     quality: Annotated[float, scalar(PLAIN, above=0.0, most=0.1)] = 1e-3
     free: list[FreeTable] = Field(default_factory=list)
     group: list[GroupTable] = Field(default_factory=list)
@@ -190,7 +189,7 @@ def freedom_of_keys(keys: str, stand: Stand) -> Freedom:
     problems = Problems(f"--free {keys}")
     for name in names:
         if name not in known:
-            problems.add(f"unknown key {show(name)}{meant(name, known)} The name of a freedom file ends in .toml")
+            problems.add(f"unknown key {show(name)}{suggestion(name, known)} The name of a freedom file ends in .toml")
     document: dict[str, Any] = {name: True for name in names if name in CHOICES}
     free = {name: True for name in names if name in PARTS}
     return _freedom(document | ({"free": [free]} if free else {}), stand, problems)
@@ -267,7 +266,7 @@ class _Bounds:
         return 0.5 * now, 2.0 * now
 
     def limits(self, table: LimitsTable, flywheels: int) -> Limits:
-        """Limits of the whole stand with at least so many flywheels; limits below the bounds are noted.
+        """Limits of the whole stand with at least this many flywheels; limits below the bounds are noted.
 
         Without a limit, flywheels whose positions are free stay apart by half the least distance in the given stand.
         """

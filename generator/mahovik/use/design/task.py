@@ -1,6 +1,6 @@
 """One design problem: unknowns of a stand and of its programme together, with the rows of a least-squares sum.
 
-A vector z holds the unknowns y of the design divided by their sizes, then waves and free bias as in `plan/fourier`.
+A vector z holds the unknowns y of the design divided by their sizes, then waves and free bias as in `plan/problem`.
 """
 
 from __future__ import annotations
@@ -13,14 +13,11 @@ import numpy as np
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.use.design.freedom import WIDTH, Freedom
-from mahovik.use.design.limits import limit_rows
-from mahovik.use.design.space import Space
+from mahovik.use.design.space import Space, limit_rows
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import RHO, bias_hinges, has_bounds, hinge_rows
-from mahovik.use.plan.fourier import Periodic, uniform
-from mahovik.use.plan.problem import Grid, Problem
+from mahovik.use.plan.objective import RHO, Rows, bias_hinges, has_bounds, hinge_rows
+from mahovik.use.plan.problem import Grid, Periodic, Problem, uniform
 from mahovik.use.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design, prescribe
-from mahovik.use.plan.rows import Rows
 
 
 class Design(NamedTuple):

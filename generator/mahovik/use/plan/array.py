@@ -1,4 +1,4 @@
-"""The one array type of planning: 64-bit floats. Shapes are in each docstring; M times, N flywheels."""
+"""Array types of planning and of the stages above it. Shapes are in each docstring; M times, N flywheels."""
 
 from __future__ import annotations
 
@@ -6,3 +6,4 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]

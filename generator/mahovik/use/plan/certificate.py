@@ -1,4 +1,4 @@
-"""Programmes with stand, motion and hashes, and with the findings of the independent verification."""
+"""Programmes with stand, motion and hashes, figures for their report, and findings of the independent verification."""
 
 from __future__ import annotations
 
@@ -8,11 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Fourier, Programme, Samples
+from mahovik.core.motion.programme import Angles, Fourier, Programme, Samples
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.residual import Mechanics, prescribe, torques
+from mahovik.use.plan.residual.flywheels import waves
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """Optional tables of a programme: key in the file, and name in messages."""
@@ -49,7 +52,7 @@ def make_programme(
 def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
     """The programme with the findings of the independent verification in its report."""
     from mahovik.proof.verify.programme import verify_programme
-    from mahovik.proof.verify.programme.finding import floquet_of
+    from mahovik.proof.verify.programme.finding import floquet_multipliers
 
     findings = verify_programme(stand, motion, programme)
     items = [each.as_item() for each in findings]
@@ -58,7 +61,7 @@ def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Progr
         "verified": all(each.passed for each in findings),
         "simulation_error": values.get("simulation"),
         "largest_multiplier": values.get("Floquet"),
-        "floquet": floquet_of(findings),
+        "floquet": floquet_multipliers(findings),
         "verification": items,
         "warnings": [f"{each.name}: {each.words}" for each in findings if each.warns],
     }
@@ -95,3 +98,57 @@ def drop_refused_tables(programme: Programme) -> Programme:
         report[key] = {"reason": f"{name}: found, but refused by the verification: {wrong}"}
         programme = replace(programme, runup=None) if key == "runup" else replace(programme, rundown=None)
     return replace(programme, report=report)
+
+
+def figures(problem: Problem, motion: Periodic) -> dict[str, Any]:
+    """Figures of a periodic motion for a report, on a grid 20 times finer than its harmonics need.
+
+    Largest relative residual between the nodes, peaks (N each), least singular value of K^-1/2 I Theta_ff^-1/2, and the
+    number of sign changes of det I in a period; None unless there are six flywheels.
+    """
+    grid = problem.grid(20 * (2 * motion.H + 2), motion.H, 0.5)
+    angles = motion.at(grid.basis)
+    sigma, determinants = singular_values(problem.mechanics, angles.phi)
+    return {
+        "residual": problem.relative(motion),
+        "peak_speed": np.abs(angles.phi_dot).max(axis=0),
+        "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
+        "peak_torque": np.abs(torques_on(problem, grid, motion, angles)).max(axis=0),
+        "least_singular_value": float(sigma.min()) if sigma.size else 0.0,
+        "det_I_sign_changes": sign_changes(determinants, periodic=True),
+    }
+
+
+def sign_changes(values: Array | None, *, periodic: bool) -> int | None:
+    """Number of sign changes along values (M), `periodic`: also from the last to the first; None without values."""
+    if values is None:
+        return None
+    return int(np.sum(values[1:] * values[:-1] < 0.0) + (periodic and values[0] * values[-1] < 0.0))
+
+
+def torques_on(problem: Problem, grid: Grid, motion: Periodic, angles: Angles) -> Array:
+    """Drive torques (M, N; N m) at the times of a grid."""
+    return torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
+
+
+def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
+    """min(6, N) singular values of K^-1/2 I Theta_ff^-1/2 (M, .) at angles (M, N), and its determinant where N = 6.
+
+    The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I.
+    """
+    scaled: Array = scaled_columns(own, phi)
+    determinants = np.asarray(np.linalg.det(scaled)) if own.N == 6 else None
+    return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
+
+
+def scaled_columns(own: Mechanics, phi: Array) -> Array:
+    """G^-1 I Theta_ff^-1/2 (M, 6, N) with K = G G^T, at angles phi (M, N)."""
+    K, I = mass_and_coupling(own, phi)
+    return np.asarray(np.linalg.solve(np.linalg.cholesky(K), I / np.sqrt(own.tables.Theta_ff)))
+
+
+def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:
+    """K of (2) (M, 6, 6) and I of (9) (M, 6, N) at angles (M, N; rad), in E1 about O1."""
+    h, _ = waves(phi)
+    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
+    return K, np.einsum("hmn,hni->min", h, own.tables.coupling)

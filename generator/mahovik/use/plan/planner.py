@@ -1,31 +1,42 @@
-"""Planning as a whole: preflight, search, choice, verification, report."""
+"""Planning as a whole: preflight, search, choice, verification, report; of periodic and of finite motions."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Fourier, Programme
+from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.motion.required import RequiredMotion, with_winding
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.plan.bounds import has_bounds
 from mahovik.use.plan.budget import Budget, defer_interrupt
-from mahovik.use.plan.certificate import certify, drop_refused_tables, failed_items, make_programme
-from mahovik.use.plan.choose import Improver, choose
-from mahovik.use.plan.figures import figures
-from mahovik.use.plan.finite_planner import plan_finite
+from mahovik.use.plan.certificate import (
+    certify,
+    drop_refused_tables,
+    failed_items,
+    figures,
+    make_programme,
+    sign_changes,
+    singular_values,
+)
+from mahovik.use.plan.finite import FiniteProblem, Solved, search_finite, table_of
+from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.ocp import requested_partition
-from mahovik.use.plan.options import PlanOptions
-from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, Status
-from mahovik.use.plan.period import repeat_motion, with_shortest_period
+from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.residual import linear, prescribe
 from mahovik.use.plan.runup import shortcomings, with_runup
-from mahovik.use.plan.search import Candidate, Search, search
+from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
+from mahovik.use.plan.windings import repeat_motion, with_shortest_period
+
+SEARCH = 0.5
+"""Share of the given time for the search, if run-up and run-down follow it; they have the rest."""
+_TIMES = 2000
+"""Times at which peaks and bounds of a finite motion are evaluated."""
 
 
 def plan_motion(
@@ -51,121 +62,167 @@ def plan_motion(
         return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
-    if not motion.periodic:
-        return plan_finite(problem, first, options, budget, on_progress, plus)
-    improver = Improver.of(problem)
-    found = search(
-        problem, improver, first.bias, options.seed, budget, max(options.enough, options.keep), on_progress=on_progress
-    )
+    tell = on_progress or (lambda _: None)
+    if motion.periodic:
+        return _plan_periodic(problem, motion, first, options, plus, budget, whole, tell)
+    return _plan_finite(problem, first, options, plus, budget, tell)
+
+
+def _plan_periodic(
+    problem: Problem,
+    motion: RequiredMotion,
+    first: Preflight,
+    options: PlanOptions,
+    plus: tuple[int, ...] | None,
+    budget: Budget,
+    whole: Budget,
+    tell: OnProgress,
+) -> Plan:
+    """A programme of a periodic motion; the problem may be one repeating part of it. `whole`: time with the run-ups.
+
+    plus: the six dependent flywheels of (13). Run-ups have the time after the search, the verification has no limit.
+    """
+    improver, enough = Improver.of(problem), max(options.enough, options.keep)
+    found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
 
     def say(doing: str) -> None:
         found.doing = doing
-        if on_progress is not None:
-            on_progress(found)
+        tell(found)
 
-    after = AfterSearch(whole, say, options.verify)
     chosen = choose(improver, found)
     candidates = Candidates([(each, {}) for each in chosen], words=() if chosen else (not_found(found),))
     if options.method != "fourier" and chosen and not found.interrupted:
         from mahovik.use.plan.ocp.plan import periodic_ocp
 
-        candidates = periodic_ocp(improver, chosen, options, plus, budget, on_progress)
+        candidates = periodic_ocp(improver, chosen, options, plus, budget, tell)
         found.interrupted |= candidates.interrupted
         found.cut |= candidates.cut
-    return _plan(problem, motion, first, found, candidates, budget.taken, options, after)
+    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.found]}
+
+    def programmes() -> Iterator[Programme]:
+        for each, told in candidates.found:
+            with defer_interrupt(whole.interrupt, again=True):
+                programme = _periodic_programme(problem, motion, each, {"search": effort, **told})
+            programme = with_runup(problem.stand, motion, programme, options.seed, whole, say)
+            if options.verify:
+                say("verifying")
+                with defer_interrupt(whole.interrupt, again=True):
+                    programme = drop_refused_tables(certify(problem.stand, motion, programme))
+            yield programme
+
+    return _verified_plan(first, found, candidates, effort, programmes(), whole, options.keep)
 
 
-SEARCH = 0.5
-"""Share of the given time for the search, if run-up and run-down follow it; they have the rest."""
-
-
-@dataclass(frozen=True, eq=False)
-class AfterSearch:
-    """Work after the search: run-ups in the remaining time, then the verification without a time limit."""
-
-    whole: Budget
-    say: Callable[[str], None]
-    verify: bool
-
-    def complete(self, stand: Stand, motion: RequiredMotion, programme: Programme, seed: int) -> Programme:
-        """The programme with its tables, verified."""
-        programme = with_runup(stand, motion, programme, seed, self.whole, self.say)
-        if not self.verify:
-            return programme
-        self.say("verifying")
-        with defer_interrupt(self.whole.interrupt, again=True):
-            return drop_refused_tables(certify(stand, motion, programme))
-
-
-def _plan(
-    problem: Problem,
-    motion: RequiredMotion,
+def _plan_finite(
+    own: Problem,
     first: Preflight,
-    found: Search,
-    candidates: Candidates[Candidate],
-    steps: int,
     options: PlanOptions,
-    after: AfterSearch,
+    plus: tuple[int, ...] | None,
+    budget: Budget,
+    tell: OnProgress,
 ) -> Plan:
-    """The outcome of a search for `motion`, of which the problem may be one repeating part."""
-    effort = {
+    """A programme of a finite motion. The objective chooses among those found; the method `fourier` changes none."""
+    problem = FiniteProblem.from_problem(own)
+    cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
+    found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
+    candidates: Candidates[Solved] = Candidates([(each, {}) for each in found.found], words=[_finite_not_found(found)])
+    if options.method != "fourier" and found.found and not found.interrupted:
+        from mahovik.use.plan.ocp.plan import finite_ocp
+
+        warm = sorted(found.found, key=lambda each: _finite_report(problem, cost, each)["objective"])
+        candidates = finite_ocp(
+            problem, cost, warm, lambda one: _finite_report(problem, cost, one), options, plus, budget, tell
+        )
+        found.interrupted |= candidates.interrupted
+        found.cut = budget.cut or candidates.cut
+    reports = [{**_finite_report(problem, cost, each), **told} for each, told in candidates.found]
+    order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
+    effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
+    found.doing = "verifying"
+    tell(found)
+
+    def programmes() -> Iterator[Programme]:
+        for k in order[: options.keep]:
+            solved, report = candidates.found[k][0], {**reports[k], "search": effort}
+            table, bias = table_of(problem, solved), solved.motion.bias
+            programme = make_programme(own.stand, own.motion, bias, (0,) * own.N, table, report)
+            if options.verify:
+                with defer_interrupt(budget.interrupt, again=True):
+                    programme = certify(own.stand, own.motion, programme)
+            yield programme
+
+    return _verified_plan(first, found, candidates, effort, programmes(), budget, options.keep)
+
+
+def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
+    """Effort of a search, for the report."""
+    return {
         "seed": options.seed,
         "starts": found.starts,
-        "steps": steps,
+        "steps": budget.taken,
         "windings_tried": dict(found.tried),
         "found": len(found.found),
         "best_residual": float(found.best),
         "cut_by_time": found.cut,
-        "objective_spread": [each.objective for each, _ in candidates.found],
     }
+
+
+def _verified_plan(
+    first: Preflight,
+    found: Search[Any],
+    candidates: Candidates[Any],
+    effort: dict[str, Any],
+    programmes: Iterable[Programme],
+    budget: Budget,
+    keep: int,
+) -> Plan:
+    """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far."""
     if not candidates.found:
-        return Plan(
-            "NO_PROGRAM",
-            candidates.reason,
-            tuple(candidates.words),
-            tuple(first.warnings),
-            (),
-            effort,
-            found.interrupted,
-        )
-    programmes, refused = [], []
-    for each, told in candidates.found:
-        with defer_interrupt(after.whole.interrupt, again=True):
-            programme = _programme(problem, motion, each, {"search": effort, **told})
-        programme = after.complete(problem.stand, motion, programme, options.seed)
+        words, warnings = tuple(candidates.words), tuple(first.warnings)
+        return Plan("NO_PROGRAM", candidates.reason, words, warnings, (), effort, found.interrupted)
+    good: list[Programme] = []
+    refused = []
+    for programme in programmes:
         wrong = failed_items(programme)
         if wrong:
             refused.append(f"a programme was found and refused by the verification: {wrong}")
         else:
-            programmes.append((each, programme))
-        if len(programmes) == options.keep or (programmes and after.whole.interrupted):
+            good.append(programme)
+        if len(good) == keep or (good and budget.interrupted):
             break
-    interrupted = found.interrupted or after.whole.interrupted
-    if not programmes:
+    interrupted = found.interrupted or budget.interrupted
+    if not good:
         return Plan("NO_PROGRAM", "SEARCH", tuple(refused), tuple(first.warnings), (), effort, interrupted)
-    best, programme = programmes[0]
-    warnings = (*first.warnings, *programme.report.get("warnings", ()))
-    given = tuple(each for _, each in programmes)
-    over = (*(each.words for each in best.exceeded), *shortcomings(programme))
-    status: Status = "OK_LIMIT" if over else "OK"
-    return Plan(status, None, over, warnings, given, effort, interrupted)
+    warnings = (*first.warnings, *good[0].report.get("warnings", ()))
+    over = (*good[0].report["exceeded"], *shortcomings(good[0]))
+    return Plan("OK_LIMIT" if over else "OK", None, over, warnings, tuple(good), effort, interrupted)
 
 
-def not_found(found: Search) -> str:
+def not_found(found: Search[Candidate]) -> str:
     """Message of a search without success; it proves nothing."""
     tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
-    ended = "cut by time" if found.cut else "interrupted" if found.interrupted else "out of budget"
+    near = found.beyond[0].exceeded[:1] if found.beyond else ()
+    bound = "".join(f"; the nearest attempt exceeds a bound, {each.words}" for each in near)
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried ({tried}), "
-        f"best relative residual {found.best:.3g}, {ended}; try another seed, more time, another winding, a smaller "
-        "motion or one more flywheel"
+        f"best relative residual {found.best:.3g}, {found.ended}{bound}; try {'wider bounds, ' if bound else ''}"
+        "another seed, more time, another winding, a smaller motion or one more flywheel"
     )
 
 
-def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any]) -> Programme:
+def _finite_not_found(found: Search[Solved]) -> str:
+    """The same for a finite motion."""
+    return (
+        f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
+        f"residual {found.best:.3g}, {found.ended}; try eight flywheels, a smaller or slower motion, or free means"
+    )
+
+
+def _periodic_programme(
+    problem: Problem, motion: RequiredMotion, chosen: Candidate, told: Mapping[str, Any]
+) -> Programme:
     """The programme with its report."""
     own = repeat_motion(chosen.motion, round(motion.span / problem.motion.span))
-    found = figures(problem, chosen.motion)
     report: dict[str, Any] = {
         "kind": chosen.kind,
         "objective": chosen.objective,
@@ -173,13 +230,35 @@ def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, told
         "bounds_used": chosen.used if has_bounds(motion.bounds) else None,
         "exceeded": [each.words for each in chosen.exceeded],
         "harmonics": own.H,
-        "residual": found.residual,
-        "peak_speed": found.speed,
-        "peak_acceleration": found.acceleration,
-        "peak_torque": found.torque,
-        "least_singular_value": found.sigma,
-        "det_I_sign_changes": found.sign_changes,
+        **figures(problem, chosen.motion),
         **told,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
     return make_programme(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+
+
+def _finite_report(problem: FiniteProblem, cost: Cost, solved: Solved) -> dict[str, Any]:
+    """Figures of a finite programme."""
+    motion, span = solved.motion, problem.motion.span
+    t = np.linspace(0.0, span, _TIMES)
+    grid = problem.grid_of(solved.degree, t)
+    angles: Angles = motion.at(grid.basis)
+    at = linear(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
+    swing = angles.phi - angles.phi.mean(axis=0)
+    parts = cost.value(angles, np.zeros(problem.N), Rows.torque(at))
+    over = exceeded_bounds(problem.motion.bounds, problem.stand, t, angles, swing, at.tau, motion.bias)
+    sigma, determinants = singular_values(problem.mechanics, angles.phi)
+    return {
+        "kind": "finite",
+        "objective": float(sum(parts.values())),
+        "objective_parts": parts,
+        "exceeded": [each.words for each in over],
+        "residual": solved.residual,
+        "degree": solved.degree,
+        "peak_speed": np.abs(angles.phi_dot).max(axis=0),
+        "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
+        "peak_torque": np.abs(at.tau).max(axis=0),
+        "end_speed": angles.phi_dot[-1],
+        "least_singular_value": float(sigma.min()) if sigma.size else 0.0,
+        "det_I_sign_changes": sign_changes(determinants, periodic=False),
+    }

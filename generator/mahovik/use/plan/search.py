@@ -1,22 +1,27 @@
-"""The search of a periodic programme: rounds of many starts, the best of them refined, until enough are found."""
+"""The search of a periodic programme: rounds of many starts, the best of them refined, until enough are found.
+
+The most promising start comes first, by objective and use of the bounds with few harmonics. Each start is made exact
+enough to be improved, then improved inside the bounds, then finished. `choose` takes the best programmes inside the
+bounds by the objective.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol
+from itertools import cycle
+from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import ExceededBound, has_bounds
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.fourier import Periodic
+from mahovik.use.plan.levenberg import Rules, StartBatch, refine, refine_periodic
+from mahovik.use.plan.objective import Cost, ExceededBound, has_bounds
+from mahovik.use.plan.optimise import Improved, estimate, evaluate, exceeded_by, finish, improve
 from mahovik.use.plan.outcome import OnProgress
-from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.starts import StartBatch
-from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order, rounds
+from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order
 
 Indices = NDArray[np.intp]
 HARMONIC_COUNTS = (5, 10, 20, 32, 48, 64)
@@ -41,22 +46,18 @@ ROUNDS_IN_BOUNDS = 15
 
 
 @dataclass(frozen=True, eq=False)
-class Candidate:
+class Candidate(Improved):
     """Result of refining a start.
 
     exact      whether its residual between the nodes is accepted, which makes it a programme
-    objective  J of (13), and the part of each kind
-    used       largest use of a bound; above 1 see `exceeded`, largest excess first
+    exceeded   bounds that it exceeds, largest excess first
+    free       the motion before the bounds began to push it, where it is known
     """
 
-    motion: Periodic
-    residual: float
     kind: Kind
     exact: bool
-    objective: float
-    parts: Mapping[str, float]
-    used: float
     exceeded: tuple[ExceededBound, ...]
+    free: Periodic | None = None
 
     @property
     def accepted(self) -> bool:
@@ -64,24 +65,18 @@ class Candidate:
         return self.exact and not self.exceeded
 
 
-class Polisher(Protocol):
-    """Turns starts into programmes, and ranks starts."""
-
-    def rank(self, batch: StartBatch) -> Indices:
-        """Numbers of the batch's motions, the most promising first."""
-
-    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
-        """The programme that a start leads to; None: it leads to none."""
+Found = TypeVar("Found")
 
 
 @dataclass
-class Search:
+class Search(Generic[Found]):
     """State of a search. `best`: least relative residual seen, found or not.
 
     found   programmes inside the bounds; `beyond`: those that exceed the bounds least, smallest excess first
+    tried   number of starts by kind of winding
     """
 
-    found: list[Candidate] = field(default_factory=list)
+    found: list[Found] = field(default_factory=list)
     beyond: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
@@ -99,42 +94,38 @@ class Search:
         """Remember the least residual."""
         self.best = min(self.best, residual)
 
-    def take(self, candidate: Candidate) -> None:
-        """Remember the result of a start."""
-        self.seen(candidate.residual)
-        if candidate.accepted:
-            self.found.append(candidate)
-        else:
-            self.beyond = sorted([*self.beyond, candidate], key=lambda each: each.used)[:SPARE]
+    @property
+    def ended(self) -> str:
+        """Why the search ended, in words."""
+        return "cut by time" if self.cut else "interrupted" if self.interrupted else "out of budget"
 
 
 def search(
     problem: Problem,
-    polisher: Polisher,
+    improver: Improver,
     bias: Array,
     seed: int,
     budget: Budget,
     enough: int = 1,
     most: int | None = None,
-    on_progress: OnProgress | None = None,
-) -> Search:
+    on_progress: OnProgress = lambda _: None,
+) -> Search[Candidate]:
     """Programmes of a periodic motion, in the order found; the same for the same problem, seed and budget of steps.
 
-    polisher  turns starts into programmes
     bias    (6): where starts begin, the mean pose at which the surroundings carry the weight
     enough  programmes of each kind of winding, after which this kind is skipped
     most    rounds, None: a sensible number; Ctrl-C ends the search with its results so far
     """
     rng = np.random.default_rng(seed)
-    state = Search()
+    state = Search[Candidate]()
     kinds = kinds_in_order(problem.motion, problem.N)
     if most is None:
         most = ROUNDS_IN_BOUNDS if has_bounds(problem.motion.bounds) else ROUNDS
     try:
-        for number, kind in enumerate(rounds(problem.motion, problem.N)):
+        for number, kind in enumerate(cycle(kinds)):
             if number >= most or budget.exhausted or (state.found and number >= min(2, len(kinds))):
                 break
-            _round(problem, polisher, bias, kind, rng, budget, enough, state, on_progress)
+            _round(problem, improver, bias, kind, rng, budget, enough, state, on_progress)
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
@@ -144,19 +135,18 @@ def search(
 
 def _round(
     problem: Problem,
-    polisher: Polisher,
+    improver: Improver,
     bias: Array,
     kind: Kind,
     rng: np.random.Generator,
     budget: Budget,
     enough: int,
-    state: Search,
-    on_progress: OnProgress | None,
+    state: Search[Candidate],
+    on_progress: OnProgress,
 ) -> None:
     """One batch of starts of one kind; refine the best of it."""
     state.doing = "searching"
-    if on_progress is not None:
-        on_progress(state)
+    on_progress(state)
     K = max(CHOSEN, int(DRAWN * min(1.0, _LARGEST / (problem.N * problem.highest))))
     windings = draw_windings(kind, problem.motion, problem.N, K, rng)
     batch = StartBatch(problem, windings, rng.uniform(-np.pi, np.pi, (K, problem.N, 1)), bias)
@@ -171,17 +161,116 @@ def _round(
     state.tried[kind] = state.tried.get(kind, 0) + K
     state.seen(float(residuals.min()))
     here = 0
-    order = polisher.rank(chosen)
+    order = improver.rank(chosen)
     state.doing = "improving"
     most = REFINED_IN_BOUNDS if has_bounds(problem.motion.bounds) else REFINED
     for k in order[residuals[order] <= _PROMISING][:most]:
-        if on_progress is not None:
-            on_progress(state)
+        on_progress(state)
         if budget.exhausted or here >= enough:
             break
-        candidate = polisher.polish(chosen.motion(int(k)), kind, budget)
+        candidate = improver.polish(chosen.motion(int(k)), kind, budget)
         if candidate is not None:
-            state.take(candidate)
+            state.seen(candidate.residual)
             here += candidate.accepted
-    if on_progress is not None:
-        on_progress(state)
+            if candidate.accepted:
+                state.found.append(candidate)
+            else:
+                state.beyond = sorted([*state.beyond, candidate], key=lambda each: each.used)[:SPARE]
+    on_progress(state)
+
+
+_START_HARMONICS = 5
+"""Harmonics that make a start nearly exact before it is improved, unless the motion has more."""
+_NEARLY = Rules(3e-3, 40)
+_HOPELESS = 0.3
+"""Relative residual above which a start is given up."""
+_VAGUE = 0.03
+"""Relative residual (root mean square) above which a start's objective means little."""
+_RESERVE = 60
+"""Steps reserved to finish the least bad programme when the budget is spent."""
+_SAME = 1e-2
+"""rad: two programmes of the same winding with all mean angles nearer than this count as one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Improver:
+    """Turns starts into programmes."""
+
+    problem: Problem
+    cost: Cost
+
+    @staticmethod
+    def of(problem: Problem) -> Improver:
+        """Improver for a problem's objective. MotionError: power is weighted without motor constants."""
+        Omega = 2.0 * np.pi / problem.motion.span * min(problem.motion.harmonics, default=1)
+        return Improver(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
+
+    def rank(self, batch: StartBatch) -> Indices:
+        """Numbers of the batch's motions, the most promising first."""
+        objective, used = np.array([estimate(self.problem, self.cost, batch.motion(k)) for k in range(batch.K)]).T
+        vague = np.log1p((batch.residuals() / _VAGUE) ** 2)
+        score = np.log(objective + 1e-12) + 4.0 * np.log(np.maximum(1.0, used)) + vague
+        return np.asarray(np.argsort(score, kind="stable"))
+
+    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+        """The programme that a start leads to, inside the bounds or beyond them; None: it leads to none."""
+        order = max(self.problem.highest, int(np.abs(start.winding).max(initial=0)))
+        H = max(start.H, _START_HARMONICS + 2 * (order - 1))
+        grid = self.problem.grid(4 * H + 8 * order + 16, H)
+        near = refine(self.problem, grid, start.with_harmonics(H), _NEARLY, budget)
+        if near.residual > _HOPELESS:
+            return None
+        found = improve(self.problem, self.cost, near.motion, budget)
+        if found.used > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
+            return self.candidate(found, kind, near.motion)
+        found = finish(self.problem, self.cost, found, budget)
+        if found.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
+            exact = refine_periodic(self.problem, near.motion, HARMONIC_COUNTS, budget).motion
+            found = evaluate(self.problem, self.cost, exact, found.steps)
+        return self.candidate(found, kind, near.motion)
+
+    def candidate(self, found: Improved, kind: Kind, free: Periodic | None = None) -> Candidate:
+        """The candidate with the bounds that it exceeds."""
+        exceeded = exceeded_by(self.problem, self.cost, found.motion) if found.used > 1.0 else ()
+        exact = found.residual < self.problem.tolerance
+        own = (found.motion, found.objective, found.parts, found.used, found.residual, found.steps)
+        return Candidate(*own, kind, exact, exceeded, free)
+
+    def rescue(self, beyond: Candidate, seconds: float | None) -> Candidate | None:
+        """The least bad candidate, finished on a reserve of steps; None: it does not become exact."""
+        if beyond.exact:
+            return beyond
+        reserve = Budget(_RESERVE, seconds)
+        again = self.candidate(finish(self.problem, self.cost, beyond, reserve), beyond.kind, beyond.free)
+        if not again.exact:
+            again = self.exact(beyond, beyond.motion, seconds)
+        return again if again.exact else None
+
+    def exact(self, beyond: Candidate, motion: Periodic, seconds: float | None) -> Candidate:
+        """A motion made exact without regard to the bounds, as far as a reserve of steps goes."""
+        exact = refine_periodic(self.problem, motion, HARMONIC_COUNTS, Budget(_RESERVE, seconds)).motion
+        return self.candidate(evaluate(self.problem, self.cost, exact, 0), beyond.kind, beyond.free)
+
+
+def choose(improver: Improver, found: Search[Candidate], seconds: float | None = 5.0) -> list[Candidate]:
+    """Programmes inside the bounds, best by the objective first; else the one that exceeds the bounds least."""
+    inside = sorted(found.found, key=lambda each: each.objective)
+    if inside:
+        return [
+            each for k, each in enumerate(inside) if not any(is_same_programme(each, better) for better in inside[:k])
+        ]
+    for each in found.beyond:
+        least = improver.rescue(each, seconds)
+        if least is not None:
+            return [least]
+    # bounds far below what the motion needs leave no exact motion near them: then one that disregards them
+    free = [improver.exact(each, each.free, seconds) for each in found.beyond if each.free is not None]
+    return sorted((each for each in free if each.exact), key=lambda each: each.used)[:1]
+
+
+def is_same_programme(a: Candidate, b: Candidate) -> bool:
+    """Whether two searches ended in the same programme."""
+    if not np.array_equal(a.motion.winding, b.motion.winding):
+        return False
+    apart = (a.motion.mean - b.motion.mean + np.pi) % (2.0 * np.pi) - np.pi
+    return bool(np.abs(apart).max(initial=0.0) < _SAME)

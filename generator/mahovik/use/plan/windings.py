@@ -2,20 +2,22 @@
 
 Flywheels turn with the common period of the motion (`spin`, +-1), rock about a mean angle (`rock`, 0), or some turn and
 some rock (`mixed`). They never turn with the highest of several harmonics: unbalance forces grow with the speed
-squared, and the surplus must cancel among the wheels.
+squared, and the surplus must cancel among the wheels. A motion is planned over its shortest period: harmonics with a
+common divisor repeat themselves within the given one.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from itertools import cycle
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.required.course import Harmonics
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.problem import Periodic
 
 Kind = Literal["spin", "rock", "mixed", "given"]
 
@@ -49,11 +51,6 @@ def kinds_in_order(motion: RequiredMotion, N: int) -> tuple[Kind, ...]:
     return kinds
 
 
-def rounds(motion: RequiredMotion, N: int) -> Iterator[Kind]:
-    """Kinds of all rounds, without end."""
-    return cycle(kinds_in_order(motion, N))
-
-
 def allowed_windings(kind: Kind, motion: RequiredMotion, s: int) -> tuple[int, ...]:
     """Windings that flywheel s may have in a kind, inside the bounds of speed; another kind's if it may have none.
 
@@ -76,3 +73,31 @@ def draw_windings(kind: Kind, motion: RequiredMotion, N: int, K: int, rng: np.ra
         return np.tile(np.array(motion.winding, dtype=np.float64), (K, 1))
     choices = [np.array(allowed_windings(kind, motion, s), dtype=np.float64) for s in range(N)]
     return np.stack([rng.choice(each, size=K) for each in choices], axis=1) if N else np.zeros((K, 0))
+
+
+def with_shortest_period(motion: RequiredMotion) -> RequiredMotion:
+    """The motion with its shortest period; unchanged if the windings do not repeat with it."""
+    course, times = motion.course, unit_turns(motion)
+    if not motion.periodic or not isinstance(course, Harmonics) or times == 1:
+        return motion
+    winding = motion.winding
+    if isinstance(winding, tuple):
+        if any(n % times for n in winding):
+            return motion
+        winding = tuple(n // times for n in winding)
+    span = motion.span / times
+    there = [row for row, k in enumerate(course.k) if k % times == 0]  # other harmonics have no amplitude
+    k = tuple(course.k[row] // times for row in there)
+    short = Harmonics(span, k, course.cos[there], course.sin[there])
+    return replace(motion, span=span, winding=winding, course=short)
+
+
+def repeat_motion(motion: Periodic, times: int) -> Periodic:
+    """The same flywheel motion over a period `times` as long."""
+    H = motion.H
+    waves = np.zeros((motion.N, 2 * H * times + 1))
+    waves[:, 0] = motion.waves[:, 0]
+    k = np.arange(1, H + 1)
+    waves[:, k * times] = motion.waves[:, k]
+    waves[:, H * times + k * times] = motion.waves[:, H + k]
+    return replace(motion, period=motion.period * times, winding=motion.winding * times, waves=waves)

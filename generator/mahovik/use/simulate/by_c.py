@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any, cast
@@ -12,14 +12,11 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.contract.status import status_words
+from mahovik.core.emit.names import member as c_member
 from mahovik.core.stand.model import Stand, Vec6
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.use.simulate.case import Array, Case, wrap_phases
-from mahovik.use.simulate.mobility import Mobility
-from mahovik.use.simulate.moment import Moment
-from mahovik.use.simulate.reaction import Reaction
-from mahovik.use.simulate.steepness import Steepness
+from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
 
 
 class CMotion:
@@ -60,7 +57,7 @@ class CMotion:
             self._steepness.check(case.dt, self._mobility.matrix())
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
-        """See Motion."""
+        """One moment for every time of output. Raises StateError if the motion leaves the computable range."""
         phi = self.case.phi0.copy()
         times = self.case.times
         for k, t in enumerate(times):
@@ -215,3 +212,100 @@ def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
         instruments=tuple(map(one, stand.instruments)),
         flywheels=tuple(map(one, stand.flywheels)),
     )
+
+
+BOUND = 0.1
+"""Largest (fall of torque by speed) (turning acceleration by torque) dt of a step.
+
+The torque of a step is taken at a speed extrapolated from the previous step. Such a scheme is stable below 1; at 0.1
+its error in approaching a speed is a thousandth of the remaining difference.
+"""
+
+MOST = 1000
+"""Most parts of a step; a law that needs more is refused before the run."""
+
+
+class Steepness:
+    """Parts into which the steps of a case must be cut.
+
+    `mobility`: d phi_ddot / d tau at the present state (N x N, magnitudes, 1/(kg m2)).
+    """
+
+    def __init__(self, case: Case) -> None:
+        self._regime = case.regime
+        self._motors = tuple(s.motor for s in case.stand.flywheels)
+        anywhere = np.full(len(self._motors), np.inf)
+        self._most = self._regime.steepness(-anywhere, anywhere, self._motors)
+        self.matters = bool(np.any(self._most > 0.0))
+
+    def parts(self, h: float, mobility: Array, speeds: Array, rate: Array) -> int:
+        """Number of parts of a step of `h` s that begins at these speeds (rad/s), changing at `rate` (rad/s2)."""
+        if _parts(h, mobility, self._most) == 1:
+            return 1
+        reach = 2.0 * h * np.abs(rate)  # steepest slope in the range that the step may reach
+        return min(MOST, _parts(h, mobility, self._regime.steepness(speeds - reach, speeds + reach, self._motors)))
+
+    def check(self, h: float, mobility: Array) -> None:
+        """Raise UsageError if steps of `h` s need too many parts."""
+        parts = _parts(h, mobility, self._most)
+        if parts > MOST:
+            worst = int(np.argmax(self._most * np.diag(mobility)))
+            raise UsageError(
+                f"{self._regime.name}: flywheel {self._regime.flywheels[worst].name}: its torque falls by up to "
+                f"{self._most[worst]:.3g} N m per rad/s, too steep for steps of {h:.3g} s; expected a wider `band` "
+                f"(or `coulomb_speed` of its motor), --dt {h * MOST / parts:.2g}, or --backend scipy"
+            )
+
+
+def _parts(h: float, mobility: Array, falls: Array) -> int:
+    fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
+    return max(1, math.ceil(h * fastest / BOUND))
+
+
+def result_view(c: CBackend, x: Any, function: str, member: str, **given: Any) -> tuple[Callable[[], int], Array]:
+    """A call of a C function at the state `x`, which its owner updates, and the numbers of one member of its result.
+
+    Inputs that are not given are zero. A state out of range leaves the numbers; the next step refuses it as well.
+    """
+    ffi, name = c.library.ffi, c.program.name
+    out = ffi.new(f"{name}_{function}_result *")
+    count = max(6 * len(c.inputs), len(given.get("locked", ())), 1)
+    zero = ffi.new(f"{name}_real[]", count)
+    known = {"table": c.library.default("default"), "x": x, "tau": zero, "wrench": zero, "out": out, **given}
+    arguments = [known[a.name] for a in c.program.function(function).arguments]
+    call = c.library.function(function)
+    return lambda: int(call(*arguments)), np.frombuffer(
+        ffi.buffer(ffi.addressof(out, c_member(member))), dtype=np.float64
+    )
+
+
+class Mobility:
+    """d phi_ddot / d tau (N x N, 1/(kg m2)) at the state `x`, which its owner updates. Locked flywheels: zero."""
+
+    def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
+        array = c.library.ffi.new("int[]", locked)
+        self._call, view = result_view(c, x, "coupled_jacobian", "phi_ddot_tau", locked=array)
+        self._view = view.reshape(len(locked), -1)
+
+    def matrix(self) -> Array:
+        """Mobility matrix; unchanged if the state is out of range."""
+        self._call()
+        return np.abs(self._view)
+
+
+class Reaction:
+    """-sum I_s phi_s'' of (8) at the state `x`, which its owner updates; `place`: index of the carrier's wrench.
+
+    `coupled` and `step` lock a flywheel at constant speed only. A known acceleration is a term
+    without unknowns in (8) and can be added to F; it does not appear in the rows of other flywheels.
+    """
+
+    def __init__(self, c: CBackend, x: Any) -> None:
+        self._call, view = result_view(c, x, "matrices", "I")
+        self._I = view.reshape(6, -1)
+        first = 6 * c.inputs.index("carrier")
+        self.place = slice(first, first + 6)
+
+    def wrench(self, accelerations: Array) -> Array:
+        """Force and moment about O1 in E1 for these phi'' (N, rad/s2; zero if not given)."""
+        return np.zeros(6) if self._call() < 0 else -(self._I @ accelerations)

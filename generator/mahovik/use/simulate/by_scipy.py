@@ -17,8 +17,7 @@ from mahovik.proof.reference.coupled import full_mass_matrix, torque_velocity_te
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.proof.reference.screw import f
-from mahovik.use.simulate.case import Array, Case
-from mahovik.use.simulate.moment import Moment
+from mahovik.use.simulate.case import Array, Case, Moment
 
 RTOL, ATOL = 1e-10, 1e-12
 
@@ -32,7 +31,7 @@ class SciPyMotion:
         self._free = np.flatnonzero(~self._given)
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
-        """See Motion."""
+        """One moment for every time of output. Raises StateError if the motion leaves the computable range."""
         case = self.case
         y = np.array([*case.start.position, *_quaternion(case), *case.start.V])
         if case.regime.by_torque:
@@ -80,11 +79,7 @@ class SciPyMotion:
         """dy/dt: position rate C v, quaternion rate q (0, omega) / 2, (8)."""
         state, _ = self._state(t, y)
         V_dot, phi_ddot, _ = self._accelerations(t, state)
-        w, x, y1, z = y[3:7]
-        p, q, r = y[10:13]
-        turning = 0.5 * np.array(
-            [-x * p - y1 * q - z * r, w * p + y1 * r - z * q, w * q + z * p - x * r, w * r + x * q - y1 * p]
-        )
+        turning = quaternion_rate(y[3:7], y[10:13])
         motion = np.concatenate([quaternion_rotation(*(state.quaternion or (1, 0, 0, 0))) @ y[7:10], turning, V_dot])
         return np.concatenate([motion, state.phi_dot, phi_ddot]) if self.case.regime.by_torque else motion
 
@@ -96,6 +91,13 @@ class SciPyMotion:
         found = reference.evaluate(self.case.stand, state, want)
         tau = np.where([each.by_torque for each in self.case.regime.flywheels], given, found["tau"])
         return Moment(t, state, phi.copy(), tau, found["points"], found.get("mount_wrench"))
+
+
+def quaternion_rate(quaternion: Array, omega: Array) -> Array:
+    """q (0, omega) / 2 (4) of a quaternion (4, w first) and the angular velocity (3) in the turned axes."""
+    w, x, y, z = quaternion
+    p, q, r = omega
+    return 0.5 * np.array([-x * p - y * q - z * r, w * p + y * r - z * q, w * q + z * p - x * r, w * r + x * q - y * p])
 
 
 def _quaternion(case: Case) -> Array:

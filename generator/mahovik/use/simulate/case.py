@@ -1,24 +1,47 @@
-"""A simulation: a stand, a regime, a start, times, and derived data that every backend needs."""
+"""A simulation: stand, regime, start, times, data for every backend, and the moments that it yields; a start's file."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import cast
+from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.regime import Regime
+from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State
-from mahovik.errors import UsageError
+from mahovik.errors import StateError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.proof.verify.states import KEYS as STATE_KEYS
+from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
 
 Array = NDArray[np.float64]
-LARGE = 1e6  # rad; larger phases are wrapped before they enter a state, whose range ends at 1e7
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """A time, the state there (with V_dot, phi_ddot), and phases that are not wrapped.
+
+    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None if not requested.
+    """
+
+    t: float
+    state: State
+    phi: Array
+    tau: Array
+    points: dict[str, Any]
+    mounts: Array | None
+
+
+LARGE = 0.1 * BOUNDS["MAX_PHASE"].value  # rad; larger phases are wrapped before they enter a state
 MAX_STEP = BOUNDS["MAX_STEP"].value  # s; the C refuses longer steps
+MAX_ROWS = 10_000_000  # of output
 _TURN = 2 * math.pi
 
 
@@ -46,8 +69,8 @@ class Case:
             raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
             raise UsageError(f"--order {self.order}: expected 4 or 2")
-        if self.until / self.every > 1e7:
-            raise UsageError(f"--every {self.every:g}: more than ten million rows")
+        if self.until / self.every > MAX_ROWS:
+            raise UsageError(f"--every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 
     @cached_property
     def times(self) -> Array:
@@ -102,3 +125,44 @@ class Case:
 def wrap_phases(phi: Array) -> Array:
     """Phases wrapped into a state's range."""
     return np.where(np.abs(phi) > LARGE, np.remainder(phi, _TURN), phi)
+
+
+START_KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot")
+"""Keys of a state that a start may have."""
+
+REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
+"""Keys printed by `mahovik rest --json`."""
+
+
+HINT = "; the regime gives torques and wrenches"
+
+
+def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint: str = HINT) -> State:
+    """The state in a JSON file; `keys` are allowed. Raises UsageError; `hint`: why no others."""
+    try:
+        text = content(path).decode("utf-8-sig")
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except ValueError as error:
+        raise UsageError(f"{path.name}: not UTF-8 text: {error}") from None
+    try:
+        found = read_object(text)
+        refuse_duplicates(found)
+        if "state" in found:
+            _refuse_unknown(found, REST_KEYS, "")
+            found = found["state"]
+            if not isinstance(found, dict):
+                raise StateError("state: expected an object")
+            refuse_duplicates(found)
+        _refuse_unknown(found, keys, hint)
+        return read_request(stand, {**found, "want": ["forward"]}).state
+    except StateError as error:
+        raise UsageError(f"{path.name}: {error}") from None
+
+
+def _refuse_unknown(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
+    for key in found:
+        if key not in keys:
+            if key in STATE_KEYS:
+                raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')
+            raise StateError(f'unknown key "{key}"{suggestion(key, keys)}')

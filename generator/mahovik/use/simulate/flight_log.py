@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, fnv1a
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.stand.content import FLIGHT, content
 from mahovik.errors import UsageError
 
@@ -85,7 +86,7 @@ def load(path: Path) -> tuple[bytes, list[str]]:
     if MAGIC not in data and any(line.startswith(b"@") for line in data.splitlines()):
         data = _from_hex(data, notes)
     if MAGIC not in data:
-        why = f"no log in its @ lines, {len(notes)} spoiled: {notes[0]}" if notes else _no_log(data)
+        why = f"no log in its @ lines, {len(notes)} damaged: {notes[0]}" if notes else _no_log(data)
         raise UsageError(f"{path}: {why}")
     return data, [f"{path}: {note}" for note in notes]
 
@@ -111,7 +112,7 @@ def _no_log(data: bytes) -> str:
     for name, mangled in (
         ("\\r\\n became \\n", MAGIC.replace(b"\r\n", b"\n")),
         ("\\n became \\r\\n", MAGIC.replace(b"\r\n", b"\r\r\n")),
-        ("the eighth bits are gone", bytes(b & 0x7F for b in MAGIC)),
+        ("the eighth bit of every byte is lost", bytes(b & 0x7F for b in MAGIC)),
     ):
         if mangled in data:
             return f"moved as text ({name}): transfer it as binary, or print it as @ lines of hexadecimal digits"

@@ -1,26 +1,29 @@
-"""Replay of a flight log: the same steps on this machine, every state compared bit for bit."""
+"""Replay of a flight log: the same steps on this machine, every state compared bit for bit, and shown."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from mahovik.contract.status import status_words
 from mahovik.core.emit.generate import LANES, Generated, generate_all
-from mahovik.core.emit.header import read_header
-from mahovik.core.emit.log_format import fnv1a, state_hash, table_bytes, table_from_bytes
+from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
+from mahovik.core.emit.reading import read_header
 from mahovik.core.emit.recorder import source_hash
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step
+from mahovik.proof.verify.states import encode
+from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step, members
 
 Members = dict[str, Reals]
 
@@ -45,30 +48,11 @@ class Outcome:
         return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
 
 
-class Machine(Protocol):
-    """Runs the steps of one stand in one precision. `source` is the hash of its C source."""
-
-    generated: Generated
-    source: int
-
-    def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
-        """Set a state and a table; None: the default."""
-
-    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """Write members of the state, and the table's stream."""
-
-    def state(self) -> Members:
-        """Copy of the state."""
-
-    def step(self, step: Step) -> int:
-        """Run one step; return its status."""
-
-    def default_table(self) -> Mapping[str, Any]:
-        """The default table as plain data."""
-
-
 class CMachine:
-    """The C of the stand, freshly generated, or the C in `folder`. Raises as CBackend."""
+    """Runs the steps of one stand by its C, freshly generated or in `folder`. Raises as CBackend.
+
+    source   hash of the C source
+    """
 
     def __init__(self, stand: Stand, real: str, folder: Path | None = None, lanes: int = 1) -> None:
         self._c = _compiled_backend(stand, real, lanes) if folder is None else CBackend(stand, real, folder)
@@ -86,24 +70,24 @@ class CMachine:
         self._table = self._ffi.new(f"{stand.name}_table *")
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
-        """See Machine."""
+        """Set a state and a table; None: the default."""
         given = self._c.library.default("default")[0] if table is None else table
         self._table = self._ffi.new(f"{self._prefix}_table *", given)
         self.write(state, None)
 
     def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """See Machine."""
+        """Write members of the state, and the table's stream."""
         for name, values in written.items():
             self._views[name][:] = values
         if stream is not None:
             self._table.stream = stream.tolist()
 
     def state(self) -> Members:
-        """See Machine."""
+        """Copy of the state."""
         return {name: view.copy() for name, view in self._views.items()}
 
     def step(self, step: Step) -> int:
-        """See Machine."""
+        """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
         known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         for key, value in inputs.items():
@@ -116,7 +100,7 @@ class CMachine:
         return int(self._c.library.function(name)(*(known[a.name] for a in arguments)))
 
     def default_table(self) -> Mapping[str, Any]:
-        """See Machine."""
+        """The default table as plain data."""
         found: Mapping[str, Any] = self._c.table()
         return found
 
@@ -128,7 +112,7 @@ def _compiled_backend(stand: Stand, real: str, lanes: int) -> CBackend:
 
 
 class InterpreterMachine:
-    """The interpreter of the program: needs no compiler, and is a thousand times slower."""
+    """Runs the steps by the interpreter of the program: needs no compiler, and is a thousand times slower."""
 
     def __init__(self, stand: Stand, real: str, lanes: int = 1) -> None:
         self.generated = generate_all(stand, real, lanes)
@@ -138,26 +122,26 @@ class InterpreterMachine:
         self._table: Any = None
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
-        """See Machine."""
+        """Set a state and a table; None: the default."""
         given = self.default_table() if table is None else table
         layout = self.generated.layout
         self._table = self._interpreter.filled(layout.table, plain(given))
         self._x = self._interpreter.filled(layout.state, {name: list(v) for name, v in state.items()})
 
     def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """See Machine."""
+        """Write members of the state, and the table's stream."""
         for name, values in written.items():
             setattr(self._x, name, list(values))
         if stream is not None:
             self._table.stream = list(stream)
 
     def state(self) -> Members:
-        """See Machine."""
+        """Copy of the state."""
         dtype = np.dtype(self.generated.program.precision.scalar)
         return {name: np.array(values, dtype=dtype) for name, values in plain(self._x).items()}
 
     def step(self, step: Step) -> int:
-        """See Machine."""
+        """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
         known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
@@ -166,8 +150,11 @@ class InterpreterMachine:
         return int(self._interpreter.call(name, *(known[a.name] for a in arguments)))
 
     def default_table(self) -> Mapping[str, Any]:
-        """See Machine."""
+        """The default table as plain data."""
         return self.generated.values.table
+
+
+Machine = CMachine | InterpreterMachine
 
 
 def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
@@ -224,20 +211,20 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
     """Check that the log is of this stand. `source` is the stand file. Raises CheckError."""
     found = identities(stand)
     if start.stand != stand.name:
-        raise CheckError(f'{source}: stand "{stand.name}", but the log is of "{start.stand}"')
+        raise CheckError(f'{source}: stand "{stand.name}", but the log is from "{start.stand}"')
     for kind, log, here in (
         ("structure", start.structure, found.structure),
         ("physics", start.physics, found.physics),
     ):
         if log != here:
-            raise CheckError(f"{source}: {kind} {here}, but the log is of {log}: give the stand file that flew")
+            raise CheckError(f"{source}: {kind} {here}, but the log is from {log}: give the stand file that flew")
 
 
 def explain(machine: Machine, start: Start) -> str:
     """A possible reason for a difference."""
     if machine.source != start.source:
         return (
-            f"the C that flew has another source text (source {start.source:08x}, here {machine.source:08x}): "
+            f"the C that flew was another source text (source {start.source:08x}, here {machine.source:08x}): "
             "give its folder with --against DIR"
         )
     return "the source text is the same: was it compiled with -ffp-contract=off and without -ffast-math?"
@@ -268,3 +255,71 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: i
     if folder is not None:
         raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
     return InterpreterMachine(stand, real, lanes)
+
+
+FORMATS = (".csv", ".jsonl")
+
+
+def check_format(path: Path) -> None:
+    """Check the name of the output file. Raises UsageError."""
+    if path.suffix not in FORMATS:
+        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(FORMATS)}")
+
+
+def csv_heading(flywheels: int) -> str:
+    """Column titles of a CSV file."""
+    return ",".join(["step", "status", *(f"{m}[{i}]" for m, n in members(flywheels).items() for i in range(n))]) + "\n"
+
+
+def csv_row(outcome: Outcome) -> str:
+    """One row of a CSV file: the state after a step, in digits that read back to the same bits."""
+    numbers = [repr(number) for values in outcome.after.values() for number in _plain(values)]
+    return ",".join([str(outcome.step.count), status_words(outcome.status), *numbers]) + "\n"
+
+
+def eval_line(outcome: Outcome, wrenches: Sequence[str]) -> str:
+    """The line of `mahovik eval` with the state before a step and its inputs. Raises StateError: not finite."""
+    return encode(state_object(outcome, wrenches))
+
+
+def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
+    """The keys of that line; zeros are left out."""
+    step, before = outcome.step, outcome.before
+    found: dict[str, Any] = {"id": f"step {step.count}", "quaternion": _plain(before["attitude"])}
+    drive = "phi_ddot" if step.driven else "tau"
+    given = {name: before[name] for name in before if name != "attitude"} | {drive: step.drive}
+    found |= {name: _plain(values) for name, values in given.items() if np.any(values)}
+    pushed = {body: _plain(step.wrench[6 * i : 6 * i + 6]) for i, body in enumerate(wrenches)}
+    if any(any(six) for six in pushed.values()):
+        found["wrench"] = {body: six for body, six in pushed.items() if any(six)}
+    return found | {"want": ["forward" if step.driven or not len(step.drive) else "coupled"]}
+
+
+def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
+    """Lines that show one step: its line of `eval`, then all of it in hexadecimal."""
+    step = outcome.step
+    try:
+        yield eval_line(outcome, wrenches)
+    except StateError as error:
+        yield json.dumps({"id": f"step {step.count}", "error": str(error)})
+    yield f"step {step.count}, {'step_driven' if step.driven else 'step'}: {status_words(outcome.status)}"
+    yield f"dt {float(step.dt).hex()} order {step.order}"
+    inputs: Mapping[str, Any] = {"phi_ddot" if step.driven else "tau": step.drive, "wrench": step.wrench}
+    for name, values in inputs.items():
+        if len(values):
+            yield _hexadecimal(name, values)
+    if any(step.locked):
+        yield f"locked {' '.join(map(str, step.locked))}"
+    if outcome.table is not None:
+        yield "table: that of the log, not the default"
+    for title, state in (("before", outcome.before), ("after", outcome.after)):
+        for name, values in state.items():
+            yield _hexadecimal(f"{title} {name}", values)
+
+
+def _hexadecimal(name: str, values: Any) -> str:
+    return f"{name} {' '.join(float(v).hex() for v in values)}"
+
+
+def _plain(values: Any) -> list[float]:
+    return [float(v) for v in values]

@@ -1,18 +1,73 @@
-"""A run: moments of a backend collected in columns; an interrupted run keeps what was computed."""
+"""A run: moments of a backend collected in columns with units, and written to a CSV or Parquet file."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import io
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 
+from mahovik.core.motion.motor import available, needed
 from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
 from mahovik.errors import StateError, UsageError
-from mahovik.use.simulate import columns
-from mahovik.use.simulate.case import Array, Case
-from mahovik.use.simulate.moment import Motion
+from mahovik.use.simulate.case import Array, Case, Moment
+from mahovik.writing import probe, write
+
+_AXES = "xyz"
+
+
+def column_names(stand: Stand, mounts: bool) -> list[str]:
+    """Column names in order, each with its unit."""
+    found = ["t [s]", *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"]
+    found += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
+    found += [f"v_dot_{a} [m/s2]" for a in _AXES] + [f"omega_dot_{a} [rad/s2]" for a in _AXES]
+    for s in stand.flywheels:
+        found += [f"phi {s.name} [rad]", f"phi_dot {s.name} [rad/s]", f"phi_ddot {s.name} [rad/s2]"]
+        found.append(f"tau {s.name} [N m]")
+        if s.motor is not None:
+            found.append(f"motor {s.name} [N m]")
+            if s.motor.torque is not None:
+                found.append(f"margin {s.name} [N m]")
+    for name in (*(p.name for p in stand.instruments), *(p.name for p in stand.points)):
+        found += [f"force_{a} {name} [m/s2]" for a in _AXES]
+        found += [f"gyro_{a} {name} [rad/s]" for a in _AXES]
+    if mounts:
+        for s in stand.flywheels:
+            units = ("N",) * 3 + ("N m",) * 3
+            found += [f"mount_{a} {s.name} [{u}]" for a, u in zip(WRENCH_LETTERS, units, strict=True)]
+    return found
+
+
+def column_values(stand: Stand, moment: Moment) -> list[float]:
+    """Numbers of these columns at one time."""
+    state = moment.state
+    found = [moment.t, *state.position, *(state.quaternion or (1.0, 0.0, 0.0, 0.0)), *state.V, *state.V_dot]
+    for i, s in enumerate(stand.flywheels):
+        tau, speed = float(moment.tau[i]), state.phi_dot[i]
+        found += [float(moment.phi[i]), speed, state.phi_ddot[i], tau]
+        if s.motor is not None:
+            found += _motor(s.motor, tau, speed)
+    for reading in moment.points.values():
+        found += [float(x) for x in (*reading["specific_force"], *reading["twist"][3:])]
+    if moment.mounts is not None:
+        found += [float(x) for row in moment.mounts for x in row]
+    return found
+
+
+def _motor(motor: Motor, tau: float, speed: float) -> Iterator[float]:
+    """Torque of the motor itself, and how much more it could give."""
+    own = needed(motor, tau, speed)
+    yield own
+    if motor.torque is not None:
+        most = available(motor, own, speed)
+        yield most - abs(own) if math.isfinite(most) else 0.0
+
 
 BACKENDS = ("c", "scipy")
 
@@ -55,13 +110,12 @@ def simulate(
     A motion that leaves its ranges and Ctrl-C end the run early: `stopped` says why. If there is nothing to keep,
     StateError and KeyboardInterrupt are raised.
     """
-    motion = _motion(case, backend)
-    names = tuple(columns.column_names(case.stand, mounts))
+    names = tuple(column_names(case.stand, mounts))
     rows: list[list[float]] = []
     stopped, interrupted = None, False
     try:
-        for moment in motion.moments(mounts):
-            rows.append(columns.column_values(case.stand, moment))
+        for moment in _moments(case, backend, mounts):
+            rows.append(column_values(case.stand, moment))
             if progress is not None:
                 progress(moment.t)
     except StateError as error:
@@ -82,13 +136,54 @@ def identity_of(stand: Stand) -> dict[str, str]:
     return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
 
 
-def _motion(case: Case, backend: str) -> Motion:
+def _moments(case: Case, backend: str, mounts: bool) -> Iterator[Moment]:
     if backend == "c":
         from mahovik.use.simulate.by_c import CMotion
 
-        return CMotion(case)
+        return CMotion(case).moments(mounts)
     if backend == "scipy":
         from mahovik.use.simulate.by_scipy import SciPyMotion
 
-        return SciPyMotion(case)
+        return SciPyMotion(case).moments(mounts)
     raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
+
+
+RUN_SUFFIXES = (".csv", ".parquet")
+
+IDENTITY = "mahovik"
+"""Metadata key in a Parquet file: an object with the stand's name, structure and physics. CSV has no metadata."""
+
+
+def check_output(path: Path) -> None:
+    """Check, before anything is computed, that the file can be written. Raises UsageError."""
+    if path.suffix not in RUN_SUFFIXES:
+        raise UsageError(f"-o {path}: expected a name that ends in .csv or .parquet")
+    if path.suffix == ".parquet":
+        try:
+            import_module("pyarrow.parquet")
+        except ImportError:
+            raise UsageError(f'-o {path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
+    probe(path)
+
+
+def save_run(run: Run, path: Path) -> None:
+    """Write a run. Raises UsageError."""
+    check_output(path)
+    write(path, csv_text(run) if path.suffix == ".csv" else parquet_bytes(run))
+
+
+def csv_text(run: Run) -> str:
+    """A header of names, then a line per moment; the numbers read back to the same bits."""
+    lines = [",".join(run.names), *(",".join(map(repr, row)) for row in run.data.tolist())]
+    return "\n".join(lines) + "\n"
+
+
+def parquet_bytes(run: Run) -> bytes:
+    """A table of doubles, with the stand's identity as metadata under IDENTITY."""
+    arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
+    table = arrow.table({name: run.data[:, i].copy() for i, name in enumerate(run.names)})
+    if run.identity:
+        table = table.replace_schema_metadata({IDENTITY: json.dumps(dict(run.identity))})
+    buffer = io.BytesIO()
+    parquet.write_table(table, buffer)
+    return buffer.getvalue()

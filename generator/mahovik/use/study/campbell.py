@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
+from mahovik.use.plan.array import Array
 from mahovik.use.study.response.scene import Scene
-
-Array = NDArray[np.float64]
 
 NODES = 16
 """Nodes per turn: the linear equations are averaged over it, and the harmonics of their inverse fall off fast."""
@@ -93,11 +91,10 @@ def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
 def mean_equations(scene: Scene, speed: Array) -> Array:
     """A (S, 12, 12) of y' = A y about rest, y of `Scene`: mean over a turn, at speeds (S, rad/s).
 
-    If no flywheel has quadratic damping, A is linear in the speed, and two speeds suffice.
+    If no flywheel has a law that is not linear in its twist, A is linear in the speed, and two speeds suffice.
     """
-    laws = [s.damping for s in scene.stand.flywheels if s.damping is not None]
     fastest = float(np.abs(speed).max(initial=0.0))
-    if len(speed) <= 2 or fastest == 0.0 or any(law.quadratic is not None or law.terms for law in laws):
+    if len(speed) <= 2 or fastest == 0.0 or any(law.nonlinear for s in scene.stand.flywheels for law in s.laws):
         return _averaged(scene, speed)
     still, fast = _averaged(scene, np.array([0.0, fastest]))
     return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.motion.motor import available
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import UnbalanceRow, summarize
+from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Mechanics
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

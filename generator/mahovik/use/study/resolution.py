@@ -17,18 +17,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Flywheel, Stand, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.screw import Phi, f, spin
 from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
-
-Array = NDArray[np.float64]
 
 UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
@@ -190,14 +188,14 @@ def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, floa
         return  # a law is undefined: not a state of the stand
     values = {want: _value(stand, state, want, at) for want in QUANTITIES}
     terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
-    for number in range(len(stand.flywheels)):
-        alone, own = _with_one_balanced(stand, state, number)
-        whole = _without_unbalance(stand, state, at, number, own)
+    for number, flywheel in enumerate(stand.flywheels):
+        wheels = (*stand.flywheels[:number], balanced_flywheel(flywheel), *stand.flywheels[number + 1 :])
+        other = replace(stand, flywheels=wheels)
+        there = reference.pieces(other, state)
         for want, quantity in QUANTITIES.items():
+            value, without, size = values[want], _value(other, state, want, there), terms[want]
             if quantity.by_flywheel:
-                value, without, size = values[want][number], _value(stand, alone, want, own)[0], terms[want][number]
-            else:
-                value, without, size = values[want], _value(stand, state, want, whole), terms[want]
+                value, without, size = value[number], without[number], size[number]
             effect = np.abs(value - without)
             seen = effect > DOUBLE_NOISE * size
             if np.any(seen):
@@ -208,40 +206,6 @@ def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, floa
 
 def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array:
     return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
-
-
-def _with_one_flywheel(stand: Stand, state: State, number: int, flywheel: Flywheel) -> tuple[State, reference.Pieces]:
-    """State and pieces of the carrier with one flywheel in place of `number`, and no other."""
-    own = slice(number, number + 1)
-    alone = replace(state, phi=state.phi[own], phi_dot=state.phi_dot[own], phi_ddot=state.phi_ddot[own])
-    return alone, reference.pieces(replace(stand, flywheels=(flywheel,)), alone)
-
-
-def _with_one_balanced(stand: Stand, state: State, number: int) -> tuple[State, reference.Pieces]:
-    return _with_one_flywheel(stand, state, number, balanced_flywheel(stand.flywheels[number]))
-
-
-def _without_unbalance(
-    stand: Stand, state: State, at: reference.Pieces, number: int, now: reference.Pieces
-) -> reference.Pieces:
-    """Pieces with one flywheel balanced (`now`: that one alone), since all pieces are sums over bodies."""
-    flywheel = stand.flywheels[number]
-    _, was = _with_one_flywheel(stand, state, number, flywheel)
-    own = slice(number, number + 1)
-    I, J, Theta_ff = at.I.copy(), at.J.copy(), at.Theta_ff.copy()
-    I[:, own], J[:, own], Theta_ff[own, own] = now.I, now.J, now.Theta_ff
-    return replace(
-        at,
-        flywheels=(*at.flywheels[:number], *now.flywheels, *at.flywheels[number + 1 :]),
-        K=at.K + (now.K - was.K),
-        K_dot=at.K_dot + (now.K_dot - was.K_dot),
-        M=at.M + (now.M - was.M),
-        I=I,
-        J=J,
-        Theta_ff=Theta_ff,
-        P={**at.P, flywheel.name: now.P[flywheel.name]},
-        F=at.F + (now.F - was.F),
-    )
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:

@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State, rest_state
 from mahovik.errors import CheckError, StateError

@@ -22,7 +22,7 @@ def velocity_matrix(added_mass: bool) -> sp.Matrix:
     return (Phi(derived.V) * K + derived.mass_matrix_rate()).applyfunc(sp.expand)
 
 
-def equation(added_mass: bool, weight: bool, buoyancy: bool) -> Section:
+def equation(added_mass: bool, weight: bool, displaces: bool) -> Section:
     """(2), (4), (7)-(9) with the sums of all bodies."""
     rate = derived.mass_matrix_rate()
     M = velocity_matrix(added_mass)
@@ -52,11 +52,11 @@ def equation(added_mass: bool, weight: bool, buoyancy: bool) -> Section:
                 "flywheels"
                 + (
                     "; `m^w` is the mass less that of the displaced fluid, `mu^d` its first moment."
-                    if buoyancy
+                    if displaces
                     else "."
                 )
             ),
-            Formula(("F_g =", wrench.weight(buoyancy)), "7"),
+            Formula(("F_g =", wrench.weight(displaces)), "7"),
         ]
     content += [
         Text(
@@ -71,7 +71,7 @@ def equation(added_mass: bool, weight: bool, buoyancy: bool) -> Section:
 
 
 def _sums(added_mass: bool) -> str:
-    """What the sums are called."""
+    """Names of the sums."""
     text = "With the sums over all bodies, mass `m`, first moment `mu` and moments of inertia `J` about `O_1`"
     if not added_mass:
         return f"{text}:"

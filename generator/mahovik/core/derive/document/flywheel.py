@@ -13,7 +13,7 @@ from mahovik.core.derive.symbols import from_six, symmetric, vector
 
 c, s, c2, s2 = sp.symbols("c s c2 s2")
 PHASES = {"0": sp.S.One, "c": c, "s": s, "2c": c2, "2s": s2}
-"""By what each harmonic is multiplied."""
+"""Factor of each harmonic."""
 
 HEAD = ("1", "cos phi", "sin phi", "cos 2 phi", "sin 2 phi")
 
@@ -48,7 +48,7 @@ def in_mounting_axes() -> derived.Literal:
 
 
 def literal_terms() -> Section:
-    """What one flywheel adds to (8), as printed."""
+    """Terms of one flywheel in (8), as printed."""
     own = in_mounting_axes()
     return Section(
         "One flywheel, as printed",

@@ -1,4 +1,4 @@
-"""What a document is made of."""
+"""Parts of a document."""
 
 from __future__ import annotations
 

@@ -7,12 +7,11 @@ from mahovik.core.formula.derived import motion as derived
 from mahovik.core.lower import checks, rotation
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, integer, real, unequal
+from mahovik.core.program.expression import Expr, Not, Place, and_, integer, real, unequal
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
@@ -60,20 +59,11 @@ def _unit_attitude(lib: Library) -> Function:
     body.set(length.place, call(lib["sqrt"], square))
     lib.guard(body, Not(and_(square > real(0.5), square < real(2))), "RANGE")
     with body.when(unequal(strict.place, integer(0))):
-        lib.guard(body, Not(and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))), "RANGE")
+        lib.check_unit(body, square)
     inverse = body.let("inverse", 1 / length.place)
     for i in range(4):
         body.set(q[i], q[i] * inverse)
-    body.ret(Status("OK"))
-    return Function(
-        "unit_attitude",
-        "Quaternion to unit length.",
-        (attitude, strict, length),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
-        public=True,
-    )
+    return body.checked("unit_attitude", "Quaternion to unit length.", (attitude, strict, length), public=True)
 
 
 def _pose_rates(lib: Library) -> Function:
@@ -92,11 +82,10 @@ def _pose_rates(lib: Library) -> Function:
     off = body.let("off", 1 - _square(q), "zero for the exact solution; it dies away with exp(-2 t)")
     for i in range(4):
         body.add(attitude_dot.place[i], off * q[i])
-    return Function(
+    return body.function(
         "pose_rates",
         "Rates of position and quaternion; the quaternion is drawn to unit length, as an integrator loses it.",
         (attitude, V, position_dot, attitude_dot),
-        body.statements,
         public=True,
     )
 
@@ -118,10 +107,9 @@ def _count_phases(lib: Library) -> Function:
         expected = body.let("expected", real(0.5) * dt.place * (speed_before.place[s] + speed_after.place[s]))
         turned = body.let("turned", after.place[s] - before.place[s] - expected, "but for whole turns, small")
         body.add(phi.place[s], expected + call(lib["wrapped"], turned))
-    return Function(
+    return body.function(
         "count_phases",
         "Phases counted through: how far flywheels turned in a step, by their phases and, for whole turns, speeds.",
         (before, after, speed_before, speed_after, dt, phi),
-        body.statements,
         public=True,
     )

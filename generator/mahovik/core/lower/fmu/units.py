@@ -56,23 +56,11 @@ DISPLAY = {
 }
 """Units to display, with how many of them are one SI unit."""
 
-_BY_NAME = {
-    "": NONE,
-    "m": METRE,
-    "kg": KILOGRAM,
-    "kg m": FIRST_MOMENT,
-    "kg m2": INERTIA,
-    "m/s": VELOCITY,
-    "m/s2": ACCELERATION,
-    "rad": RADIAN,
-    "rad/s": ANGULAR_VELOCITY,
-    "rad/s2": ANGULAR_ACCELERATION,
-    "J": ENERGY,
-    "N/m": STIFFNESS,
-    "N s/m": DAMPING,
-    "T": FLUX_DENSITY,
-    "A m2": MAGNETIC_MOMENT,
-}
+_OF_MEMBERS = (
+    *(METRE, KILOGRAM, FIRST_MOMENT, INERTIA, VELOCITY, ACCELERATION, RADIAN, ANGULAR_VELOCITY, ANGULAR_ACCELERATION),
+    *(ENERGY, STIFFNESS, DAMPING, FLUX_DENSITY, MAGNETIC_MOMENT),
+)
+_BY_NAME = {"": NONE} | {unit.name.replace(".", " "): unit for unit in _OF_MEMBERS}
 
 
 def of_member(unit: str) -> Unit:
@@ -80,24 +68,11 @@ def of_member(unit: str) -> Unit:
     return _BY_NAME[unit]
 
 
-def twist(component: int) -> Unit:
-    """Unit of component 0..5 of a twist."""
-    return VELOCITY if component < 3 else ANGULAR_VELOCITY
-
-
-def twist_rate(component: int) -> Unit:
-    """Unit of component 0..5 of a twist's derivative."""
-    return ACCELERATION if component < 3 else ANGULAR_ACCELERATION
-
-
-def wrench(component: int) -> Unit:
-    """Unit of component 0..5 of a wrench."""
-    return FORCE if component < 3 else TORQUE
-
-
-def momentum(component: int) -> Unit:
-    """Unit of component 0..5 of a momentum screw."""
-    return MOMENTUM if component < 3 else ANGULAR_MOMENTUM
+TWIST = (VELOCITY,) * 3 + (ANGULAR_VELOCITY,) * 3
+TWIST_RATE = (ACCELERATION,) * 3 + (ANGULAR_ACCELERATION,) * 3
+WRENCH = (FORCE,) * 3 + (TORQUE,) * 3
+MOMENTUM_SCREW = (MOMENTUM,) * 3 + (ANGULAR_MOMENTUM,) * 3
+"""Units of the six components of screws."""
 
 
 def added_mass(row: int, column: int) -> Unit:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from mahovik.core.lower.fmu import units
+from mahovik.core.lower.fmu.member import Member
 from mahovik.core.lower.fmu.parameters import laws, parameters
 from mahovik.core.lower.fmu.units import Unit
 from mahovik.core.lower.layout import Layout
@@ -78,7 +79,7 @@ class Form:
 
 @dataclass(frozen=True)
 class Start:
-    """A state to begin with: attitude as a quaternion, w first."""
+    """An initial state: attitude as a quaternion, w first."""
 
     position: Sequence[float]
     attitude: Sequence[float]
@@ -161,7 +162,7 @@ class _Former:
         for name in self._layout.inputs:
             for i in range(6):
                 what = f"{name}: run-time wrench {WRENCH_LETTERS[i]}, in its own frame about its origin"
-                yield self._input(f"{name}.wrench[{i + 1}]", units.wrench(i), what, self._most["MAX_WRENCH"])
+                yield self._input(f"{name}.wrench[{i + 1}]", units.WRENCH[i], what, self._most["MAX_WRENCH"])
 
     @staticmethod
     def _input(name: str, unit: Unit, description: str, most: float) -> Variable:
@@ -183,7 +184,7 @@ class _Former:
         for i in range(6):
             text = f"twist V of the carrier relative to E0, {TWIST_LETTERS[i]}, in E1 about O1"
             most = self._most["MAX_VELOCITY" if i < 3 else "MAX_SPEED"]
-            yield state(f"carrier.V[{i + 1}]", units.twist(i), text, start.V[i], most)
+            yield state(f"carrier.V[{i + 1}]", units.TWIST[i], text, start.V[i], most)
         for name, phi in zip(self._names, start.phi, strict=True):
             yield state(f"{name}.phi", units.RADIAN, f"{name}: phase, all turns counted", phi, self._most["MAX_PHASE"])
         for name, phi_dot in zip(self._names, start.phi_dot, strict=True):
@@ -197,16 +198,14 @@ class _Former:
             yield Variable("dt", units.SECOND, text, "parameter", "tunable", self._dt, least=1e-9, most=most)
 
     def _parameters(self) -> Iterator[Variable]:
-        for member in parameters(self._stand, self._layout, self._values):
-            most = self._most["MAX_PARAMETER"]
-            yield Variable(
-                member.name, member.unit, member.description, "parameter", "tunable", member.value,
-                least=0.0 if member.positive else -most, most=most,
-            )  # fmt: skip
+        return self._measured(parameters(self._stand, self._layout, self._values))
 
     def _laws(self) -> Iterator[Variable]:
-        for member in laws(self._stand, self._layout, self._values):
-            most = self._most["MAX_VELOCITY"] if member.name.startswith("stream[") else self._most["MAX_PARAMETER"]
+        return self._measured(laws(self._stand, self._layout, self._values))
+
+    def _measured(self, members: Iterator[Member]) -> Iterator[Variable]:
+        for member in members:
+            most = self._most["MAX_VELOCITY" if member.name.startswith("stream[") else "MAX_PARAMETER"]
             yield Variable(
                 member.name, member.unit, member.description, "parameter", "tunable", member.value,
                 least=0.0 if member.positive else -most, most=most,
@@ -242,7 +241,7 @@ class _Former:
         for i, state in enumerate(states[7:13]):
             text = f"derivative V* of the components of V, {TWIST_LETTERS[i]}*, in E1, by (8)"
             yield Variable(
-                f"carrier.V_dot[{i + 1}]", units.twist_rate(i), text, "output",
+                f"carrier.V_dot[{i + 1}]", units.TWIST_RATE[i], text, "output",
                 derivative=state.name, depends=self._moving(),
             )  # fmt: skip
         for name in self._names:
@@ -276,10 +275,9 @@ class _Former:
         moving = self._named("carrier.attitude", "carrier.V[") + self._turning()
         yield Variable("energy", units.ENERGY, "kinetic energy of all bodies", "output", depends=moving)
         for i in range(6):
-            text = f"momentum screw of all bodies in E0 about its origin, {'force' if i < 3 else 'moment'} part, (1)"
-            text = text.replace("force part", "linear part").replace("moment part", "angular part")
+            text = f"momentum screw of all bodies in E0 about its origin, {'linear' if i < 3 else 'angular'} part, (1)"
             depends = pose + self._named("carrier.V[") + self._turning()
-            yield Variable(f"momentum[{i + 1}]", units.momentum(i), text, "output", depends=depends)
+            yield Variable(f"momentum[{i + 1}]", units.MOMENTUM_SCREW[i], text, "output", depends=depends)
         for i in range(3):
             text = f"centre of mass of all bodies in E1, component {i + 1}"
             depends = tuple(f"{name}.phi" for name in self._names)
@@ -299,9 +297,13 @@ class _Former:
                 yield Variable(f"{name}.reading.C[{place}]", units.NONE, text, "output", depends=attitude)
             for i in range(6):
                 text = f"{name}: twist relative to E0, {TWIST_LETTERS[i]}, in own axes; a gyro reads p, q, r"
-                yield Variable(f"{name}.reading.twist[{i + 1}]", units.twist(i), text, "output", depends=V)
+                yield Variable(f"{name}.reading.twist[{i + 1}]", units.TWIST[i], text, "output", depends=V)
             for what, unit, said in (
-                ("specific_force", units.ACCELERATION, "acceleration less gravity, in own axes: an accelerometer"),
+                (
+                    "specific_force",
+                    units.ACCELERATION,
+                    "acceleration minus gravity, in own axes: the accelerometer's reading",
+                ),
                 ("angular_acceleration", units.ANGULAR_ACCELERATION, "angular acceleration, in own axes"),
             ):
                 for i in range(3):
@@ -314,7 +316,7 @@ class _Former:
             for i in range(6):
                 text = f"{name}: wrench of the mount on it, {WRENCH_LETTERS[i]}, about Os in the axes of Es at phi = 0"
                 yield Variable(
-                    f"{name}.mount_wrench[{i + 1}]", units.wrench(i), text, "output", depends=self._moving(True)
+                    f"{name}.mount_wrench[{i + 1}]", units.WRENCH[i], text, "output", depends=self._moving(True)
                 )
 
 

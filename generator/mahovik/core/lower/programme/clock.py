@@ -15,7 +15,6 @@ from mahovik.core.program.expression import (
     Expr,
     Not,
     Place,
-    Status,
     and_,
     integer,
     or_,
@@ -45,7 +44,7 @@ CLOCK = Struct(
 
 def start(lib: Library) -> Function:
     """`programme_start(ticks, periods, clock)`."""
-    ticks = Argument("ticks", Kind.INT, purpose="so many control ticks are `periods` periods; at least 2 a period")
+    ticks = Argument("ticks", Kind.INT, purpose="control ticks that take `periods` periods; at least 2 per period")
     periods = Argument("periods", Kind.INT, purpose="1 or more")
     clock = Argument("clock", CLOCK, (), "out", "", "at phase 0")
     body = Body()
@@ -69,13 +68,10 @@ def start(lib: Library) -> Function:
     body.set(c.rest, integer(0))
     body.set(c.ticks, ticks.place)
     body.set(c.laps, integer(0))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "programme_start",
-        "Clock at phase 0, for a control loop of so many ticks a period.",
+        "Clock at phase 0, in which `ticks` control ticks take `periods` periods.",
         (ticks, periods, clock),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "BAD_ARGUMENT"),
         notes=(
             "The frequency is not rounded: after n ticks the phase is n periods / ticks, rounded down to a multiple of "
@@ -100,13 +96,10 @@ def advance(lib: Library) -> Function:
     body.set(c.laps, c.laps + select(and_(lapped, c.laps < MOST), integer(1), integer(0)))
     body.set(c.rest, select(carry, c.surplus - left, c.rest + c.surplus))
     body.set(c.phase, phase)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "programme_advance",
         "One control tick: the clock goes on, and wraps at the end of the period.",
         (clock,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK", "BAD_ARGUMENT"),
         public=True,
     )
@@ -120,13 +113,10 @@ def phase(lib: Library) -> Function:
     body = Body()
     digits = clock.place.phase >> word(precision.width - precision.significand)
     body.set(out.place, Convert(digits, Kind.REAL) * real(2.0**-precision.significand))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "programme_phase",
         "The phase of a clock as the functions of the programme take it.",
         (clock, out),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK",),
         public=True,
     )

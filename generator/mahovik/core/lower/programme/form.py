@@ -8,7 +8,7 @@ from functools import cached_property
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 
 SECTORS = 64
-"""Parts of a period in which a Fourier table takes the whole turns off a winding."""
+"""Parts of a period in which a Fourier table removes the whole turns of a winding."""
 
 RESERVED = frozenset(
     (
@@ -41,7 +41,7 @@ class Form:
 
     @property
     def prefix(self) -> str:
-        """What names of this table begin with."""
+        """Prefix of the names of this table."""
         return f"programme_{self.part}_" if self.part else "programme_"
 
     @cached_property
@@ -82,7 +82,7 @@ class Form:
         else:
             fields.append(Field("omega", Kind.REAL, (), "rad/s", "2 pi / period"))
         if self.cyclic:
-            fields.append(Field("winding", Kind.INT, n, "", "turns a period"))
+            fields.append(Field("winding", Kind.INT, n, "", "turns per period"))
             fields.append(Field("speed", Kind.REAL, n, "rad/s", "mean speed: 2 pi winding / period"))
             fields.append(Field("mean", Kind.REAL, n, "rad", "mean angle, less the winding"))
         if self.kind == "quintic":

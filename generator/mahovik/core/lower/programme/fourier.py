@@ -8,9 +8,8 @@ from mahovik.core.lower.programme.place import check_phase, phase_argument, spot
 from mahovik.core.lower.programme.quintic import output_arguments
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Status, real, select
+from mahovik.core.program.expression import real, select
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
 from mahovik.core.routines.real_constants import PI, nearest
 
 
@@ -57,12 +56,8 @@ def fourier(lib: Library, form: Form) -> Function:
         body.set(phi[s], call(lib["wrapped"], angle))
         body.set(phi_dot[s], t.speed[s] + t.omega * phi_dot[s])
         body.set(phi_ddot[s], t.omega * t.omega * phi_ddot[s])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         f"{form.prefix}course",
         "Angles, speeds and accelerations of all flywheels from Fourier coefficients.",
         (table, phase, *outputs),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
     )

@@ -46,7 +46,7 @@ def phase_argument(cyclic: bool) -> Argument:
 
 
 def check_phase(lib: Library, body: Body, phase: Place, cyclic: bool) -> None:
-    """RANGE, NOT_FINITE where the phase is none."""
+    """Return RANGE or NOT_FINITE for an invalid phase."""
     largest = lib.limits["LARGEST"].expression
     with body.when(Not(and_(phase >= 0, phase < 1 if cyclic else phase <= 1))):
         with body.when(and_(phase >= -largest, phase <= largest)):
@@ -70,7 +70,7 @@ def spot(lib: Library, body: Body, phase: Place, parts: int, cyclic: bool) -> Sp
 
 
 def turned(lib: Library, body: Body, winding: Place, at: Spot, parts: int) -> Expr:
-    """2 pi winding * phase, less whole turns (rad): those of the parts are taken off as integers, exactly."""
+    """2 pi winding * phase, less whole turns (rad): whole turns are removed as integers, exactly."""
     turn = nearest(2 * PI / Fraction(parts), lib.layout.precision)
     product = Convert(winding, Kind.WORD) * Convert(at.j, Kind.WORD)
     count = body.let("count", Convert(product & word(parts - 1), Kind.INT), "parts of a turn, modulo a turn")

@@ -37,7 +37,7 @@ class GoldenCourse:
 
 @dataclass(frozen=True)
 class Golden:
-    """Answers of every table, and the hash of what the control loop of the self-test gets."""
+    """Answers of every table, and the hash of the outputs of the self-test's control loop."""
 
     courses: tuple[GoldenCourse, ...]
     hash: int

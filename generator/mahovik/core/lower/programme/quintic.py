@@ -15,7 +15,7 @@ from mahovik.core.lower.programme.form import Form
 from mahovik.core.lower.programme.place import Spot, check_phase, phase_argument, spot, turned
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Convert, Expr, Place, Status, integer, real, select
+from mahovik.core.program.expression import Convert, Expr, Place, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -57,19 +57,15 @@ def quintic(lib: Library, form: Form) -> Function:
         body.set(phi_ddot[s], second * (t.rate * t.rate))
     if form.torque:
         _torques(body, form, t, at, outputs[3].place)
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         f"{form.prefix}course",
         "Angles, speeds and accelerations of all flywheels from a table of nodes.",
         (table, phase, *outputs),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
     )
 
 
 def output_arguments(form: Form) -> tuple[Argument, ...]:
-    """What every table gives."""
+    """Output arguments of every table."""
     n = (form.count,)
     found = [
         Argument("phi", Kind.REAL, n, "out", "rad", "angles, within half a turn of zero to rounding"),
@@ -83,7 +79,7 @@ def output_arguments(form: Form) -> tuple[Argument, ...]:
 
 
 def _rise(lib: Library, form: Form, first: Expr, last: Expr) -> Expr:
-    """From one node to the next; angles of a finite table are within half a turn, so the shorter way round."""
+    """Difference from one node to the next; in a finite table it is within half a turn."""
     return last - first if form.cyclic else call(lib["wrapped"], last - first)
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from mahovik.contract.quantities import BOUNDS, short
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 
 REAL, INT = Kind.REAL, Kind.INT
+
+NO_LIMIT = short(BOUNDS["MAX_WRENCH"].value)
+"""Torque, N m, that means no limit, in comments."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +46,7 @@ class ServoForm:
 
     @cached_property
     def gains(self) -> Struct:
-        """What the generator has computed from the wanted bandwidth."""
+        """Gains that the generator computes from the wanted bandwidth."""
         n = (self.count,)
         fields = (
             Field("angle", REAL, n, "N m/rad", "torque by the error of the angle"),
@@ -50,8 +54,8 @@ class ServoForm:
             Field("integral", REAL, n, "N m/rad", "of the angle's error, a sample; 0: none"),
             Field("back", REAL, n, "", "part of what a limit cuts off that the integral loses, a sample: 0 to 1"),
             Field("filter", REAL, (), "", "part of the speed's error taken over a sample; 1: all, no filter"),
-            Field("limit", REAL, n, "N m", "largest torque; 1e9: none"),
-            Field("change", REAL, n, "N m", "largest change of a torque, a sample; 1e9: none"),
+            Field("limit", REAL, n, "N m", f"largest torque; {NO_LIMIT}: none"),
+            Field("change", REAL, n, "N m", f"largest change of a torque, a sample; {NO_LIMIT}: none"),
             Field("viscous", REAL, n, "N m s/rad", "friction that is made up for"),
             Field("coulomb", REAL, n, "N m", "likewise"),
             Field("coulomb_rate", REAL, n, "s/rad", "1 / speed at which it is nearly whole; 0: none"),
@@ -61,7 +65,7 @@ class ServoForm:
 
     @cached_property
     def state(self) -> Struct:
-        """What a servo keeps."""
+        """State of a servo."""
         n = (self.count,)
         fields = (
             Field("integral", REAL, n, "N m", "torque of the integral"),
@@ -92,7 +96,7 @@ class ServoForm:
 
     @cached_property
     def trim_state(self) -> Struct:
-        """What a trim keeps."""
+        """State of a trim."""
         trim = self._trim
         fields = (
             Field("sample", INT, (), "", "samples of the settling and the window that have passed"),

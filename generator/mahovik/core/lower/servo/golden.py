@@ -1,4 +1,4 @@
-"""What the self-test of a servo expects: samples with drawn inputs, run by the interpreter."""
+"""Expected results of a servo's self-test: samples with drawn inputs, run by the interpreter."""
 
 from __future__ import annotations
 
@@ -27,6 +27,9 @@ SWEEP = 200
 LARGEST = {"phi_ref": 4.0, "phi_dot_ref": 64.0, "tau_ff": 4.0, "angle_error": 0.25, "speed_error": 2.0, "pose": 2.0**-7}
 """Magnitudes of what is drawn: powers of two, so that scaling is exact."""
 
+LOST = 7
+"""One in 7 readings is not good: it is the largest number."""
+
 SETTLING, WINDOW = 3, 20
 """Period of the trim in the test, in samples: several rounds fit into the run."""
 
@@ -40,7 +43,12 @@ class Golden:
     trim: int | None
 
 
-class Drawn:
+def lost(sample: int, flywheel: int) -> bool:
+    """Whether an encoder gives no good reading in a sample of the run."""
+    return (sample + flywheel) % LOST == 0
+
+
+class DrawGenerator:
     """The generator that the C of the test has as well."""
 
     def __init__(self, precision: Precision) -> None:
@@ -78,10 +86,10 @@ def golden(
 def _servo(
     interpreter: Interpreter, precision: Precision, form: ServoForm, gains: Mapping[str, Any]
 ) -> tuple[tuple[tuple[Any, ...], ...], int]:
-    drawn, total, n = Drawn(precision), fnv1a(b""), int(form.count)
+    drawn, total, n = DrawGenerator(precision), fnv1a(b""), int(form.count)
     state = interpreter.run("servo_reset", {})[1]["state"]
     listed = []
-    for _ in range(SWEEP):
+    for number in range(SWEEP):
         phi_ref, phi_dot_ref, tau_ff = (drawn.reals(n, LARGEST[k]) for k in ("phi_ref", "phi_dot_ref", "tau_ff"))
         angle, speed = drawn.reals(n, LARGEST["angle_error"]), drawn.reals(n, LARGEST["speed_error"])
         inputs = {
@@ -93,6 +101,9 @@ def _servo(
             "phi": [a - b for a, b in zip(phi_ref, angle, strict=True)],
             "phi_dot": [a - b for a, b in zip(phi_dot_ref, speed, strict=True)],
         }
+        inputs["invalid"] = invalid = [int(lost(number, s)) for s in range(n)]
+        for name in ("phi", "phi_dot"):
+            inputs[name] = [precision.largest if bad else x for bad, x in zip(invalid, inputs[name], strict=True)]
         status, found = interpreter.run("servo_step", inputs)
         state = found["state"]
         listed.append(tuple(precision.scalar(x) for x in found["tau"]))
@@ -102,7 +113,7 @@ def _servo(
 
 def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, design: Mapping[str, Any]) -> int:
     assert form.trim is not None
-    drawn, total, n = Drawn(precision), fnv1a(b""), int(form.count)
+    drawn, total, n = DrawGenerator(precision), fnv1a(b""), int(form.count)
     state = interpreter.run("trim_reset", {})[1]["state"]
     filled = interpreter.filled(form.design, {**design, "settling": SETTLING, "window": WINDOW})
     for _ in range(SWEEP):

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, Status, and_, real
+from mahovik.core.program.expression import Expr, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -15,7 +14,7 @@ from mahovik.core.program.types import Kind
 def coordinates(lib: Library, form: ServoForm) -> Function:
     """`trim_coordinates(position, attitude, q)`: of O1 in E0 and the angles of the stand's sequence, those measured."""
     assert form.trim is not None
-    position = Argument("position", Kind.REAL, (3,), unit="m", purpose="of O1, in E0")
+    position = Argument("position", Kind.REAL, (3,), unit="m", purpose="position of O1, in E0")
     attitude = Argument("attitude", Kind.REAL, (4,), purpose="unit quaternion, w first, to 1e-3")
     q = Argument("q", Kind.REAL, (form.trim.measured,), "out", "m, rad", "measured coordinates of the carrier")
     a = attitude.place
@@ -24,7 +23,7 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     lib.check(body, "within", position.place, 3, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", a, 4, real(2))
     norm = body.let("norm2", a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3])
-    lib.guard(body, Not(and_(norm >= real(UNIT_SQUARE_MIN), norm <= real(UNIT_SQUARE_MAX))), "RANGE")
+    lib.check_unit(body, norm)
     chosen = form.trim.coordinates
     if form.trim.angles:
         C = body.local("C", (9,), comment="row by row")
@@ -32,14 +31,10 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
         angles = _angles(lib, lib.layout.structure.angles, C)
     for i, number in enumerate(chosen):
         body.set(q.place[i], position.place[number] if number < 3 else angles[number - 3])
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "trim_coordinates",
         "Coordinates of the carrier that the trim takes, from its pose.",
         (position, attitude, q),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE"),
         notes=("Angles of a singular attitude are some that give this attitude.",),
         public=True,
     )

@@ -1,4 +1,4 @@
-"""The program of a servo: functions on gains and states, the same for every stand with so many flywheels."""
+"""The program of a servo: functions on gains and states, the same for every stand with this number of flywheels."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Operand, Status, integer, or_, real, select, unequal
+from mahovik.core.program.expression import Expr, Operand, Status, equal, integer, or_, real, select, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -27,13 +27,10 @@ def reset(form: ServoForm) -> Function:
     with body.loop("s", form.count) as s:
         for name in ("integral", "speed", "torque"):
             body.set(state.place.member(name)[s], real(0))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "servo_reset",
         "Servos at rest: before the first sample, and whenever the drives were off.",
         (state,),
-        body.statements,
-        returns=Kind.STATUS,
         statuses=("OK",),
         public=True,
     )
@@ -45,9 +42,7 @@ def clamped(lib: Library) -> Function:
     body = Body()
     v = value.place
     body.ret(select(v < low.place, low.place, select(v > high.place, high.place, v)))
-    return lib.add(
-        Function("clamped", "The value inside low..high.", (value, low, high), body.statements, returns=Kind.REAL)
-    )
+    return lib.add(body.function("clamped", "The value inside low..high.", (value, low, high), returns=Kind.REAL))
 
 
 def dry(lib: Library) -> Function:
@@ -57,18 +52,17 @@ def dry(lib: Library) -> Function:
     y = body.let("y", call(lib["clamped"], x.place, real(-REACHED), real(REACHED)))
     body.ret(y * (real(27) + y * y) / (real(27) + real(9) * y * y))
     return lib.add(
-        Function(
+        body.function(
             "dry",
             "Share of the dry friction: tanh(x) to 0.024, by y (27 + y^2) / (27 + 9 y^2) with y = x inside -3..3.",
             (x,),
-            body.statements,
             returns=Kind.REAL,
         )
     )
 
 
 def step(lib: Library, form: ServoForm) -> Function:
-    """`servo_step(gains, state, phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, tau)`."""
+    """`servo_step(gains, state, phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, invalid, tau)`."""
     n = (form.count,)
     gains = Argument("gains", form.gains, purpose="as the generator made them")
     state = Argument("state", form.state, (), "inout", "", "what servo_reset made")
@@ -77,17 +71,25 @@ def step(lib: Library, form: ServoForm) -> Function:
     tau_ff = Argument("tau_ff", Kind.REAL, n, unit="N m", purpose="drive torques of the programme, or zero")
     phi = Argument("phi", Kind.REAL, n, unit="rad", purpose="measured angles")
     phi_dot = Argument("phi_dot", Kind.REAL, n, unit="rad/s", purpose="measured speeds")
+    purpose = "not 0: no good reading of this flywheel, whose phi and phi_dot are not looked at; null: all are good"
+    invalid = Argument("invalid", Kind.INT, n, purpose=purpose, optional=True)
     tau = Argument("tau", Kind.REAL, n, "out", "N m", "what the motors are to give")
     g, x = gains.place, state.place
     body = Body()
     lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
+    angle = body.local("angle", n, comment="measured; wanted where nothing good was")
+    speed = body.local("speed", n, comment="likewise")
+    with body.loop("s", form.count) as s:
+        good = body.let("good", equal(invalid.place[s], integer(0)))
+        body.set(angle[s], select(good, phi.place[s], phi_ref.place[s]))
+        body.set(speed[s], select(good, phi_dot.place[s], phi_dot_ref.place[s]))
     for place, most in (
         (phi_ref.place, "MAX_PHASE"),
         (phi_dot_ref.place, "MAX_SPEED"),
         (tau_ff.place, "MAX_WRENCH"),
-        (phi.place, "MAX_PHASE"),
-        (phi_dot.place, "MAX_SPEED"),
+        (angle, "MAX_PHASE"),
+        (speed, "MAX_SPEED"),
         (x.integral, "MAX_WRENCH"),
         (x.torque, "MAX_WRENCH"),
     ):
@@ -96,8 +98,8 @@ def step(lib: Library, form: ServoForm) -> Function:
     cut = body.local("cut", (), Kind.INT, "was any torque limited?")
     body.set(cut, integer(0))
     with body.loop("s", form.count) as s:
-        e = body.let("e", call(lib["wrapped"], phi_ref.place[s] - phi.place[s]))
-        slip = body.let("slip", phi_dot_ref.place[s] - phi_dot.place[s])
+        e = body.let("e", call(lib["wrapped"], phi_ref.place[s] - angle[s]))
+        slip = body.let("slip", phi_dot_ref.place[s] - speed[s])
         body.add(x.speed[s], g.filter * (slip - x.speed[s]))
         body.note("Friction that the reference meets: no noise of the sensor comes into it.")
         dry_part = g.coulomb[s] * call(lib["dry"], g.coulomb_rate[s] * phi_dot_ref.place[s])
@@ -114,18 +116,17 @@ def step(lib: Library, form: ServoForm) -> Function:
         body.set(tau.place[s], given)
     with body.when(unequal(cut, integer(0))):
         body.ret(Status("LIMITED"))
-    body.ret(Status("OK"))
-    return Function(
+    return body.checked(
         "servo_step",
         "One sample of the servos of all flywheels.",
-        (gains, state, phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, tau),
-        body.statements,
-        returns=Kind.STATUS,
+        (gains, state, phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, invalid, tau),
         statuses=("OK", "LIMITED", "NOT_FINITE", "RANGE"),
         notes=(
             "tau = tau_ff + friction + angle e + speed f + z, inside limit and change; e the error of the angle, "
             "within half a turn, f that of the speed, filtered, z the integral, which loses what the limits cut off. "
             "LIMITED: a torque was cut.",
+            "A flywheel without a good reading continues with tau_ff, friction and z, as if its errors were zero; "
+            "the others do not change.",
         ),
         public=True,
     )

@@ -45,16 +45,7 @@ def reset(form: ServoForm) -> Function:
     with body.loop("s", form.count) as s, body.loop("i", trim.terms) as i:
         body.set(x.wanted[s][i], real(0))
         body.set(x.present[s][i], real(0))
-    body.ret(Status("OK"))
-    return Function(
-        "trim_reset",
-        "A trim without corrections.",
-        (state,),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK",),
-        public=True,
-    )
+    return body.checked("trim_reset", "A trim without corrections.", (state,), statuses=("OK",), public=True)
 
 
 def basis(lib: Library, form: ServoForm) -> Function:
@@ -76,11 +67,10 @@ def basis(lib: Library, form: ServoForm) -> Function:
             body.set(b[after], b[before] * cosine - b[before + integer(1)] * sine)
             body.set(b[after + integer(1)], b[before + integer(1)] * cosine + b[before] * sine)
     return lib.add(
-        Function(
+        body.function(
             "trim_basis",
             "1, then cosine and sine of each harmonic of theta = 2 pi phase, by the sum of angles.",
             (phase, out),
-            body.statements,
         )
     )
 
@@ -105,11 +95,10 @@ def measure(lib: Library, form: ServoForm) -> Function:
                 mean = body.let("mean", total.place[c][i] * scale)
                 body.set(total.place[c][i], select(equal(i, integer(0)), mean, real(2) * mean) - d.target[c][i])
     return lib.add(
-        Function(
+        body.function(
             "trim_measure",
             "Inside the window: what one sample adds; at its last sample the error.",
             (design, sample, functions, q, total),
-            body.statements,
         )
     )
 
@@ -135,14 +124,12 @@ def correct(lib: Library, form: ServoForm) -> Function:
         body.set(wanted[j], inside)
     with body.when(unequal(cut, integer(0))):
         body.ret(Status("LIMITED"))
-    body.ret(Status("OK"))
     return lib.add(
-        Function(
+        body.checked(
             "trim_correct",
             "The corrections of one flywheel less matrix times error, inside the limit.",
             (design, flywheel, state),
-            body.statements,
-            returns=Kind.STATUS,
+            statuses=("OK", "LIMITED"),
         )
     )
 

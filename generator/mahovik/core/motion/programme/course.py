@@ -51,7 +51,7 @@ class Samples:
     phi_ddot: Array
 
     def closed(self, period: float, turn: Array) -> Samples:
-        """With the first row again a period later, `turn` (N, rad) further on."""
+        """The table with its first row repeated one period later, `turn` (N, rad) further on."""
         return Samples(
             np.append(self.t, self.t[0] + period),
             np.vstack([self.phi, self.phi[:1] + turn]),
@@ -68,6 +68,6 @@ class Samples:
         return piece, piece.derivative(1), piece.derivative(2)
 
     def at(self, t: Array) -> Angles:
-        """At times t (M, s) between the first and the last of the table, which hold beyond it."""
+        """phi, phi', phi'' at the times t (M, s); the first and the last row hold beyond the table."""
         inside = np.clip(t, self.t[0], self.t[-1])
         return Angles(*(piece(inside) for piece in self._pieces))

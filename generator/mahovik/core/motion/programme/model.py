@@ -33,7 +33,7 @@ class Programme:
     flywheels   their names, in the stand's order
     periodic, span   period (or duration of a finite programme), s
     bias        6; m, rad: shift of the motion's mean
-    winding     turns a period, one a flywheel; zeros of a finite programme
+    winding     turns per period of each flywheel; zeros of a finite programme
     course      Fourier (periodic only) or Samples
     runup, rundown   from rest to t = 0, and back
     report      figures of the search, as JSON holds them

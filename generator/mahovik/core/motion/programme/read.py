@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field
 
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, rows
+from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, listed, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
@@ -21,9 +21,7 @@ from mahovik.errors import ProgrammeError
 
 
 def _names(raw: Any) -> tuple[str, ...]:
-    if not isinstance(raw, list):
-        raise QuantityError(f"expected a list, found {show(raw)}")
-    if not all(isinstance(name, str) for name in raw):
+    if not all(isinstance(name, str) for name in listed(raw)):
         raise QuantityError("expected names")
     if not raw:
         raise QuantityError("expected at least one name")
@@ -41,7 +39,7 @@ def _rows(raw: Any, context: dict[str, Any]) -> tuple[tuple[float, ...], ...]:
 def _turns(raw: Any, context: dict[str, Any]) -> tuple[int, ...]:
     N = context["flywheels"]
     if isinstance(raw, list) and len(raw) != N:
-        raise QuantityError(f"expected {N} whole numbers, one a flywheel, found {len(raw)}")
+        raise QuantityError(f"expected {N} whole numbers, one per flywheel, found {len(raw)}")
     return integers(raw)
 
 
@@ -130,7 +128,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
     if periodic and table.winding is None:
         problems.add("winding", "required, but missing")
     if not periodic and any(table.winding or ()):
-        problems.add("winding", "not allowed with `duration`: winding is turns a period")
+        problems.add("winding", "not allowed with `duration`: winding is turns per period")
     course: Fourier | Samples | None = None
     if table.samples is not None:
         course = _samples(table.samples, span, periodic, problems, "samples")

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -12,28 +10,12 @@ import numpy as np
 
 from mahovik.core.motion.programme.course import Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
-from mahovik.errors import UsageError
+from mahovik.writing import write
 
 
 def save_programme(programme: Programme, path: str | Path) -> None:
-    """Write a programme whole or not at all: beside its place, then moved there. Raises UsageError."""
-    path = Path(path)
-    text = programme_text(programme)
-    draft: str | None = None
-    try:
-        handle, draft = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(draft, 0o666 & ~mask)  # as an ordinary new file
-        os.replace(draft, path)
-        draft = None
-    except OSError as error:
-        raise UsageError(f"{path}: cannot be written: {error.strerror or error}") from None
-    finally:
-        if draft is not None:
-            Path(draft).unlink(missing_ok=True)
+    """Write a programme whole or not at all. Raises UsageError."""
+    write(Path(path), programme_text(programme))
 
 
 def programme_text(programme: Programme) -> str:
@@ -88,7 +70,7 @@ def _plain(value: Any) -> Any:
 
 
 def _layout(value: Any, depth: int) -> str:
-    """Objects a key a line, lists of lists a row a line."""
+    """Text of a document: objects with one key per line, lists of lists with one row per line."""
     pad = " " * (depth + 1)
     if isinstance(value, dict) and value:
         lines = [f"{pad}{json.dumps(key)}: {_layout(each, depth + 1)}" for key, each in value.items()]

@@ -33,7 +33,7 @@ class Harmonics:
     sin: Array
 
     def at(self, t: Array) -> Course:
-        """At the times t (M, s)."""
+        """q, q', q'' (M, 6 each) at the times t (M, s)."""
         k = np.array(self.k, dtype=np.float64)
         omega = 2 * np.pi * k / self.period
         angle = 2 * np.pi * ((t / self.period)[:, None] * k % 1.0)  # small angles: no digits lost at large t
@@ -69,7 +69,7 @@ class Sampled:
         return spline, spline.derivative(1), spline.derivative(2)
 
     def at(self, t: Array) -> Course:
-        """At the times t (M, s)."""
+        """q, q', q'' (M, 6 each) at the times t (M, s)."""
         if self.periodic:
             inside = self.t[0] + (t - self.t[0]) % self.span
             return Course(*(spline(inside) for spline in self._splines))

@@ -1,4 +1,4 @@
-"""A required motion: what the carrier shall do, inside which bounds, best by which objective."""
+"""A required motion of the carrier: its course, bounds and objective."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class RequiredMotion:
 
     periodic, span   period (or of a finite motion the duration), s
     free_mean        which of the six a planner may shift by `bias`
-    winding          turns a period: one number a flywheel, or which numbers a planner may choose
+    winding          turns per period: one number per flywheel, or which numbers a planner may choose
     runup            duration of a run-up that is wanted, s; None: none
     """
 

@@ -33,7 +33,7 @@ def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:
     if motion.bounds.deviation is not None:
         least, bound = float(np.linalg.norm((course.q - motion.mean)[:, :3], axis=1).max()), motion.bounds.deviation[0]
         if bound < least:
-            told = f"{bound:g} m is below what the motion itself strays, {least:g} m"
+            told = f"{bound:g} m is below the deviation of the motion itself, {least:g} m"
             problems.add("bounds", "deviation", f"linear: {told}")
     theta = course.q[:, 4]
     name, value = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
@@ -43,5 +43,5 @@ def check(motion: RequiredMotion, stand: Stand, problems: Problems) -> None:
         i = int(crossed[0]) if len(crossed) else i
         problems.add(
             f"singular attitude of the {stand.angles} sequence at t = {t[i]:.4g} s, theta = {theta[i]:.6g} rad: "
-            f"{name} theta comes to 0; choose another sequence (`angles` of the stand) or mean"
+            f"{name} theta reaches 0; choose another sequence (`angles` of the stand) or mean"
         )

@@ -39,7 +39,7 @@ from mahovik.core.stand.units import (
     show,
 )
 from mahovik.errors import MotionError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 
 ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
 WINDINGS = ("any", "spin", "rock")
@@ -79,7 +79,7 @@ def _unit(dimension: Dimension, example: str) -> Any:
 
 
 def _span(raw: Any) -> float:
-    found = require_bounds(number(raw, TIME), "s", above=0.0)
+    found = require_bounds(number(raw, TIME), "s", above=0.0, raw=raw)
     if not 1e-6 <= found <= 1e6:
         raise QuantityError(f"{found:g} s is out of range, expected 1e-06 to 1e+06 s")
     return found
@@ -108,11 +108,11 @@ def _winding(raw: Any, context: dict[str, Any]) -> Any:
     N = context["flywheels"]
     if isinstance(raw, str):
         if raw not in WINDINGS:
-            raise QuantityError(f"unknown {show(raw)}{meant(raw, WINDINGS)}")
+            raise QuantityError(f"unknown {show(raw)}{suggestion(raw, WINDINGS)}")
         return raw
     if not isinstance(raw, list) or len(raw) != N:
         found = f"{len(raw)} numbers" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected {N} whole numbers (one a flywheel), "any", "spin" or "rock", found {found}')
+        raise QuantityError(f'expected {N} whole numbers (one per flywheel), "any", "spin" or "rock", found {found}')
     return integers(raw)
 
 
@@ -231,7 +231,7 @@ _ONLY = {
     "period": ("periodic", "which has `duration`"),
     "duration": ("finite", "which has `period`"),
     "harmonics": ("periodic", "which has `samples`"),
-    "winding": ("periodic", "winding is turns a period"),
+    "winding": ("periodic", "winding is turns per period"),
     "runup": ("periodic", "which starts from rest itself"),
 }
 """Keys of one type of motion: the type, and what to say of the other."""
@@ -320,6 +320,6 @@ def _course(table: MotionTable, periodic: bool, span: float, problems: Problems)
     ks = tuple(one.k for one in given)
     for i, k in enumerate(ks):
         if k in ks[:i]:
-            problems.add(f"harmonics[{i}]", "k", f"{k} is there twice")
+            problems.add(f"harmonics[{i}]", "k", f"{k} appears twice")
     cos, sin = (np.array([getattr(one, key) for one in given]).reshape(-1, 6) for key in ("cos", "sin"))
     return Harmonics(span, ks, cos, sin)

@@ -38,7 +38,7 @@ def _times(given: Sampled) -> tuple[str, str] | None:
     if np.any(steps <= 0.0):
         i = int(np.argmax(steps <= 0.0)) + 1
         jump = (
-            " with another q: the motion must be continuous" if steps[i - 1] == 0.0 and np.any(q[i] != q[i - 1]) else ""
+            ", but q differs: the motion must be continuous" if steps[i - 1] == 0.0 and np.any(q[i] != q[i - 1]) else ""
         )
         return f"t[{i}]", f"{t[i]:.9g} s is not after {t[i - 1]:.9g} s{jump}"
     if given.periodic:
@@ -50,7 +50,7 @@ def _times(given: Sampled) -> tuple[str, str] | None:
         open_, longest = t[0] + given.span - t[-1], float(steps.max())
         if open_ > GAP * longest:
             return "t", (
-                f"covers {t[0]:.9g} to {t[-1]:.9g} s, and nothing the {open_:.3g} s to the end of the period, "
+                f"covers {t[0]:.9g} to {t[-1]:.9g} s, without samples in the last {open_:.3g} s of the period, "
                 f"{given.span:g} s: is it the period of these samples?"
             )
         return None
@@ -67,7 +67,7 @@ def _moving(q: Array) -> tuple[Array, Array]:
 
 
 def _smooth(given: Sampled) -> tuple[str, str] | None:
-    """What every second sample foretells of the others."""
+    """Largest distance of the other samples from a spline through every second one."""
     t, q = given.t, given.q
     kept = np.arange(len(t)) % 2 == 0
     if not given.periodic:
@@ -88,7 +88,7 @@ def _smooth(given: Sampled) -> tuple[str, str] | None:
 
 
 def _rest(given: Sampled) -> tuple[str, str] | None:
-    """Speeds and accelerations at the ends, by a spline that knows nothing of rest."""
+    """Speeds and accelerations at the ends, by a spline without end conditions."""
     from scipy.interpolate import make_interp_spline
 
     free = make_interp_spline(given.t, given.q, k=5)

@@ -1,4 +1,4 @@
-"""Servos that make the flywheels follow a programme: the servo file, and what it says."""
+"""Servos that make the flywheels follow a programme: the servo file and its data."""
 
 from mahovik.core.motion.servo.model import COORDINATES, Servo, Trim
 from mahovik.core.motion.servo.read import load_servo, read_servo

@@ -1,4 +1,4 @@
-"""What is wanted of the servos of a stand, in SI. Gains are computed from it (use/control/gains.py)."""
+"""Requirements on the servos of a stand, in SI. Gains are computed from it (use/control/servo.py)."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import angular_speed, choice, per_flywheel, positions, table_or_false, whole
+from mahovik.core.motion.fields import angular_speed, choice, per_flywheel, positions, table_or_false, whole_number
 from mahovik.core.motion.ranges import MAX_WRENCH
 from mahovik.core.motion.servo.model import COORDINATES, Servo, Trim
 from mahovik.core.stand.content import TEXT
@@ -42,11 +42,11 @@ def _limits(dimension: Dimension) -> Any:
 class TrimTable(Table):
     """`[trim]`."""
 
-    harmonics: Annotated[int, whole(1, MOST_HARMONICS)] = 1
+    harmonics: Annotated[int, whole_number(1, MOST_HARMONICS)] = 1
     gain: Annotated[float, scalar(PLAIN, above=0.0, most=1.0)] = 0.5
     coordinates: Annotated[tuple[int, ...], validator(_coordinates)] = tuple(range(len(COORDINATES)))
-    settling: Annotated[int, whole(0, 10**6)] = 20
-    averaging: Annotated[int, whole(1, 10**6)] = 1
+    settling: Annotated[int, whole_number(0, 10**6)] = 20
+    averaging: Annotated[int, whole_number(1, 10**6)] = 1
     limit: Annotated[float, scalar(ANGLE, above=0.0)] = 0.5
 
 

@@ -1,27 +1,36 @@
-"""C files of a programme, beside those of its stand; refused if inaccurate or made for another stand."""
+"""C files of a programme, beside those of its stand; refused if inaccurate or made for another stand.
+
+They are written into a folder of `mahovik generate`, or any other; never over files of others.
+"""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from math import inf
+from pathlib import Path
 from typing import Any
 
 from mahovik.core.emit.generate import PRECISIONS
+from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.programme import Facts, programme_files
+from mahovik.core.emit.reading import read_header
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.programme.form import Form
 from mahovik.core.lower.programme.play import Player
 from mahovik.core.lower.programme.program import ProgrammeProgram, lower_programme
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.out.export.programme.accuracy import Errors, errors
-from mahovik.out.export.programme.carrier import Array, Prescribed
-from mahovik.out.export.programme.tables import Table, Torques, fourier_table, quintic_table
-from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.identity import motion_finding, stand_finding
+from mahovik.out.export.programme.accuracy import Errors, Prescribed, errors
+from mahovik.out.export.programme.naming import check_name
+from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
+from mahovik.proof.verify.programme.finding import motion_finding, stand_finding, tolerance_for
+from mahovik.writing import write_all
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
 """Largest relative residual that a table may add."""
@@ -56,9 +65,11 @@ def export_programme(
     real: str = "double",
     limit: float | None = None,
     source: str = "programme",
+    called: str = "programme",
 ) -> Exported:
     """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
-    measured; without it, the error of the accelerations. `source` names the programme in messages.
+    measured; without it, the error of the accelerations. `source` names the programme in messages, `called`
+    in the names of the C.
 
     CheckError: programme, stand and motion do not belong together, or the error is above the limit. UsageError.
     """
@@ -71,6 +82,8 @@ def export_programme(
     if not 0 < most < inf:
         raise UsageError(f"--limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
     layout = Layout(structure(stand), PRECISIONS[real])
+    if called != "programme":
+        check_name(stand, layout, called)
     prescribed = None if motion is None else Prescribed(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_finished(layout, first, prescribed)]
@@ -90,10 +103,10 @@ def export_programme(
     tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
     made = lower_programme(layout, [t.form for t in tables])
     player = Player(made, {t.form.part: t.value for t in tables})
-    lines = tuple(line for t, e in found for line in said(t, e, layout))
+    lines = tuple(line for t, e in found for line in table_messages(t, e, layout))
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
     facts = Facts(programme.motion, numbers, tuple(_measured(t, e) for t, e in found), lines, most)
-    files = programme_files(stand, made, player.golden(), facts)
+    files = programme_files(stand, made, player.golden(), facts, called)
     return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
 
 
@@ -179,7 +192,7 @@ def _measured(table: Table, found: Errors) -> dict[str, Any]:
     return {"part": form.part or "programme", "kind": form.kind, "rows": form.rows, "span": table.span, "errors": known}
 
 
-def said(table: Table, found: Errors, layout: Layout) -> list[str]:
+def table_messages(table: Table, found: Errors, layout: Layout) -> list[str]:
     """Messages about a table, one line each: its size, then its errors."""
     form = table.form
     name = {"": "programme", "runup": "run-up", "rundown": "run-down"}[form.part]
@@ -196,3 +209,68 @@ def said(table: Table, found: Errors, layout: Layout) -> list[str]:
     if found.added is not None:
         lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
     return lines
+
+
+def element_type(folder: Path, stand: Stand, real: str | None) -> str:
+    """Element type for the C in a folder: the given one, else that of the stand's header there, else double.
+
+    Raises UsageError if the two differ, CheckError if the header is of another stand.
+    """
+    header = read_header(folder, stand.name)
+    if header is None or header.real is None:
+        return real or "double"
+    found = identities(stand)
+    if (header.structure, header.physics) != (found.structure, found.physics):
+        raise CheckError(
+            f"{folder / stand.name}.h: is of another stand (structure {header.structure}, physics {header.physics}; "
+            f"the stand file has {found.structure}, {found.physics}): generate it again or choose another folder"
+        )
+    if real is not None and real != header.real:
+        raise UsageError(f"{folder / stand.name}.h: has {header.real}, expected {real}: leave --real out")
+    return header.real
+
+
+def write_programme(
+    folder: Path, stand: Stand, files: Mapping[str, str], called: str = "programme"
+) -> tuple[Path, ...]:
+    """Write the files of a programme, all or none. Raises UsageError rather than overwrite files of others."""
+    refuse_foreign(folder, stand, "programme", files, called)
+    return write_all(folder, files)
+
+
+def write_servo(folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str]) -> tuple[Path, ...]:
+    """Write the files of a programme and of its servo, all or none. Raises UsageError."""
+    refuse_foreign(folder, stand, "programme", programme)
+    refuse_foreign(folder, stand, "servo", servo)
+    return write_all(folder, {**programme, **servo})
+
+
+def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, str], called: str = "") -> None:
+    """Raise UsageError if one of the files would overwrite a file that mahovik has not written.
+
+    Files that mahovik has written are listed in the manifest of the programme or servo, `what`, with their hash.
+    """
+    manifest = f"{stand.name}_{called or what}.json"
+    listed = _listed(folder / manifest, what)
+    for name, text in files.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() == text.encode("utf-8"):
+            continue
+        if name == manifest and listed is not None:
+            continue
+        if listed is None or listed.get(name) != digest(path.read_bytes()):
+            why = "was changed by hand" if listed is not None and name in listed else "was not written by mahovik"
+            raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
+
+
+def _listed(path: Path, what: str) -> dict[str, str] | None:
+    """Hashes by name from the manifest of an older programme or servo; None: there is none."""
+    if not path.is_file():
+        return None
+    try:
+        found = json.loads(path.read_bytes())
+        if str(found["generator"]).startswith("mahovik ") and isinstance(found[what], str):
+            return {str(name): str(value) for name, value in found["files"].items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        pass
+    return None

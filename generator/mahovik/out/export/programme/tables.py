@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.lower.programme.form import Form
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.program.types import NamedCount
-from mahovik.out.export.programme.carrier import Array
 
 MOST_HARMONICS = 120
 """Most harmonics of a Fourier table."""
@@ -25,6 +25,7 @@ FINE_MEAN = 2.0**20
 _FINE, _TORQUES = 1024, 256
 """Samples per period for the Fourier coefficients of angles and of torques."""
 
+Array = NDArray[np.float64]
 At = Callable[[Array], Angles]
 Torques = Callable[[Array], Array]
 

@@ -51,6 +51,11 @@ class Quantity:
     rows: tuple[tuple[float, ...], ...]
     noise: float
 
+    @property
+    def labelled(self) -> list[tuple[str, tuple[float, ...]]]:
+        """Rows with their labels."""
+        return list(zip(self.labels, self.rows, strict=True))
+
 
 @dataclass(frozen=True)
 class FlywheelNumbers:

@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from abc import ABC, abstractmethod
 from html import escape
-from typing import Any, Protocol
+from typing import Any
 
 from markupsafe import Markup
 
 from mahovik import __version__
+from mahovik.contract.laws import of_bodies
 from mahovik.core.derive.attitude import ANGLES
-from mahovik.core.derive.document import Block, Formula, Part, Section, Table, Text, sections
+from mahovik.core.derive.document import Part, sections
 from mahovik.core.derive.document.flywheel import HEAD
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.out.report.derivation import mathml, tex
-from mahovik.out.report.derivation.expression import notation
-from mahovik.out.report.derivation.notation import Grid, Node, Number, Operator, row
-from mahovik.out.report.derivation.numbers import FlywheelNumbers, numbers
-from mahovik.out.report.derivation.parse import parse
+from mahovik.out.report.derivation.notation import Grid, Node, Number, Operator, Zero, row, signed, tex_text
+from mahovik.out.report.derivation.numbers import numbers
+from mahovik.out.report.derivation.parse import notation, parse
 
 DIGITS = 6
 """Significant digits of the stand's numbers."""
@@ -38,193 +37,119 @@ def latex(stand: Stand) -> str:
     return template("derive.tex.j2").render(**_content(stand, _Tex()))
 
 
-class _Printer(Protocol):
-    """What differs between page and article."""
+class _Printer(ABC):
+    """Functions that the templates call."""
 
-    def plain(self, text: str) -> Any:
+    @abstractmethod
+    def plain(self, text: str) -> str:
         """Text without notation."""
 
-    def inline(self, node: Node) -> Any:
+    @abstractmethod
+    def inline(self, node: Node) -> str:
         """A formula within text or a table."""
 
-    def display(self, node: Node) -> Any:
+    @abstractmethod
+    def display(self, node: Node) -> str:
         """A formula on its own."""
 
-    def cell(self, value: float, noise: float) -> Any:
-        """A number in a table."""
+    @abstractmethod
+    def cell(self, value: float, noise: float = 0.0) -> str:
+        """A number in a table; not above `noise` it is rounding."""
 
-    def zero(self) -> Any:
-        """An empty cell of a table of symbols."""
+    def text(self, text: str) -> str:
+        """A paragraph; notation between backticks."""
+        pieces = re.split(r"`([^`]*)`", text)
+        return self.plain("").join(self.inline(parse(p)) if i % 2 else self.plain(p) for i, p in enumerate(pieces))
 
-    def joined(self, parts: list[Any]) -> Any:
-        """Parts of a paragraph."""
+    def math(self, part: Part) -> str:
+        """A cell: notation or expression; nothing for no text, a faint mark for zero."""
+        return "" if part == "" else self.inline(Zero() if part == 0 else _node(part))
+
+    def head(self, name: str) -> str:
+        """A heading of a table of symbols: a word, or notation."""
+        return self.plain(name) if name.isalpha() else self.math(name)
+
+    def formula(self, parts: tuple[Part, ...]) -> str:
+        """A displayed equation."""
+        return self.display(row(*map(_node, parts)))
+
+    def matrix(self, name: str, rows: Any, noise: Any) -> str:
+        """A displayed matrix of numbers."""
+        cells = tuple(tuple(map(_number, *each)) for each in zip(rows, noise, strict=True))
+        return self.display(row(parse(f"{name} ="), Grid(cells)))
 
 
-class _Html:
+class _Html(_Printer):
     """MathML in HTML; every text is marked as escaped here."""
 
     def plain(self, text: str) -> Markup:
         return Markup(escape(text))
 
     def inline(self, node: Node) -> Markup:
-        return Markup(mathml.mathml(node))
+        return Markup('<span class="zero">0</span>' if node == Zero() else node.math())
 
     def display(self, node: Node) -> Markup:
-        return Markup(mathml.mathml(node, display=True))
+        return Markup(node.math(display=True))
 
-    def cell(self, value: float, noise: float) -> Markup:
+    def cell(self, value: float, noise: float = 0.0) -> Markup:
         if value == 0:
-            return self.zero()
+            return self.inline(Zero())
         if abs(value) <= noise:
             return Markup(f'<span class="zero" title="{value!r}">≈0</span>')
-        digits, exponent = significant(value)
-        return Markup(("−" if value < 0 else "") + mathml.number(digits, exponent))
-
-    def zero(self) -> Markup:
-        return Markup('<span class="zero">0</span>')
-
-    def joined(self, parts: list[Any]) -> Markup:
-        return Markup("").join(parts)
+        return Markup(("−" if value < 0 else "") + significant(value).plain())
 
 
-class _Tex:
+class _Tex(_Printer):
     """LaTeX; table cells are in math mode."""
 
     def plain(self, text: str) -> str:
-        return tex.escape(text)
+        return tex_text(text)
 
     def inline(self, node: Node) -> str:
-        return f"${tex.tex(node)}$"
+        return f"${node.tex()}$"
 
     def display(self, node: Node) -> str:
-        return tex.tex(node)
+        return node.tex()
 
-    def cell(self, value: float, noise: float) -> str:
-        if value == 0:
-            return self.zero()
-        if abs(value) <= noise:
-            return r"$\approx 0$"
-        digits, exponent = significant(value)
-        return f"${'-' if value < 0 else ''}{tex.number(digits, exponent)}$"
-
-    def zero(self) -> str:
-        return f"${tex.ZERO}$"
-
-    def joined(self, parts: list[Any]) -> str:
-        return "".join(parts)
+    def cell(self, value: float, noise: float = 0.0) -> str:
+        return self.inline(_number(value, noise))
 
 
-def significant(value: float) -> tuple[str, int]:
-    """The size of a number to DIGITS significant digits, and its power of ten."""
+def significant(value: float) -> Number:
+    """The size of a number to DIGITS significant digits."""
     digits, _, exponent = f"{abs(value):.{DIGITS}g}".partition("e")
-    return digits, int(exponent or 0)
+    return Number(digits, int(exponent or 0))
 
 
-@dataclass(frozen=True)
-class _Writer:
-    """Blocks of a document as data for the templates, in what a printer prints."""
-
-    printer: _Printer
-
-    def node(self, part: Part) -> Node:
-        """A part of a formula as notation."""
-        return parse(part) if isinstance(part, str) else notation(part)
-
-    def text(self, text: str) -> Any:
-        """A paragraph; notation between backticks."""
-        pieces = re.split(r"`([^`]*)`", text)
-        printed = [self.printer.inline(parse(p)) if i % 2 else self.printer.plain(p) for i, p in enumerate(pieces)]
-        return self.printer.joined(printed)
-
-    def math(self, part: Part) -> Any:
-        """A cell: notation or expression; nothing for no text, a faint mark for zero."""
-        if isinstance(part, str):
-            return self.printer.inline(parse(part)) if part else ""
-        return self.printer.zero() if part == 0 else self.printer.inline(notation(part))
-
-    def block(self, block: Block) -> dict[str, Any]:
-        """One block as data."""
-        match block:
-            case Text(text):
-                return {"kind": "text", "text": self.text(text)}
-            case Formula(parts, number):
-                whole = row(*(self.node(p) for p in parts))
-                return {"kind": "formula", "math": self.printer.display(whole), "number": number}
-            case Table(caption, head, rows):
-                return {
-                    "kind": "table",
-                    "caption": caption,
-                    "head": [self.math(h) if not h.isalpha() else self.printer.plain(h) for h in head],
-                    "rows": [[self.math(c) for c in cells] for cells in rows],
-                }
-
-    def section(self, section: Section) -> dict[str, Any]:
-        """One section as data."""
-        return {
-            "title": section.title,
-            "equations": section.equations,
-            "blocks": [self.block(b) for b in section.blocks],
-        }
-
-    def matrix(self, name: str, rows: Any, noise: Any) -> Any:
-        """A displayed matrix of numbers."""
-        cells = [[_number(x, n) for x, n in zip(r, ns, strict=True)] for r, ns in zip(rows, noise, strict=True)]
-        return self.printer.display(row(parse(f"{name} ="), Grid(tuple(tuple(r) for r in cells))))
-
-    def flywheel(self, own: FlywheelNumbers, labels: dict[str, Any]) -> dict[str, Any]:
-        """The table of one flywheel as data."""
-        quantities = [
-            {
-                "unit": self.text(q.unit),
-                "rows": [
-                    {"label": labels[name], "cells": [self.printer.cell(x, q.noise) for x in values]}
-                    for name, values in zip(q.labels, q.rows, strict=True)
-                ],
-            }
-            for q in own.quantities
-        ]
-        return {
-            "name": self.printer.plain(own.name),
-            "mount": self.printer.plain(own.mount),
-            "mass": self.printer.cell(own.mass, 0.0),
-            "spin": self.printer.cell(own.spin, 0.0),
-            "quantities": quantities,
-        }
-
-
-def _number(value: float, noise: float) -> Node | None:
+def _number(value: float, noise: float) -> Node:
     if value == 0:
-        return None
-    if abs(value) <= noise:
-        return row(Operator("≈"), Number("0"))
-    digits, exponent = significant(value)
-    return row(Operator("−"), Number(digits, exponent)) if value < 0 else Number(digits, exponent)
+        return Zero()
+    return row(Operator("≈"), Number("0")) if abs(value) <= noise else signed(significant(value), value < 0)
+
+
+def _node(part: Part) -> Node:
+    """A part of a formula as notation."""
+    return parse(part) if isinstance(part, str) else notation(part)
 
 
 def _content(stand: Stand, printer: _Printer) -> dict[str, Any]:
-    """Everything that the templates put in order."""
-    writer = _Writer(printer)
+    """Everything that the templates put in order, and how they print it."""
     form = structure(stand)
-    buoyancy = form.buoyancy or bool(form.flywheel_buoyancy)
-    symbolic = sections(stand.angles, added_mass=form.added_mass, weight=form.weight, buoyancy=buoyancy)
+    displaces = any(of(form) for of in of_bodies("lower", "displaces"))
     found, identity = numbers(stand), identities(stand)
-    names = {label for f in found.flywheels for q in f.quantities for label in q.labels}
-    labels = {name: printer.inline(parse(name)) for name in sorted(names)}
     turns = " ".join(f"C_{axis}({angle})" for axis, angle in zip(SEQUENCES[stand.angles], ANGLES, strict=True))
     return {
-        "name": printer.plain(stand.name),
+        "print": printer,
+        "name": stand.name,
         "version": __version__,
         "structure": identity.structure,
         "physics": identity.physics,
         "bodies": _bodies(stand),
-        "sequence": writer.text(f"{stand.angles}, `C = {turns}`"),
-        "mass": printer.cell(found.mass, 0.0),
-        "sections": [writer.section(s) for s in symbolic],
-        "K": writer.matrix("K", found.K_at_zero, found.noise),
-        "K_constant": writer.matrix("K_c", found.K_constant, found.noise),
-        "notes": {key: writer.text(text) for key, text in _NOTES.items()},
-        "head": [writer.math(h) for h in HEAD],
-        "flywheels": [writer.flywheel(f, labels) for f in found.flywheels],
+        "sequence": f"{stand.angles}, `C = {turns}`",
+        "numbers": found,
+        "sections": sections(stand.angles, added_mass=form.added_mass, weight=form.weight, displaces=displaces),
+        "notes": _NOTES,
+        "head": HEAD,
     }
 
 
@@ -248,6 +173,6 @@ _NOTES = {
 
 
 def _bodies(stand: Stand) -> str:
-    """How many of which."""
+    """Number of bodies of each kind, in words."""
     counts = ((len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"))
     return ", ".join(["carrier", *(f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in counts)])

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.report.plot.extent import extent
-from mahovik.out.report.plot.panel import Dots, Line, Panel
+from mahovik.out.report.plot.panel import Dots, Levels, Line, Panel, extent
+from mahovik.out.report.plot.tags import tag_lines
 
 SUFFIXES = (".svg", ".png")
 
@@ -22,8 +22,8 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#0
 GREY, GRID, INK, SHADE = "#777777", "#e4e4e4", "#1b1f24", "#9a9a9a"
 """Levels and words, the grid, marks, shaded stretches."""
 
-WIDTH, HEIGHT = 8.6, 2.0
-"""Inches: width of a picture, height of a panel."""
+WIDTH, WIDE, HEIGHT = 8.6, 10.4, 2.0
+"""Inches: width of a picture, of one with panels side by side; height of a panel."""
 
 TIME = "t, s"
 
@@ -59,21 +59,43 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
     matplotlib, figures = require("plot")
     with matplotlib.rc_context(STYLE):
-        heights = [panel.height for panel in panels]
-        figure = figures.Figure(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
+        rows = _rows(panels)
+        heights = [max(panel.height for panel in row) for row in rows]
+        width = WIDTH if len(rows) == len(panels) else WIDE
+        figure = figures.Figure(figsize=(width, HEIGHT * sum(heights) + 0.7), layout="constrained")
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-        rows = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]
-        for axes, panel in zip(rows, panels, strict=True):
-            draw_panel(axes, panel)
-            _words(axes, panel)
-            if panel.dots is not None:
-                _dots(figure, axes, panel.dots)
-            if panel.abscissa or panel is panels[-1]:
-                axes.set_xlabel(panel.abscissa or TIME)
+        grid = figure.add_gridspec(len(rows), 2, height_ratios=heights)
+        for i, row in enumerate(rows):
+            for k, panel in enumerate(row):
+                axes = figure.add_subplot(grid[i, :] if len(row) == 1 else grid[i, k])
+                _draw_whole(figure, axes, panel, len(row) > 1, last=panel is panels[-1])
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
+
+
+def _rows(panels: Sequence[Panel]) -> list[list[Panel]]:
+    """Panels in rows of one or two."""
+    found: list[list[Panel]] = []
+    for panel in panels:
+        if panel.beside and found and len(found[-1]) == 1:
+            found[-1].append(panel)
+        else:
+            found.append([panel])
+    return found
+
+
+def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) -> None:
+    """A panel with its words, names and scale of colours."""
+    draw_panel(axes, panel)
+    _words(axes, panel, narrow)
+    if panel.dots is not None:
+        _dots(figure, axes, panel.dots)
+    if panel.levels is not None:
+        _levels(figure, axes, panel.levels)
+    if panel.abscissa or last:
+        axes.set_xlabel(panel.abscissa or TIME)
 
 
 def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[list[Any], list[Any]]:
@@ -83,8 +105,9 @@ def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[lis
     """
     dots = panel.dots
     xs, ys = ([getattr(line, name) for line in panel.lines] for name in "xy")
-    if dots is not None:
-        xs, ys = [*xs, dots.x], [*ys, dots.y]
+    for more in (dots, panel.levels):
+        if more is not None:
+            xs, ys = [*xs, more.x], [*ys, more.y]
     across = panel.span or extent(xs, panel.log_abscissa, margin=0.0)
     down = extent([*ys, *others], panel.log, panel.least) if panel.top is None else (0.0, panel.top)
     axes.autoscale(False)
@@ -97,9 +120,7 @@ def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[lis
     for start, end in panel.shaded:
         axes.axvspan(start, end, color=SHADE, alpha=0.25, linewidth=0)
     marks = [axes.plot(mark.x, mark.y, "o", color=INK, markersize=3.5)[0] for mark in panel.marks]
-    for line in panel.lines:
-        if line.tag:
-            _tag(axes, line)
+    tag_lines(axes, panel.lines, GREY)
     return lines, marks
 
 
@@ -125,10 +146,14 @@ def decimal(x: float) -> str:
     return ("" if lead == 1 else f"{lead}·") + "10" + str(power).translate(SUPERSCRIPT)
 
 
-def _words(axes: Any, panel: Panel) -> None:
-    """Quantity and note above a panel, names of its lines beside it."""
-    axes.set_title(panel.quantity, loc="left", fontsize="medium")
-    if panel.note:
+def _words(axes: Any, panel: Panel, narrow: bool) -> None:
+    """Quantity and note above a panel, one above the other where it is narrow; names of its lines beside it."""
+    axes.set_title(panel.quantity, loc="left", fontsize="medium", pad=16.0 if narrow else None)
+    if panel.note and narrow:
+        axes.annotate(
+            panel.note, (0.0, 1.0), xytext=(0, 5), xycoords="axes fraction", textcoords="offset points", color=GREY
+        )
+    elif panel.note:
         axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
     named = sum(bool(line.name) for line in panel.lines)
     if named:
@@ -151,17 +176,13 @@ def _dots(figure: Any, axes: Any, dots: Dots) -> None:
     figure.colorbar(shown, ax=axes, label=dots.quantity, pad=0.01, aspect=30)
 
 
-def _tag(axes: Any, line: Line) -> None:
-    """The tag of a rising line where it ends: above it at the right edge, at its right where it leaves at the top."""
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    inside = ((line.x >= left) & (line.x <= right) & (line.y >= low) & (line.y <= high)).nonzero()[0]
-    if not len(inside):
-        return
-    end = inside[-1]
-    ha, va, shift = ("right", "bottom", (-8, 2)) if end == len(line.x) - 1 else ("left", "top", (7, -1))
-    axes.annotate(
-        line.tag, (line.x[end], line.y[end]), xytext=shift, textcoords="offset points", ha=ha, va=va, color=GREY
-    )
+def _levels(figure: Any, axes: Any, levels: Levels) -> None:
+    colours = import_module("matplotlib.colors")
+    largest = float(np.nanmax(levels.value, initial=0.0))
+    norm = colours.LogNorm(levels.least, max(largest, 10.0 * levels.least))
+    axes.grid(False)
+    shown = axes.pcolormesh(levels.x, levels.y, levels.value, norm=norm, cmap="viridis_r", rasterized=True)
+    figure.colorbar(shown, ax=axes, label=levels.quantity, pad=0.01, aspect=30)
 
 
 def colour_and_dashes(line: Line) -> tuple[str, Any]:

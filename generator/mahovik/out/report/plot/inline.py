@@ -1,6 +1,7 @@
 """Panels as figures of an HTML page: words above, then a drawing of matplotlib in the colours of the page.
 
-`templates/report_chart.js.j2` reads values under the pointer out of the paths.
+On a screen `templates/report_chart.js.j2` puts a chart of uPlot in its place, with the numbers themselves
+(`report/plot/numbers`); the drawing is for paper and where scripts are off.
 """
 
 from __future__ import annotations
@@ -21,17 +22,14 @@ from mahovik.out.report.plot.draw import (
     COLOURS,
     GREY,
     GRID,
-    INK,
-    SHADE,
     STYLE,
     TIME,
     colour_and_dashes,
     draw_panel,
     require,
 )
-from mahovik.out.report.plot.envelope import BINS, envelope
-from mahovik.out.report.plot.many import Band, condensed
-from mahovik.out.report.plot.panel import Array, Line, Panel
+from mahovik.out.report.plot.numbers import chart_numbers, page_variable
+from mahovik.out.report.plot.panel import BINS, Array, Band, Line, Panel, condense_lines, envelope
 
 WIDTH, HEIGHT = 460.0, 125.0
 """Units of a drawing: its width, and the height of the frame of a panel of height 1."""
@@ -53,9 +51,6 @@ PAGE_STYLE = {
     "ytick.minor.size": 0.0,
 }
 
-VARIABLES = {GREY: "--muted", GRID: "--line", INK: "--ink", SHADE: "--warn"}
-"""Variables of the page's style for colours of a drawing; those of lines are --c1 to --c8."""
-
 USELESS = (
     "<metadata>.*?</metadata>", "<!--.*?-->", "<style.*?</style>", r"font-family: [^;\"]*; ?", r"<g id=\"[^\"]*\"/>",
     r" transform=\"rotate\(-?0 [^\"]*\"", r"\n *",
@@ -76,19 +71,20 @@ def charts(panels: Sequence[Panel]) -> Markup:
 
 def figure(panel: Panel) -> str:
     """One panel: caption, legend, drawing. Raises UsageError: no matplotlib."""
-    band, lines = condensed(panel.lines)
+    band, lines = condense_lines(panel.lines)
     panel = replace(panel, lines=lines)
     note = f' <span class="muted">{escape(panel.note)}</span>' if panel.note else ""
     drawing, facts = _drawing(panel, band)
     return (
-        f'<figure class="chart" data-axes="{escape(json.dumps(facts, separators=(",", ":")))}">'
+        f'<figure class="chart" data-axes="{escape(json.dumps(facts, separators=(",", ":")))}"'
+        f' data-lines="{escape(json.dumps(chart_numbers(panel, band), separators=(",", ":")))}">'
         f"<figcaption><strong>{escape(panel.quantity)}</strong>{note}</figcaption>{_legend(panel, band)}"
         f'<div class="frame">{drawing}</div>'
         f'<div class="abscissa">{escape(panel.abscissa or TIME)}</div></figure>\n'
     )
 
 
-def described(panel: Panel, band: Band | None = None) -> str:
+def describe_panel(panel: Panel, band: Band | None = None) -> str:
     """The panel in words, for readers who cannot see it: every line from its least to its largest value."""
     words = []
     if band is not None:
@@ -127,8 +123,7 @@ def _key(colour: str, dashes: str, width: int = 2) -> str:
 
 def _of_page(text: str) -> str:
     """Text with the colours of a drawing replaced by variables of the page."""
-    names = VARIABLES | {colour: f"--c{k}" for k, colour in enumerate(COLOURS, start=1)}
-    return re.sub(r"#[0-9a-f]{6}\b", lambda found: f"var({names.get(found[0], '--ink')})", text)
+    return re.sub(r"#[0-9a-f]{6}\b", lambda found: f"var({page_variable(found[0])})", text)
 
 
 def _drawing(panel: Panel, band: Band | None) -> tuple[str, dict[str, Any]]:
@@ -158,7 +153,7 @@ def _drawing(panel: Panel, band: Band | None) -> tuple[str, dict[str, Any]]:
         }
         buffer = io.StringIO()
         made.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
-    return _adapted(buffer.getvalue(), panel, described(panel, band)), facts
+    return _adapted(buffer.getvalue(), panel, describe_panel(panel, band)), facts
 
 
 def _thinned(line: Line) -> Line:

@@ -1,8 +1,12 @@
-"""What a picture shows, as data: panels one below the other, lines in each. Nothing here knows how it is drawn."""
+"""Contents of a picture, as data: panels one below the other, lines in each; ranges of axes, long and many lines.
+
+Nothing here knows how it is drawn.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,6 +41,19 @@ class Dots:
     least: float
 
 
+@dataclass(frozen=True, eq=False)
+class Levels:
+    """Values (rows, columns) of the cells between edges `x` (columns + 1) and `y` (rows + 1), by colour in powers of
+    ten from `least` to the largest; NaN: nothing there. `quantity` stands at the scale.
+    """
+
+    x: Array
+    y: Array
+    value: Array
+    quantity: str
+    least: float
+
+
 @dataclass(frozen=True)
 class Mark:
     """A place that is pointed out; `name` says what is there."""
@@ -53,7 +70,7 @@ class Panel:
     `least`: the ordinate reaches at least so far up and down: rounding is no picture. `note`: above, at the right.
     `abscissa`: below, where it is not time; `height`: in those of other panels; `span`: first and last abscissa;
     `top`: the ordinate ends there. `log_abscissa`: powers of ten across as well. `shaded`: stretches (from, to) of the
-    abscissa.
+    abscissa. `beside`: at the right of the panel before it, not below.
     """
 
     quantity: str
@@ -69,10 +86,12 @@ class Panel:
     log_abscissa: bool = False
     marks: tuple[Mark, ...] = ()
     shaded: tuple[tuple[float, float], ...] = ()
+    levels: Levels | None = None
+    beside: bool = False
 
 
 def family(names: Sequence[str], x: Array, columns: Array, dashed: bool = False) -> tuple[Line, ...]:
-    """A line a column of (M, n), in colours one after the other."""
+    """One line per column of (M, n), in colours one after the other."""
     return tuple(Line(name, x, columns[:, i], i, dashed) for i, name in enumerate(names))
 
 
@@ -84,3 +103,119 @@ def limit(name: str, x: Array, value: float) -> Line:
 def border(tag: str, x: float, low: float, high: float) -> Line:
     """A limit of the abscissa."""
     return Line("", np.full(2, x), np.array([low, high]), None, dashed=True, tag=tag)
+
+
+_PREFIXES = {-4: "p", -3: "n", -2: "µ", -1: "m", 0: "", 1: "k", 2: "M", 3: "G"}
+
+
+def si_prefix(largest: float, unit: str) -> tuple[float, str]:
+    """What numbers in `unit` up to `largest` are multiplied by, and the unit then: 2300, "N" give 1e-3, "kN"."""
+    if not (math.isfinite(largest) and largest > 0.0):
+        return 1.0, unit
+    n = min(max(math.floor(math.log10(largest) / 3 + 1e-12), min(_PREFIXES)), max(_PREFIXES))
+    return 10.0 ** (-3 * n), _PREFIXES[n] + unit
+
+
+DECADES = 12
+"""Powers of ten shown at most: smaller values lie at the edge."""
+
+HUGE = 1e150
+"""Values beyond this are left out: the square of an axis' length must be a number."""
+
+
+def extent(values: Iterable[Array], log: bool = False, least: float = 0.0, margin: float = 0.05) -> tuple[float, float]:
+    """First and last value of an axis that holds all finite values, with a margin (share of the range).
+
+    It reaches at least from -`least` to `least`. With `log` it holds values above zero, no more than DECADES below
+    the largest.
+    """
+    found = np.concatenate([np.zeros(0), *values])
+    finite = found[np.isfinite(found) & (np.abs(found) < HUGE)]
+    if log:
+        return _logarithmic(finite[finite > 0.0], margin)
+    if not finite.size:
+        return -1.0, 1.0
+    low, high = float(finite.min()), float(finite.max())
+    size = max(abs(low), abs(high))
+    if size < least:
+        return -least, least
+    span = high - low
+    if span <= 1e-9 * size:  # a constant: rounding is not worth a picture
+        span = 0.2 * size or 1.0
+        margin = max(margin, 0.5)
+    return low - margin * span, high + margin * span
+
+
+def _logarithmic(values: Array, margin: float) -> tuple[float, float]:
+    if not values.size:
+        return 0.1, 10.0
+    high = float(values.max())
+    low = max(float(values.min()), high * 10.0**-DECADES)
+    span = max(math.log10(high / low), 0.5)
+    return low * 10 ** (-margin * span), high * 10 ** (margin * span)
+
+
+BINS = 400
+"""Parts of the abscissa: the least and the largest value of each are kept, in their order."""
+
+
+def envelope(y: Array, bins: int = BINS) -> NDArray[np.intp]:
+    """Indices (rising) of the points of y (M) that are drawn: all of few; else first, last, extremes of every bin.
+
+    A value that is not finite ends a line: a bin keeps one such value.
+    """
+    M = len(y)
+    if 2 * bins >= M:
+        return np.arange(M)
+    edges = np.linspace(0, M, bins + 1).astype(np.intp)
+    width = int(np.diff(edges).max())
+    at = np.minimum(edges[:-1, None] + np.arange(width), edges[1:, None] - 1)  # the last of a bin again
+    values = y[at]
+    broken = ~np.isfinite(values)
+    rows = np.arange(bins)
+    least = at[rows, np.argmin(np.where(broken, np.inf, values), axis=1)]
+    most = at[rows, np.argmax(np.where(broken, -np.inf, values), axis=1)]
+    gaps = at[rows, np.argmax(broken, axis=1)][broken.any(axis=1)]
+    return np.unique(np.concatenate([[0, M - 1], least, most, gaps]))
+
+
+MOST = 12
+"""Most lines that a reader can distinguish in one frame."""
+
+NAMED = 6
+"""Lines named if there are more: those that reach furthest up or down."""
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """What `count` lines fill: from `low` to `high` (M each) over x (M)."""
+
+    count: int
+    x: Array
+    low: Array
+    high: Array
+
+
+def condense_lines(lines: tuple[Line, ...]) -> tuple[Band | None, tuple[Line, ...]]:
+    """Distinguishable lines; for more than MOST over the same abscissa, a band and the furthest of them."""
+    own = [line for line in lines if line.name and not line.dashed and line.colour is not None]
+    if len(own) <= MOST or any(not np.array_equal(line.x, own[0].x) for line in own):
+        return None, lines
+    values = np.stack([line.y for line in own])
+    blank = ~np.isfinite(values)
+    low, high = (
+        np.where(blank.all(axis=0), np.nan, found)
+        for found in (np.where(blank, np.inf, values).min(axis=0), np.where(blank, -np.inf, values).max(axis=0))
+    )
+    top, bottom = (np.argsort(x, kind="stable") for x in (-_peak(values), _peak(values, np.fmin)))
+    order = dict.fromkeys(np.stack([top, bottom], axis=1).ravel().tolist())
+    chosen = sorted(list(order)[:NAMED])
+    kept = tuple(Line(own[k].name, own[k].x, own[k].y, i) for i, k in enumerate(chosen))
+    others = tuple(line for line in lines if all(line is not each for each in own))
+    return Band(len(own), own[0].x, low, high), (*kept, *others)
+
+
+def _peak(values: Array, of: np.ufunc = np.fmax) -> Array:
+    """Largest (or least) of each row, finite."""
+    found = of.reduce(np.where(np.isfinite(values), values, np.nan), axis=1)
+    return np.asarray(np.nan_to_num(found))

@@ -8,10 +8,8 @@ import numpy as np
 
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
-from mahovik.proof.verify.programme.along import twist
 from mahovik.proof.verify.programme.finding import tolerance_for
-from mahovik.proof.verify.programme.residual import along
-from mahovik.proof.verify.programme.scale import Scale, scale_of
+from mahovik.proof.verify.programme.mechanics import Scale, residuals, scale_of, twist
 from mahovik.proof.verify.programme.simulation import simulate
 
 if TYPE_CHECKING:
@@ -45,7 +43,7 @@ def panels(
     if stand is None or motion is None:
         return [*_wheels(programme, t, found, None), *_transients(programme)]
     scale = scale_of(stand, motion, programme)
-    seen = along(stand, motion, programme, scale, times)
+    seen = residuals(stand, motion, programme, scale, times)
     residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])
     level = tolerance_for(stand, None).residual
     return [
@@ -83,7 +81,7 @@ def _wheels(programme: Programme, t: Array, angles: Angles, motion: RequiredMoti
 
 
 def _bounded(quantity: str, programme: Programme, t: Array, columns: Array, bound: Each, unit: float = 1.0) -> Panel:
-    """A line a flywheel; the bound, where it is the same for all."""
+    """One line per flywheel; the bound, where it is the same for all."""
     lines = family(programme.flywheels, t, columns)
     if bound is None or len(set(bound)) > 1:
         return Panel(quantity, lines)

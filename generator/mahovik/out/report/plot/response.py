@@ -1,4 +1,4 @@
-"""Panels of a sweep of speeds: Campbell diagram, amplitudes of orders, RMS, waterfall of spectra."""
+"""Panels of a sweep of speeds: Campbell diagram, amplitudes of orders, RMS, waterfall and map of spectra."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 
-from mahovik.out.report.plot.panel import Array, Dots, Line, Panel
+from mahovik.out.report.plot.panel import Array, Dots, Levels, Line, Panel
 from mahovik.use.study.response.sweep import OrderLine, Step, Sweep
 
 RPM = 30.0 / np.pi
@@ -16,6 +16,9 @@ DECADES = 4.0
 
 CASCADE = 24
 """Spectra in a waterfall at most."""
+
+CELLS = 100
+"""Cells of frequency in the map of levels."""
 
 ORDERS = 8
 """Lines in a panel at most."""
@@ -34,9 +37,10 @@ def panels(found: Sweep) -> list[Panel]:
     lines = found.lines()[:ORDERS]
     top = 1.05 * max(float(step.frequencies[step.sizes > floor].max(initial=0.0)) for step in steps)
     return [
-        _campbell(found, steps, lines, top, floor),
         _orders(found, lines, floor),
+        _campbell(found, steps, lines, top, floor),
         _waterfall(found, steps, top, floor),
+        _level_map(found, steps, top, floor),
     ]
 
 
@@ -58,12 +62,12 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
     for k in range(most):
         row = np.array([step.natural[k] if k < len(step.natural) else np.nan for step in found.steps])
         drawn.append(Line("", speed, row, 1))
-    x, y, value = (np.concatenate(each) for each in zip(*(_seen(step, floor) for step in steps), strict=True))
+    x, y, value = (np.concatenate(each) for each in zip(*(_visible_lines(step, floor) for step in steps), strict=True))
     dots = Dots(x, y, value, f"{found.quantity}, {found.unit}", floor)
     note = "red: natural frequencies; dashed: orders"
     return Panel(
         f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
-        abscissa=_swept(found), height=1.8, span=_span(found), top=top,
+        abscissa=_swept(found), height=1.4, span=_span(found), top=top, beside=True,
     )  # fmt: skip
 
 
@@ -78,7 +82,7 @@ def _short(name: str) -> str:
     return " = ".join(f"{part[0]} .. {part[-1]}" if len(part) > 3 else ", ".join(part) for part in parts)
 
 
-def _seen(step: Step, floor: float) -> tuple[Array, Array, Array]:
+def _visible_lines(step: Step, floor: float) -> tuple[Array, Array, Array]:
     kept = np.flatnonzero(step.sizes > floor)
     kept = kept[kept > 0]
     return np.full(len(kept), RPM * step.value), step.frequencies[kept], step.sizes[kept]
@@ -95,7 +99,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
         within = np.linalg.norm(found.rms(found.band), axis=1)
         drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
     quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, RMS"
-    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.3, span=_span(found))
+    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.4, span=_span(found))
 
 
 def _above(values: Array, floor: float) -> Array:
@@ -110,20 +114,39 @@ def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
     apart = float(np.ptp(speeds)) / max(len(chosen) - 1, 1) or 1.0
     drawn = []
     for step, speed in zip(chosen, speeds, strict=True):
-        _, y, value = _seen(step, floor)
+        _, y, value = _visible_lines(step, floor)
         x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
         height = 2.0 * apart * np.log10(value / floor) / DECADES
         peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
         drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
     note = f"heights: {DECADES:g} decades of {found.unit} are two spectra apart"
     return Panel(
-        f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.8, span=(0.0, top)
+        f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.4, span=(0.0, top)
     )
+
+
+def _level_map(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
+    """The same as a map: the largest amplitude in each cell of frequency and speed, by colour."""
+    speeds = RPM * np.array([step.value for step in steps])
+    order = np.argsort(speeds)
+    edges = np.linspace(0.0, top, CELLS + 1)
+    value = np.full((len(steps), CELLS), np.nan)
+    for row, index in enumerate(order):
+        _, y, size = _visible_lines(steps[index], floor)
+        cell = np.minimum((CELLS * y / top).astype(int), CELLS - 1)
+        np.fmax.at(value[row], cell, size)
+    middle = (speeds[order][1:] + speeds[order][:-1]) / 2.0
+    rows = np.concatenate([speeds[order][:1], middle, speeds[order][-1:]])
+    levels = Levels(edges, rows, value, f"{found.quantity}, {found.unit}", floor)
+    return Panel(
+        f"levels: {_swept(found)}", (), note="blank: below the scale", abscissa="frequency, Hz", height=1.4,
+        span=(0.0, top), levels=levels, beside=True,
+    )  # fmt: skip
 
 
 def _spectrum(step: Step, what: str, floor: float) -> Panel:
     """Amplitudes at one speed, and natural frequencies."""
-    _, y, value = _seen(step, floor)
+    _, y, value = _visible_lines(step, floor)
     top = 1.1 * float(y.max(initial=0.0))
     x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
     peaks = np.stack([np.full_like(value, floor), value, np.full_like(value, floor)], axis=1).ravel()

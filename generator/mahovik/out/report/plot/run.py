@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.report.plot import following
-from mahovik.out.report.plot.panel import Array, Line, Panel
-from mahovik.use.simulate.output import IDENTITY
+from mahovik.out.report.plot.panel import Array, Line, Panel, family
+from mahovik.use.simulate.run import IDENTITY
 
 SUFFIXES = (".csv", ".parquet")
 
@@ -80,15 +79,15 @@ def _parquet_module(path: Path) -> Any:
 
 
 def panels(columns: Mapping[str, Array]) -> list[Panel]:
-    """What there is of: place of O1, turn and velocities of the carrier, speeds and torques of the flywheels, margins
-    of motors, readings of points.
+    """Panels of the columns of a run: place of O1, turn and velocities of the carrier, speeds and torques of the
+    flywheels, margins of motors, readings of points.
 
     Of a run that follows a programme: what is required beside what is achieved, and the error; only the last has all
     of the run.
     """
     t = columns["t [s]"]
-    if following.follows(columns):
-        carrier, columns = following.panels(columns), following.end(columns)
+    if follows_programme(columns):
+        carrier, columns = following_panels(columns), last_samples(columns)
         t = columns["t [s]"]
     else:
         place = _group("O1, mm, from the start", t, columns, [f"{a} [m]" for a in "xyz"], 1e3, from_start=True)
@@ -154,3 +153,41 @@ def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str,
         if match and match[1] == kind:
             found.append(Line(match[2], t, unit * column, len(found)))
     return Panel(quantity, tuple(found))
+
+
+SHOWN = 300
+"""Samples at the end of a run in which one sees the motion itself."""
+
+_POSE = (("O1, mm", ("x", "y", "z"), "m"), ("attitude, mrad", ("psi", "theta", "phi"), "rad"))
+
+
+def follows_programme(columns: Mapping[str, Array]) -> bool:
+    """Does the run have what was required?"""
+    names = (f"{kind}{name} [{unit}]" for _, names, unit in _POSE for name in names for kind in ("", "required_"))
+    return all(name in columns for name in names)
+
+
+def last_samples(columns: Mapping[str, Array]) -> dict[str, Array]:
+    """The last samples of all columns."""
+    return {name: values[-SHOWN:] for name, values in columns.items()}
+
+
+def following_panels(columns: Mapping[str, Array]) -> list[Panel]:
+    """Motion about its mean over the last samples, with what is required; errors about their mean at the end."""
+    t = columns["t [s]"]
+    last = slice(max(0, len(t) - SHOWN), len(t))
+    motion, errors = [], []
+    for quantity, names, unit in _POSE:
+        achieved, required = (
+            1e3 * np.stack([columns[f"{kind}{name} [{unit}]"] for name in names], axis=1) for kind in ("", "required_")
+        )
+        about, mean = achieved[last].mean(axis=0), required[last].mean(axis=0)
+        lines = family(names, t[last], achieved[last] - about)
+        wanted = family(["", "", ""], t[last], required[last] - mean, dashed=True)
+        motion.append(Panel(f"{quantity}, about the mean, at the end; dashed: required", (*lines, *wanted)))
+        errors.append(
+            Panel(
+                f"error of {quantity}, about its mean at the end", family(names, t, achieved - required - about + mean)
+            )
+        )
+    return [*motion, *errors]

@@ -7,13 +7,14 @@ import math
 import numpy as np
 from markupsafe import Markup
 
+from mahovik.contract.laws import of_bodies
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.summary import Summary, UnbalanceRow, summarize
-from mahovik.out.report.stand.markup import Cell, definitions, figure, figures, paragraph, table, verdict
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.matrix import Side, matrix
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.inertia import axes_table, inertia_table, products_table
+from mahovik.out.report.stand.markup import Cell, definitions, figure, figures, paragraph, side_by_side, table, verdict
+from mahovik.out.report.stand.material import Material, Section
+from mahovik.out.report.stand.matrices import Side, matrix
 from mahovik.out.report.stand.surroundings import surroundings
 from mahovik.use.study.resolution import shortfalls
 
@@ -21,13 +22,14 @@ RPM = 30 / math.pi
 
 
 def section(material: Material) -> Section | None:
-    """Tables of bodies, flywheels and drives; gravity, fluid, suspension and legs in words; warnings."""
+    """Tables of bodies, flywheels and drives; what acts on them, in words; warnings."""
     stand = material.stand
     summary = summarize(stand)
-    parts = [_bodies(stand, summary)]
+    blocks = [_bodies(stand, summary), products_table(stand), inertia_table(stand)]
     if stand.flywheels:
-        parts += [_flywheels(stand, summary), _drives(stand)]
-    parts += [_added_mass(stand), Markup("<h3>What acts on it</h3>\n"), definitions(surroundings(stand))]
+        blocks += [_flywheels(stand, summary), axes_table(stand), _drives(stand)]
+    blocks += [_added_mass(stand), Markup("<h3>What acts on it</h3>\n") + definitions(surroundings(stand))]
+    parts = [side_by_side(blocks)]
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     for words in (*summary.warnings, *map(str, short)):
         parts.append(Markup("<p>{}: {}</p>\n").format(verdict("Warning", "warn"), words))
@@ -37,28 +39,23 @@ def section(material: Material) -> Section | None:
 def _bodies(stand: Stand, summary: Summary) -> Markup:
     head: tuple[Cell, ...] = (
         "body", "kind", "on", "mass, kg>", "x, mm>", "y, mm>", "z, mm>", Markup("J<sub>11</sub>, kg m²>"),
-        Markup("J<sub>22</sub>, kg m²>"), Markup("J<sub>33</sub>, kg m²>"), "displaced, kg>",
+        Markup("J<sub>22</sub>, kg m²>"), Markup("J<sub>33</sub>, kg m²>"),
     )  # fmt: skip
-    floating = any(body.buoyancy for body in stand.bodies)
     places = [[_clean(1e3 * x) for x in row.center_of_mass] for row in summary.bodies]
     whole = [_clean(1e3 * x) for x in summary.center_of_mass]
     moments = np.array([np.diag(inertia_about_center(body)) for body in stand.bodies])
     columns = [
         figures([*(row.mass for row in summary.bodies), summary.mass]),
-        *(figures([*(place[i] for place in places), whole[i]], 6) for i in range(3)),
+        *(figures([*(place[i] for place in places), whole[i]]) for i in range(3)),
         *([*figures(moments[:, i].tolist()), Markup("")] for i in range(3)),
     ]
     rows: list[list[Cell]] = []
-    for number, (row, body) in enumerate(zip(summary.bodies, stand.bodies, strict=True)):
-        displaced: Cell = "" if body.buoyancy is None else figure(body.buoyancy.displaced_mass)
-        rows.append([row.name, row.kind, row.mount, *(column[number] for column in columns), displaced])
-    total: Cell = ""
-    if floating:
-        total = figure(math.fsum(body.buoyancy.displaced_mass for body in stand.bodies if body.buoyancy))
-    foot: list[Cell] = ["all", "", "", *(column[-1] for column in columns), total]
-    if not floating:
-        head = head[:-1]
-        rows, foot = [row[:-1] for row in rows], foot[:-1]
+    for title, cells in (column(stand) for column in of_bodies("report", "column")):
+        if cells:
+            head, columns = (*head, title), [*columns, cells]
+    for number, row in enumerate(summary.bodies):
+        rows.append([row.name, row.kind, row.mount, *(column[number] for column in columns)])
+    foot: list[Cell] = ["all", "", "", *(column[-1] for column in columns)]
     kinds = [[row for row in rows if row[1] == kind] for kind in ("carrier", "instrument", "flywheel")]
     words = paragraph(
         "Centres of mass in axes of the carrier, `E_1`, about its origin `O_1`, flywheels at phase zero. Moments of "
@@ -114,7 +111,7 @@ def _drives(stand: Stand) -> Markup:
         return Markup("")
     head = (
         "flywheel", "torque, N m>", "no-load speed, rpm>", "constant, N m/A>", "Coulomb, N m>", "viscous, N m s>",
-        "counts a turn>", "latency, µs>",
+        "counts per turn>", "latency, µs>",
     )  # fmt: skip
     return Markup("<h3>Drives and encoders</h3>\n") + table(head, [rows])
 

@@ -11,8 +11,7 @@ from mahovik.errors import CheckError
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
 from mahovik.out.report.stand.markup import figure, paragraph, table
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.campbell import Campbell, campbell
 from mahovik.use.study.response.scene import Scene
 
@@ -22,7 +21,7 @@ POINTS = 121
 """Speeds in each diagram."""
 
 NEAR, FAR = 1.6, 2.0
-"""The near diagram ends at so many times the last crossing; there is one where the limit is so many times that."""
+"""The near diagram ends at this many times the last crossing; it is drawn if the limit is this many times that."""
 
 TOP = 1.15
 """End of the ordinate, in units of the highest natural frequency."""

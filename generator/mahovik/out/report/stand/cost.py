@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,12 +18,10 @@ from mahovik.core.toolchain.board import compile_one, version
 from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError
-from mahovik.out.report.stand.generated import generated
-from mahovik.out.report.stand.markup import Cell, paragraph, table, verdict
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.markup import Cell, markup_of, table
+from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.cost.measure import TargetCost, measure
-from mahovik.proof.verify.targets import asked
+from mahovik.proof.verify.targets import parse_targets
 
 COMPILED = (("m7", "double"),)
 """Compiled for where nothing was measured: code and stack are the compiler's, and need no emulator."""
@@ -61,60 +59,44 @@ def section(material: Material) -> Section | None:
         found, origin = _measured(stand, material.targets, missing), "measured when this report was made"
     else:
         found, origin = _compiled(stand, missing), "of the compiler, when this report was made"
-    parts = [_introduction(origin), _operations(stand), _figures(found)]
-    other = [each.name for each in found if each.source != _source(stand, each.real)]
-    if other:
-        words = f"Of other C than this version generates: {'; '.join(other)}. Measure again with `mahovik cost`."
-        parts.append(Markup("<p>{}</p>\n").format(verdict(words, "warn")))
     missing += [] if any(each.instructions for each in found) else ["instructions: an emulator counts them"]
-    if missing:
-        lines = Markup("").join(Markup("<li>{}</li>").format(line) for line in missing)
-        parts.append(Markup("<h3>Not measured here</h3>\n<ul>{}</ul>\n").format(lines))
-        parts.append(Markup("<p><code>mahovik cost {}</code></p>\n").format(file))
-    return Section("cost", "Cost on processors", Markup("").join(parts))
-
-
-def _introduction(origin: str) -> Markup:
-    return paragraph(
-        "Operations are additions, multiplications, divisions and comparisons of reals in one call, the dearer of two "
-        "branches. Code is a function with all it calls, functions share most of it; stack is the deepest chain of "
-        f"calls by the compiler's own frames. Figures of processors: {origin.replace('`', '``')}."
+    html = markup_of(
+        "cost",
+        origin=origin.replace("`", "``"),
+        operations=_operations(stand),
+        figures=found,
+        tables=[_table(each) for each in found],
+        refused=any(not count for each in found for count in each.instructions.values()),
+        other=[each.name for each in found if each.source != _source(stand, each.real)],
+        missing=missing,
+        file=file,
     )
+    return Section("cost", "Cost on processors", html)
 
 
 def _operations(stand: Stand) -> Markup:
     lines: list[list[Cell]] = []
-    program = generated(stand).program
+    program = generate_once(stand).program
     for function in program.functions:
         if function.public:
             c = cost(function, program.functions)
             counts = (c.additions, c.multiplications, c.divisions, c.comparisons, c.total)
             lines.append([Markup("<code>{}</code>").format(function.name), *map(_count, counts)])
     head = ("function", "additions>", "products>", "divisions>", "comparisons>", "all>")
-    return Markup("<h3>Operations of a call</h3>\n") + table(head, [lines])
+    return table(head, [lines])
 
 
-def _figures(found: Sequence[Figures]) -> Markup:
-    """A table of each target."""
-    if not found:
-        return Markup("")
-    parts = [Markup('<h3>On processors</h3>\n<div class="side">\n')]
-    for each in found:
-        counted = ("instructions>",) if each.instructions else ()
-        lines: list[list[Cell]] = []
-        for name in each.code:
-            count = each.instructions.get(name, 0)
-            own = [_count(count) if count else "refused"] if counted else []
-            sizes = [_count(sizes[name]) if name in sizes else "" for sizes in (each.stack, each.code)]
-            lines.append([Markup("<code>{}</code>").format(name), *own, *sizes])
-        foot = ["whole file", *("" for _ in counted), "", _count(each.text)]
-        head = ("function", *counted, "stack, bytes>", "code, bytes>")
-        parts.append(table(head, [lines], each.name, foot))
-    parts.append(Markup("</div>\n"))
-    parts += [paragraph(f"{each.target}: {each.words}.") for each in found]
-    if any(not count for each in found for count in each.instructions.values()):
-        parts.append(paragraph("Refused: the states of the measurement are none for this function."))
-    return Markup("").join(parts)
+def _table(given: Figures) -> Markup:
+    """Figures of a target, function by function."""
+    counted = ("instructions>",) if given.instructions else ()
+    lines: list[list[Cell]] = []
+    for name in given.code:
+        count = given.instructions.get(name, 0)
+        own = [_count(count) if count else "refused"] if counted else []
+        sizes = [_count(sizes[name]) if name in sizes else "" for sizes in (given.stack, given.code)]
+        lines.append([Markup("<code>{}</code>").format(name), *own, *sizes])
+    foot = ["whole file", *("" for _ in counted), "", _count(given.text)]
+    return table(("function", *counted, "stack, bytes>", "code, bytes>"), [lines], given.name, foot)
 
 
 def _count(number: int) -> str:
@@ -122,7 +104,7 @@ def _count(number: int) -> str:
 
 
 def _source(stand: Stand, real: str) -> str:
-    return digest(generated(stand, real).files[f"{stand.name}.c"])
+    return digest(generate_once(stand, real).files[f"{stand.name}.c"])
 
 
 def _accepted(given: Mapping[str, Any]) -> Figures:
@@ -143,18 +125,18 @@ def _accepted(given: Mapping[str, Any]) -> Figures:
 def _measured(stand: Stand, names: str, missing: list[str]) -> list[Figures]:
     """On the targets of `--targets` that a gcc compiles, one by one; what cannot be is added to `missing`."""
     found = []
-    for target, real in asked(names):
+    for target, real in parse_targets(names):
         if target.linker or target.compiler[0] == "clang":
             missing.append(f"{target.name}, {real}: compiled by clang; frames of the stack are known of gcc only")
             continue
         try:
-            found.append(_of(measure(stand, [(target, real)]).targets[0]))
+            found.append(_target_figures(measure(stand, [(target, real)]).targets[0]))
         except ToolchainError as error:
             missing.append(f"{target.name}, {real}: {error}")
     return found
 
 
-def _of(given: TargetCost) -> Figures:
+def _target_figures(given: TargetCost) -> Figures:
     counter = f"; instructions counted by {given.emulator or 'callgrind'}"
     return Figures(
         given.target, given.real, f"{given.title}; {given.compiler} ``{given.flags}``{counter}", given.source,
@@ -179,7 +161,7 @@ def _compiled(stand: Stand, missing: list[str]) -> list[Figures]:
 
 
 def _object(stand: Stand, target: Target, real: str) -> Figures:
-    made = generated(stand, real)
+    made = generate_once(stand, real)
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
         scratch = Path(folder)
         for name, text in made.files.items():

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from html import escape
-
 import numpy as np
 
 from mahovik.core.emit.templates import template
-from mahovik.out.report.stand.labels import Box
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.projection import Array, Projection, arrow, line, n, path, round_length, text
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.material import Material, Section
+from mahovik.out.report.stand.projection import Array, Box, Projection, arrow, line, n, path, round_length, sign, text
 from mahovik.out.report.stand.shape import Shape, shape_of
 from mahovik.out.report.stand.views import (
     DYNAMIC,
@@ -19,8 +15,8 @@ from mahovik.out.report.stand.views import (
     View,
     axis_length,
     is_cut,
-    moved,
     names,
+    shift_view,
     spin_length,
     tie_end,
 )
@@ -42,7 +38,10 @@ def section(material: Material) -> Section | None:
     words = names(shape)
     html = template("report_drawing.html.j2").render(
         svg=svg,
-        marks=_marks(shape),
+        shape=shape,
+        static=any(d.static.any() for d in shape.flywheels),
+        dynamic=any(d.dynamic.any() for d in shape.flywheels),
+        cut=any(is_cut(shape, tie) for tie in shape.ties),
         numbered=[(w, d.name) for w, d in zip(words, shape.flywheels, strict=True) if w != d.name],
         left_out=left_out,
         bare=[d.name for d in shape.flywheels if not d.equivalent],
@@ -86,7 +85,7 @@ def draw(shape: Shape) -> tuple[str, int]:
         bottom = low[y] if flip > 0 else -high[y]
         frame = Box(0.0, 0.0, width + 2 * MARGIN, height + 2 * MARGIN + TITLE)
         origin = (MARGIN - scale * low[x], TITLE + MARGIN + height + scale * bottom)
-        return moved(View(title, Projection(axes[x], flip * axes[y], scale, origin), frame), *at)
+        return shift_view(View(title, Projection(axes[x], flip * axes[y], scale, origin), frame), *at)
 
     views = [
         view("top", 0, 1, 1.0, (0.0, 0.0)),
@@ -102,12 +101,8 @@ def draw(shape: Shape) -> tuple[str, int]:
     found.append(_keys(shape, scale, length, keys))
     width = max(total[0], 0.0 if beside else KEYS[0] + 16)
     height = total[1] + (0.0 if beside else KEYS[1])
-    head = (
-        f'<svg class="drawing" viewBox="0 0 {n(width)} {n(height)}" width="{n(width)}" height="{n(height)}" '
-        'xmlns="http://www.w3.org/2000/svg" font-size="12" role="img" '
-        f'aria-label="{escape("Three views of the stand, third-angle projection, to scale")}">'
-    )
-    return head + "".join(found) + "</svg>", max(each.left_out for each in views)
+    svg = template("report_drawing.svg.j2").render(width=n(width), height=n(height), body="".join(found))
+    return svg, max(each.left_out for each in views)
 
 
 def _extent(shape: Shape, axes: Array, length: Magnified) -> tuple[Array, Array]:
@@ -152,7 +147,7 @@ def _keys(shape: Shape, scale: float, length: Magnified, at: tuple[float, float]
             found += arrow(start, start + np.array([scale * times * amount, 0.0]), paint, 1.7, dashed, heads)
             found += text(np.array([x + 70.0, row]), f"{name}, {_amount(factor * amount)} {unit}")
             row += 22.0
-    return found + _third_angle(np.array([x + 16.0, row + 8.0]))
+    return found + sign("third-angle", np.array([x + 16.0, row + 8.0]))
 
 
 def _amount(x: float) -> str:
@@ -167,35 +162,3 @@ def _bar(at: Array, length: float, words: str) -> str:
         corners = [at + np.array([(k + i) * part, j * 5.0]) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
         found += path(corners, f"fill:var(--{'paper' if k % 2 else 'ink'});stroke:var(--ink)", closed=True)
     return found + text(at + np.array([length + 6.0, 7.0]), words)
-
-
-def _third_angle(at: Array) -> str:
-    """Truncated cone: seen from its small end at the left, from the side at the right."""
-    style, thin = "fill:none;stroke:var(--ink);stroke-width:1.1", "stroke:var(--muted);stroke-width:.7"
-    found = "".join(f'<circle cx="{n(at[0])}" cy="{n(at[1])}" r="{r}" style="{style}"/>' for r in (4, 8))
-    cone = [at + np.array(c) for c in ((20.0, -4.0), (38.0, -8.0), (38.0, 8.0), (20.0, 4.0))]
-    found += path(cone, style, closed=True)
-    found += line(at + np.array([-11.0, 0.0]), at + np.array([42.0, 0.0]), thin + ";stroke-dasharray:7 2 2 2")
-    return found + text(at + np.array([54.0, 4.0]), "third-angle projection")
-
-
-def _marks(shape: Shape) -> list[tuple[str, str]]:
-    """What signs mean, in words: those that are in this drawing."""
-    cut = any(is_cut(shape, tie) for tie in shape.ties)
-    known = (
-        ("large outline", "carrier: its equivalent ellipsoid of inertia", True),
-        ("x, y, z", "axes of the carrier E1, at its origin O1", True),
-        ("quartered circle", "centre of mass of the whole", True),
-        ("discs", "flywheels: equivalent cylinders; the arrow of the same colour is the spin axis, end on a dot in a "
-         "circle (to the eye) or a cross (away from it)", bool(shape.flywheels)),
-        ("solid arrows", "static unbalance: to the centre of mass", any(d.static.any() for d in shape.flywheels)),
-        ("dashed, two heads", "dynamic unbalance: along (−J₁₂, −J₁₃) about the flywheel's origin",
-         any(d.dynamic.any() for d in shape.flywheels)),
-        ("dash-dotted", "instruments: equivalent ellipsoids of inertia, squares where there is none",
-         bool(shape.instruments)),
-        ("triangle", "centre of buoyancy of the whole", shape.buoyancy is not None),
-        *((sign, words + (", long ones cut off" if cut and sign == "zigzags" else ""), True)
-          for sign, words in shape.legend),
-        ("crosses", "points", bool(shape.points)),
-    )  # fmt: skip
-    return [(sign, meaning) for sign, meaning, there in known if there]

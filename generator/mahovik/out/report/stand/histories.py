@@ -10,11 +10,9 @@ from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Line, Panel
 from mahovik.out.report.plot.run import panels as run_panels
 from mahovik.out.report.stand.markup import paragraph
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.rows import some_rows
-from mahovik.out.report.stand.run import Run
-from mahovik.out.report.stand.section import Section
-from mahovik.use.plan.figures import mass_and_coupling
+from mahovik.out.report.stand.material import Material, Section
+from mahovik.out.report.stand.run import Run, some_rows
+from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
@@ -44,7 +42,7 @@ def section(material: Material) -> Section | None:
         largest = max(float(line.y.max(initial=0.0)) for line in checked.lines)
         words += (
             "Residual: `F - K V_r* - M V_r - J phi' - I phi''` of (8), and drive torques less those of the run, by "
-            f"equations that share no code with the C, at {len(rows)} rows; largest {largest:.2g} of the largest "
+            f"the same equations in NumPy and not by the C, at {len(rows)} rows; largest {largest:.2g} of the largest "
             "wrench or torque. "
             "A run-time wrench of the regime is not among the columns, and would stand here in full. "
         )

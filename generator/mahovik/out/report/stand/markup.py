@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 from markupsafe import Markup, escape
 
-from mahovik.out.report.derivation import mathml
+from mahovik.core.emit.templates import template
 from mahovik.out.report.derivation.parse import parse
 
 Cell = str | Markup
@@ -20,6 +21,12 @@ LEAST, MOST = -4, 7
 """Powers of ten of the first digit between which a figure is printed without a power."""
 
 
+POINT_SPACE, DIGIT_SPACE = "\u2008", "\u2007"
+"""Spaces as wide as a point and as a digit."""
+
+_NUMBER = re.compile(r"−?[\d\u202f]+(\.\d+)?")
+
+
 def figure(value: float, digits: int = DIGITS) -> Markup:
     """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; NaN as "–"."""
     if not math.isfinite(value):
@@ -28,22 +35,28 @@ def figure(value: float, digits: int = DIGITS) -> Markup:
     power = int(exponent)
     sign = "−" if value < 0 else ""
     if LEAST <= power < MOST or value == 0.0:
-        return Markup(sign + _apart(_short(f"{abs(value):.{max(0, digits - 1 - power)}f}")))
+        return Markup(sign + _grouped_digits(_short(f"{abs(value):.{max(0, digits - 1 - power)}f}")))
     return Markup(f"{sign}{_short(text)}·10<sup>{str(power).replace('-', '−')}</sup>")
 
 
 def figures(values: Sequence[float], digits: int = DIGITS) -> list[Markup]:
-    """Numbers of one column: with the same decimals where they are of like size, so that their points align."""
-    given = [abs(x) for x in values if math.isfinite(x) and x != 0.0]
-    low, high = (math.floor(math.log10(end(given))) if given else 0 for end in (min, max))
-    if low < LEAST or high >= MOST or high - low >= digits or not given:
-        return [figure(x, digits) for x in values]
-    printed = [f"{abs(x):.{max(0, digits - 1 - high)}f}" for x in values if math.isfinite(x)]
-    decimals = max((len(_short(text).partition(".")[2]) for text in printed), default=0)
+    """Numbers of one column, each to its own significant digits, with room after them so that their points align."""
+    return align([figure(x, digits) for x in values])
+
+
+def align(cells: Sequence[Cell]) -> list[Markup]:
+    """Cells of a right-aligned column: room after numbers without a power of ten, so that their points align."""
+    found = [_NUMBER.fullmatch(str(cell)) for cell in cells]
+    most = max((len(number[1] or "") for number in found if number), default=0)
     return [
-        Markup(("−" if x < 0 else "") + _apart(f"{abs(x):.{decimals}f}")) if math.isfinite(x) else figure(x)
-        for x in values
+        escape(cell) + _room(number[1] or "", most) if number else escape(cell)
+        for cell, number in zip(cells, found, strict=True)
     ]
+
+
+def _room(decimals: str, most: int) -> str:
+    """Spaces as wide as the point and the digits that a number does not have; `decimals` with their point."""
+    return ("" if decimals or not most else POINT_SPACE) + DIGIT_SPACE * (most - max(len(decimals), 1 if most else 0))
 
 
 def sentence(words: str) -> str:
@@ -56,7 +69,7 @@ def _short(text: str) -> str:
     return text.rstrip("0").rstrip(".") if "." in text else text
 
 
-def _apart(text: str) -> str:
+def _grouped_digits(text: str) -> str:
     """Five digits and more before the point in threes, with thin spaces."""
     whole, point, decimals = text.partition(".")
     grouped = f"{int(whole):,}".replace(",", "\u202f") if len(whole) > 4 else whole
@@ -70,7 +83,13 @@ def share(value: float) -> Markup:
 
 def math_text(notation: str, display: bool = False) -> Markup:
     """Notation of docs/model.md (report/derivation/parse) as MathML."""
-    return Markup(mathml.mathml(parse(notation), display))
+    return Markup(parse(notation).math(display))
+
+
+def markup_of(name: str, **values: Any) -> Markup:
+    """Text of the template `report_NAME` for values; it may call the functions of this module that print."""
+    printers = {"math_text": math_text, "paragraph": paragraph, "table": table, "verdict": verdict}
+    return Markup(template(f"report_{name}.html.j2").render(**printers, **values))
 
 
 def paragraph(text: str) -> Markup:
@@ -97,20 +116,22 @@ def table(
 
     `groups`: rows, group by group. The first cell of a row is its heading.
     """
-    right = [name.endswith(">") for name in head]
     names = [_heading(name) for name in head]
-    lines = [Markup('<div class="scroll" tabindex="0"><table class="{}">\n').format(kind)]
-    if caption:
-        lines.append(Markup("<caption>{}</caption>\n").format(caption))
-    tops = Markup("").join(_cell("th", name, r, ' scope="col"') for name, r in zip(names, right, strict=True))
-    lines.append(Markup("<thead><tr>{}</tr></thead>\n").format(tops))
-    for rows in groups:
-        lines.append(Markup("<tbody>\n"))
-        lines += [_row(row, right) for row in rows]
-        lines.append(Markup("</tbody>\n"))
-    if foot:
-        lines += [Markup("<tfoot>\n"), _row(foot, right), Markup("</tfoot>\n")]
-    return Markup("").join([*lines, Markup("</table></div>\n")])
+    sides = [Markup(' class="right"') if name.endswith(">") else "" for name in head]
+    bodies = [[list(row) for row in rows] for rows in groups]
+    last = [list(foot)] if foot else []
+    _align_columns([row for rows in (*bodies, last) for row in rows], [name.endswith(">") for name in head])
+    parts = [("tbody", rows) for rows in bodies] + ([("tfoot", last)] if foot else [])
+    return markup_of("table", caption=caption, names=names, sides=sides, parts=parts, kind=kind)
+
+
+def _align_columns(rows: list[list[Cell]], numeric: Sequence[bool]) -> None:
+    """Align the points of the numbers in numeric columns, in place."""
+    for k, is_numeric in enumerate(numeric):
+        if is_numeric:
+            having = [row for row in rows if len(row) > k]
+            for row, cell in zip(having, align([row[k] for row in having]), strict=True):
+                row[k] = cell
 
 
 def definitions(pairs: Mapping[str, Cell]) -> Markup:
@@ -119,29 +140,22 @@ def definitions(pairs: Mapping[str, Cell]) -> Markup:
     return Markup("<dl>\n{}</dl>\n").format(found)
 
 
+def side_by_side(blocks: Sequence[Markup]) -> Markup:
+    """Parts of a section, beside one another where the window is wide; empty ones are left out."""
+    inner = Markup("").join(Markup("<div>\n{}</div>\n").format(block) for block in blocks if block)
+    return Markup('<div class="blocks">\n{}</div>\n').format(inner)
+
+
 def verdict(words: str, style: str) -> Markup:
     """A verdict: style good, bad, warn or muted."""
     return Markup('<span class="verdict {}">{}</span>').format(style, words)
 
 
-def _heading(name: Cell) -> Markup:
-    """The name of a column, its unit on a line of its own."""
+def _heading(name: Cell) -> tuple[Markup, Markup]:
+    """The name of a column, and its unit."""
     text = escape(name).removesuffix("&gt;").removesuffix(">")
     what, comma, unit = text.rpartition(", ")
-    return Markup('{}<br><span class="unit">{}</span>').format(Markup(what), Markup(unit)) if comma else Markup(text)
-
-
-def _row(row: Sequence[Cell], right: Sequence[bool]) -> Markup:
-    cells = [
-        _cell("td" if i else "th", cell, r, "" if i else ' scope="row"')
-        for i, (cell, r) in enumerate(zip(row, right, strict=True))
-    ]
-    return Markup("<tr>{}</tr>\n").format(Markup("").join(cells))
-
-
-def _cell(tag: str, content: Cell, right: bool, more: str) -> Markup:
-    kind = ' class="right"' if right else ""
-    return Markup(f"<{tag}{kind}{more}>{{}}</{tag}>").format(content)
+    return (Markup(what), Markup(unit)) if comma else (Markup(text), Markup(""))
 
 
 def vector_cell(numbers: Sequence[float], unit: str, nothing: str) -> Markup:

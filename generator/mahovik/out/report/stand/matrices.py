@@ -1,28 +1,109 @@
-"""Matrices of (8)-(11) at a state, with numbers, and the balance of (8) there."""
+"""The matrices of (8)-(11) at a state, with lines between blocks and shades by magnitude and sign."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any, cast
 
 import numpy as np
 from markupsafe import Markup
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand, Vec3
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.out.report.stand.markup import Cell, figure, math_text, paragraph, sentence, table
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.matrix import Array, Side, matrix
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.markup import Cell, align, figure, markup_of, math_text, sentence, table
+from mahovik.out.report.stand.material import Material, Section
 from mahovik.proof import reference
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.verify.judges.rigid import SEQUENCES
 from mahovik.proof.verify.scales import scales
 
+Array = NDArray[np.float64]
+
+DIGITS = 4
+
+SHADES = 6
+"""Steps of shading; the darkest is the largest of its block."""
+
+DECADES = 3.0
+"""Below the largest of its block by as many powers of ten, an element has the lightest shade."""
+
+ROUNDING = 1e-13
+"""Part of the natural scale below which a number is rounding, and shown as such."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """Meaning of the rows or columns of a matrix: groups with a heading, each with the names of its lines."""
+
+    groups: tuple[tuple[Cell, tuple[str, ...]], ...]
+
+    @property
+    def starts(self) -> tuple[int, ...]:
+        """Index of the first line of each group, and one past the last."""
+        found = [0]
+        for _, names in self.groups:
+            found.append(found[-1] + len(names))
+        return tuple(found)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of all lines."""
+        return tuple(name for _, names in self.groups for name in names)
+
+
+def matrix(caption: Cell, values: Array, scale: Array, rows: Side, columns: Side) -> Markup:
+    """A figure with the matrix `values`; `scale`, of its shape: the natural scale, which tells rounding from numbers.
+
+    A dot is a zero, "≈0" rounding. Blocks are those of the groups of rows and columns; each has its own shades, since
+    it has its own unit.
+    """
+    assert values.shape == scale.shape == (len(rows.names), len(columns.names))
+    edges = ["edge" if j > 0 and j in columns.starts else "" for j in range(values.shape[1])]
+    largest = np.zeros_like(values)
+    for top, bottom in pairwise(rows.starts):
+        for left, right in pairwise(columns.starts):
+            block = np.s_[top:bottom, left:right]
+            largest[block] = np.abs(values[block]).max(initial=0.0)
+    cells = [
+        [_cell(x, size, most, edge) for x, size, most, edge in zip(*row, edges, strict=True)]
+        for row in zip(values, scale, largest, strict=True)
+    ]
+    for k in range(values.shape[1]):
+        for row, text in zip(cells, align([row[k][1] for row in cells]), strict=True):
+            row[k] = (row[k][0], text)
+    groups = [
+        (heading, names, cells[start : start + len(names)])
+        for (heading, names), start in zip(rows.groups, rows.starts, strict=False)
+    ]
+    return markup_of("matrix", caption=caption, columns=columns, edges=edges, groups=groups)
+
+
+def shade(value: float, largest: float) -> int:
+    """0 for nothing; 1, light, to SHADES for the largest of the block."""
+    if value == 0.0 or largest == 0.0:
+        return 0
+    part = 1.0 + math.log10(abs(value) / largest) / DECADES
+    return max(1, math.ceil(SHADES * part))
+
+
+def _cell(value: float, scale: float, largest: float, edge: str) -> tuple[str, Cell]:
+    """Classes of a cell, and its text."""
+    if value == 0.0:
+        kind, text = "none", Markup("·")
+    elif abs(value) <= ROUNDING * scale:
+        kind, text = "none", Markup("≈0")
+    else:
+        kind, text = f"{'n' if value < 0 else 'p'}{shade(value, largest)}", figure(value, DIGITS)
+    return f"{edge} {kind}".strip(), text
+
+
 MANY = 13
-"""Flywheels from which on `I` and `J` are shown transposed, a row a flywheel: a page is as long as it has to be."""
+"""Flywheels from which on `I` and `J` are shown transposed, one row per flywheel: a page is as long as it has to be."""
 
 EQUATIONS = (
     ("2", "K = Theta_1 + sum_p L_p Theta_p L_p^T + sum_s L_s Theta_s L_s^T + Lambda_1 + sum_p Lambda_p"),
@@ -45,31 +126,30 @@ def section(material: Material) -> Section | None:
     stand, state = material.stand, with_angles(material.stand, material.state)
     at = reference.pieces(stand, state)
     natural = scales(stand, state, at, "matrices")
-    parts = [
-        paragraph(
-            "Numbers by the literal reference, in axes of `E_1` about `O_1`. Rows are components of a force, N, and of "
-            "a moment, N m; columns are multiplied by what stands above them. A dot is a zero, ≈0 rounding; the shade "
-            "tells the magnitude within its block, over three powers of ten, blue above zero and orange below."
-        ),
-        _equations(),
-        Markup("<h3>State</h3>\n<p>{}.</p>\n").format(sentence(material.state_words)),
-        _state(stand, state),
-        Markup("<h3>Carrier, (2), (6), (9)</h3>\n"),
-        Markup('<div class="side">\n'),
+    carrier = [
         _square("K", "2", at.K, natural["K"], _twist("v∗, m/s²", "ω∗, rad/s²")),
         _square("K*", "6", at.K_dot, natural["K_dot"], _twist("v, m/s", "ω, rad/s")),
         _square("M", "9", at.M, natural["M"], _twist("v, m/s", "ω, rad/s")),
-        Markup("</div>\n"),
     ]
+    flywheels = []
     if stand.flywheels:
-        parts += [
-            Markup("<h3>Flywheels, (9)</h3>\n"),
+        flywheels = [
             _wheels(stand, "I", at.I, natural["I"], "φ″, rad/s²"),
             _wheels(stand, "J", at.J, natural["J"], "φ′, rad/s"),
-            _reach(stand, state),
         ]
-    parts += [_generalized(stand, state, at), _balance(at, state)]
-    return Section("matrices", "Matrices at a state", Markup("").join(parts))
+    html = markup_of(
+        "matrices",
+        equations=EQUATIONS,
+        state_words=sentence(material.state_words),
+        state=_state(stand, state),
+        carrier=carrier,
+        flywheels=flywheels,
+        **_reach(stand, state),
+        **_generalized(stand, state, at),
+        balance=_balance(at, state),
+        stream=at.u.any(),
+    )
+    return Section("matrices", "Matrices at a state", html)
 
 
 def with_angles(stand: Stand, state: State) -> State:
@@ -79,17 +159,6 @@ def with_angles(stand: Stand, state: State) -> State:
     turn = Rotation.from_quat(state.quaternion, scalar_first=True)
     angles = turn.as_euler(SEQUENCES[stand.angles], suppress_warnings=True)
     return replace(state, quaternion=None, angles=cast(Vec3, tuple(float(x) for x in angles)))
-
-
-def _equations() -> Markup:
-    """Each with its number, by which captions name it."""
-    lines = [
-        Markup('<div class="formula" id="equation-{}"><div tabindex="0">{}</div><span>({})</span></div>\n').format(
-            number, math_text(notation, display=True), number
-        )
-        for number, notation in EQUATIONS
-    ]
-    return Markup("").join(lines)
 
 
 def _caption(name: str, equation: str, units: str) -> Markup:
@@ -116,46 +185,40 @@ def _wheels(stand: Stand, name: str, values: Array, scale: Array, heading: str) 
     return matrix(_caption(f"{name}^T", "9", f"{units}; transposed"), values.T, scale.T, wheels, _ROWS)
 
 
-def _reach(stand: Stand, state: State) -> Markup:
-    """Singular values of I as (12) takes them."""
+def _reach(stand: Stand, state: State) -> dict[str, Any]:
+    """Singular values of I as (12) takes them, and their rank; () and 0 where (12) is not defined."""
     try:
         found = reference.evaluate(stand, state, ["inverse"])
     except (StateError, np.linalg.LinAlgError):
-        return Markup("")
-    values = Markup(", ").join(figure(float(x), 4) for x in found["sigma"])
-    return Markup("<p>Singular values of {}, without dimension: {}; rank {}, of {} that could be.</p>\n").format(
-        math_text("K^{-1/2} I Theta_{ff}^{-1/2}"), values, found["rank"], len(found["sigma"])
-    )
+        return {"sigma": (), "rank": 0}
+    return {"sigma": [figure(float(x), 4) for x in found["sigma"]], "rank": found["rank"]}
 
 
-def _generalized(stand: Stand, state: State, at: reference.Pieces) -> Markup:
-    """A, D of (10), I0, J0 of (11); a sentence where the attitude is singular."""
-    head = Markup("<h3>Generalized coordinates, (10), (11)</h3>\n")
+def _generalized(stand: Stand, state: State, at: reference.Pieces) -> dict[str, Any]:
+    """A, D of (10), I0, J0 of (11); or why there are none: the attitude is singular."""
     try:
         found = reference.evaluate(stand, state, ["generalized"], at)
         natural = scales(stand, state, at, "generalized")
     except StateError as error:
-        return head + Markup("<p>Not shown: {}.</p>\n").format(str(error))
+        return {"generalized": [], "refused": str(error)}
     rates, accelerations = (("O₁′, m/s", "angles′, rad/s"), ("O₁″, m/s²", "angles″, rad/s²"))
-    twist = Side((("v, m/s", _THREE), ("ω, rad/s", _THREE)))
-    change = Side((("v∗, m/s²", _THREE), ("ω∗, rad/s²", _THREE)))
     shown: tuple[tuple[str, str, str, Side, tuple[str, str]], ...] = (
-        ("A", "10", "without dimension", twist, rates),
-        ("D", "10", "1/s", change, rates),
+        ("A", "10", "without dimension", _twist("v, m/s", "ω, rad/s"), rates),
+        ("D", "10", "1/s", _twist("v∗, m/s²", "ω∗, rad/s²"), rates),
         ("I_0", "11", "kg, kg m, kg m²", _ROWS, accelerations),
         ("J_0", "11", "kg/s, kg m/s, kg m²/s", _ROWS, rates),
     )
-    parts = [head, paragraph("With `q` = (`O_1` in `E_0`; ψ, θ, φ)."), Markup('<div class="side">\n')]
+    matrices = []
     for name, equation, units, rows, (linear, angular) in shown:
         key = name.replace("_", "")
         columns = Side(((linear, _THREE), (angular, _ANGLES)))
         values: Any = found[key]
-        parts.append(matrix(_caption(name, equation, units), values, natural[key], rows, columns))
-    return Markup("").join([*parts, Markup("</div>\n")])
+        matrices.append(matrix(_caption(name, equation, units), values, natural[key], rows, columns))
+    return {"generalized": matrices, "refused": ""}
 
 
-def _state(stand: Stand, state: State) -> Markup:
-    """Place, attitude and twist; then the flywheels."""
+def _state(stand: Stand, state: State) -> list[Markup]:
+    """Tables of place, attitude and twist; then of the flywheels."""
     angles = state.angles or (0.0, 0.0, 0.0)
     carrier: list[tuple[str, tuple[float, ...]]] = [
         ("O₁ in E₀, m", state.position),
@@ -164,12 +227,12 @@ def _state(stand: Stand, state: State) -> Markup:
         ("ω, rad/s", state.V[3:]),
     ]
     rows: list[list[Cell]] = [[name, *(figure(x) for x in values)] for name, values in carrier]
-    found = table(("carrier", "1>", "2>", "3>"), [rows])
+    found = [table(("carrier", "1>", "2>", "3>"), [rows])]
     if stand.flywheels:
         numbers = zip(stand.flywheels, state.phi, state.phi_dot, state.phi_ddot, strict=True)
         wheels: list[list[Cell]] = [[s.name, *(figure(x) for x in values)] for s, *values in numbers]
-        found += table(("flywheel", "φ, rad>", "φ′, rad/s>", "φ″, rad/s²>"), [wheels])
-    return Markup('<div class="side">\n{}</div>\n').format(found)
+        found.append(table(("flywheel", "φ, rad>", "φ′, rad/s>", "φ″, rad/s²>"), [wheels]))
+    return found
 
 
 def _balance(at: reference.Pieces, state: State) -> Markup:
@@ -182,15 +245,8 @@ def _balance(at: reference.Pieces, state: State) -> Markup:
         ("-J dot(phi)", -at.J @ at.phi_dot),
         ("-I ddot(phi)", -at.I @ acceleration),
     ]
-    rows = [[math_text(name), *(figure(float(x), 4) for x in values)] for name, values in terms]
-    total = [[math_text("K V*"), *(figure(float(x), 4) for x in at.K @ at.V_r_dot(V_dot))]]
-    solved = [[math_text("V*"), *(figure(float(x), 4) for x in V_dot)]]
-    words = paragraph(
-        "The terms of (8) with their signs on the right-hand side, for the accelerations of the flywheels above; what "
-        "they sum to is `K V*`, hence the acceleration of the carrier, in m/s² and rad/s²."
-        + (" Velocities are those relative to the stream." if at.u.any() else "")
-    )
-    head = (
-        "", "force 1, N>", "2>", "3>", "moment 1, N m>", "2>", "3>",
-    )  # fmt: skip
-    return Markup("<h3>Balance of (8)</h3>\n") + words + table(head, [rows, total, solved])
+    groups = [
+        [[math_text(name), *(figure(float(x), 4) for x in values)] for name, values in group]
+        for group in (terms, [("K V*", at.K @ at.V_r_dot(V_dot))], [("V*", V_dot)])
+    ]
+    return table(("", "force 1, N>", "2>", "3>", "moment 1, N m>", "2>", "3>"), groups)

@@ -8,27 +8,25 @@ from importlib import import_module
 
 from mahovik import __version__
 from mahovik.core.emit.generate import described
-from mahovik.core.emit.templates import template
+from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.identity import identities
 from mahovik.core.toolchain.process import side_by_side
-from mahovik.out.report.stand.generated import generated
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.material import Material, Section, generate_once
 
 ORDER = (
+    "histories",
+    "programme",
+    "reach",
+    "campbell",
+    "animation",
     "bodies",
     "drawing",
-    "animation",
+    "singular",
     "matrices",
     "verification",
     "cost",
-    "reach",
-    "campbell",
-    "singular",
-    "histories",
-    "programme",
 )
-"""Modules of this folder, each with a function `section`: in the order of the page."""
+"""Modules of this folder, each with a function `section`, in the order of the page: motion, stand, evidence."""
 
 BESIDE = ("verification", "cost")
 """Sections that wait for compilers, made in parallel with the others."""
@@ -49,6 +47,7 @@ def page(material: Material, made: Callable[[int], None] = lambda count: None) -
     names = identities(material.stand)
     html = template("report.html.j2").render(
         name=material.stand.name,
+        uplot=source_text("uplot/uPlot.iife.min.js").partition("\n")[2],  # without the line of its address
         bodies=described(material.stand),
         structure=names.structure,
         physics=names.physics,
@@ -72,7 +71,7 @@ def _sections(material: Material, tell: Callable[[int], None]) -> list[Section]:
         return found
 
     make = {name: import_module(f"mahovik.out.report.stand.{name}").section for name in ORDER}
-    generated(material.stand)
+    generate_once(material.stand)
     with side_by_side() as pool:
         beside = {name: pool.submit(section, name) for name in BESIDE if name in make}
         made = {name: section(name) for name in ORDER if name not in beside}

@@ -6,11 +6,10 @@ from mahovik.errors import StateError
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.programme import panels
 from mahovik.out.report.stand.markup import figure, paragraph
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.material import Material, Section
 
 TIMES = 200
-"""At which the reference evaluates (12)."""
+"""Number of times at which the reference evaluates (12)."""
 
 
 def section(material: Material) -> Section | None:

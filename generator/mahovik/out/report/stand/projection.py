@@ -1,4 +1,4 @@
-"""Orthographic projection of bodies onto the paper, and SVG of what comes out: numbers in, markup out."""
+"""Orthographic projection of bodies onto the paper, the SVG that comes out, and places for names that cover nothing."""
 
 from __future__ import annotations
 
@@ -81,9 +81,9 @@ def path(points: Sequence[Array], style: str, closed: bool = False) -> str:
     return f'<path d="M{steps}{"Z" if closed else ""}" style="{style}"/>'
 
 
-def circle(at: Array, radius: float, style: str) -> str:
-    """A circle."""
-    return f'<circle cx="{n(at[0])}" cy="{n(at[1])}" r="{n(radius)}" style="{style}"/>'
+def sign(name: str, at: Array, colour: str = "var(--ink)") -> str:
+    """A sign of templates/report_drawing.svg.j2."""
+    return f'<use href="#sign-{name}" x="{n(at[0])}" y="{n(at[1])}" style="color:{colour}"/>'
 
 
 def ellipse(outline: tuple[Array, float, float, float], style: str) -> str:
@@ -117,17 +117,82 @@ def arrow(a: Array, b: Array, colour: str, width: float = 1.4, dashed: bool = Fa
     return "".join(found)
 
 
-def end_on(at: Array, towards: bool, colour: str, radius: float = 4.5) -> str:
-    """A vector along the line of sight: a dot in a circle to the eye, a cross away from it."""
-    style = f"fill:var(--paper);stroke:{colour};stroke-width:1.2"
-    if towards:
-        return circle(at, radius, style) + circle(at, 0.36 * radius, f"fill:{colour}")
-    d = 0.68 * radius
-    strokes = "".join(line(at + np.array([-d, s * d]), at + np.array([d, -s * d]), f"stroke:{colour}") for s in (1, -1))
-    return circle(at, radius, style) + strokes
-
-
 def round_length(largest: float) -> float:
     """The largest of 1, 2, 5 times a power of ten that is not above `largest` > 0."""
     power = 10.0 ** math.floor(math.log10(largest))
     return max(k * power for k in (0.1, 0.2, 0.5, 1.0, 2.0, 5.0) if k * power <= largest * (1 + 1e-9))
+
+
+HEIGHT = 12.0
+"""px of a line of words."""
+
+WIDTH = 6.3
+"""px of a letter, more rather than less: the font of the reader is not known."""
+
+
+@dataclass(frozen=True)
+class Box:
+    """A rectangle, px: from (x0, y0) to (x1, y1), y downwards."""
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+
+    def shared(self, others: Array) -> float:
+        """Area in common with others (M, 4: x0, y0, x1, y1), px2, summed over them."""
+        width = np.minimum(self.x1, others[:, 2]) - np.maximum(self.x0, others[:, 0])
+        height = np.minimum(self.y1, others[:, 3]) - np.maximum(self.y0, others[:, 1])
+        return float(np.maximum(width, 0.0) @ np.maximum(height, 0.0))
+
+    def inside(self, other: Box) -> bool:
+        """Whether it is wholly within another."""
+        return self.x0 >= other.x0 and self.y0 >= other.y0 and self.x1 <= other.x1 and self.y1 <= other.y1
+
+
+GAP = 4.0
+"""px between words beside one another."""
+
+
+class Places:
+    """Finds free places one after another inside `frame`; `busy` are boxes that words had better not cover."""
+
+    def __init__(self, frame: Box, busy: list[Box]) -> None:
+        self.frame = frame
+        self._busy = _rows(busy)
+        self._taken: list[Box] = []
+
+    def take(self, box: Box) -> None:
+        """Keeps a place free of later words."""
+        self._taken.append(box)
+
+    def find(self, words: str, anchor: Array, away: Array, radius: float) -> Box | None:
+        """A place for words beside a thing of `radius` px at `anchor`, best in the direction `away`; None: no room.
+
+        What is found is taken.
+        """
+        width, first = WIDTH * len(words) + 2, math.atan2(away[1], away[0])
+        best: tuple[float, Box] | None = None
+        taken = _rows(self._taken)
+        for step, distance in enumerate((radius + 5.0, radius + 15.0, radius + 28.0, radius + 44.0)):
+            for k in range(16):
+                turn = (k + 1) // 2 * (1 if k % 2 else -1) * math.pi / 8
+                dx, dy = math.cos(first + turn), math.sin(first + turn)
+                x = float(anchor[0]) + distance * dx - width / 2 * (1 - dx)
+                y = float(anchor[1]) + distance * dy - HEIGHT / 2 * (1 - dy)
+                box = Box(x, y, x + width, y + HEIGHT)
+                price = 0.35 * step + 0.08 * abs(turn)
+                if (best is not None and price >= best[0]) or not box.inside(self.frame) or box.shared(taken):
+                    continue
+                price += box.shared(self._busy) / (width * HEIGHT)
+                if best is None or price < best[0]:
+                    best = (price, box)
+        if best is None:
+            return None
+        box = best[1]
+        self.take(Box(box.x0 - GAP, box.y0, box.x1 + GAP, box.y1))
+        return box
+
+
+def _rows(boxes: list[Box]) -> Array:
+    return np.array([(b.x0, b.y0, b.x1, b.y1) for b in boxes], dtype=np.float64).reshape(-1, 4)

@@ -9,11 +9,9 @@ import numpy as np
 from markupsafe import Markup
 
 from mahovik.out.report.plot.inline import charts
-from mahovik.out.report.plot.panel import Array, Line, Panel, border, family
-from mahovik.out.report.plot.prefix import prefixed
+from mahovik.out.report.plot.panel import Array, Line, Panel, border, family, si_prefix
 from mahovik.out.report.stand.markup import figure, paragraph, table
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
+from mahovik.out.report.stand.material import Material, Section
 from mahovik.use.study.reach import Reach, reach
 
 RPM = 30.0 / math.pi
@@ -40,7 +38,7 @@ def section(material: Material) -> Section | None:
     shown = panels(found)
     parts = [paragraph(_words(found)), charts(shown), _table(found)]
     force = math.fsum(row.force for row in found.rows)
-    factor, unit = prefixed(force, "N")
+    factor, unit = si_prefix(force, "N")
     summary = f"{factor * force:.4g} {unit} of unbalance, all in one line at the limits of speed"
     return Section("reach", "Reach: force and moment against speed", "".join(parts), summary=summary)
 
@@ -65,11 +63,11 @@ def panels(found: Reach) -> list[Panel]:
 
 
 def _panel(what: str, unit: str, names: Sequence[str], speed: Array, values: Array, limit: float) -> Panel | None:
-    """A line a column, with the limit of speed; None where nothing acts."""
+    """One line per column, with the limit of speed; None where nothing acts."""
     largest = float(np.nanmax(values, initial=0.0))
     if largest <= 0.0:
         return None
-    factor, unit = prefixed(largest, unit)
+    factor, unit = si_prefix(largest, unit)
     there = np.nanmax(values, axis=0) > NOTHING * largest
     lines = [line for line, drawn in zip(family(names, RPM * speed, factor * values), there, strict=True) if drawn]
     span = (0.0, BEYOND * RPM * limit)
@@ -103,7 +101,7 @@ def _table(found: Reach) -> Markup:
     """Figures at the limit of each flywheel."""
     square = found.limits**2
     alone = found.unbalance * square
-    factors = [prefixed(float(x.max(initial=0.0)), unit) for x, unit in ((alone[:3], "N"), (alone[3:], "N m"))]
+    factors = [si_prefix(float(x.max(initial=0.0)), unit) for x, unit in ((alone[:3], "N"), (alone[3:], "N m"))]
     (f, force), (g, moment) = factors
     head = ["flywheel", "at, rpm>", f"m e ω², {force}>", *(f"{a}, {force}>" for a in AXES)]
     head += [f"about {a}, {moment}>" for a in AXES]

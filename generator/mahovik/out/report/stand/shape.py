@@ -11,12 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.stand.frames import mount_of, placement
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
 from mahovik.core.stand.summary import summarize
-from mahovik.out.report.stand.tie import Tie
+from mahovik.out.report.stand.tie import Mark, Tie
 
 Array = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ class Disc:
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """All of a stand that can be drawn. `center_of_mass` of the whole at phi = 0; `buoyancy`: its centre, or None.
+    """All of a stand that can be drawn. `center_of_mass` of the whole at phi = 0; `marks`: places that laws mark.
 
     `points`: names and places in E1. `held`: whether a law holds the carrier at O1. `legend`: signs of laws and their
     meaning. `up`: unit vector against gravity in E0, along z where there is none.
@@ -72,7 +72,7 @@ class Shape:
     ties: tuple[Tie, ...]
     points: tuple[tuple[str, Array], ...]
     center_of_mass: Array
-    buoyancy: Array | None
+    marks: tuple[Mark, ...]
     held: bool
     legend: tuple[tuple[str, str], ...]
     up: Array
@@ -104,6 +104,12 @@ def shape_of(stand: Stand) -> Shape:
     mark = BARE * (max([*reach, *(float(np.linalg.norm(at)) for at, _ in places)]) or 1.0)
     frames = {s.name: s for s in solids}
     shown = laws.parts("report")
+
+    def placed(body: Body) -> tuple[Array, Array]:
+        if isinstance(body, Instrument | Flywheel):
+            return placement_in_carrier(stand, body)
+        return np.zeros(3), np.eye(3)
+
     gravity = np.array(stand.gravity)
     strength = float(np.linalg.norm(gravity))
     return Shape(
@@ -113,7 +119,7 @@ def shape_of(stand: Stand) -> Shape:
         ties=tuple(tie for law in shown for tie in law.ties(stand)),
         points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
         center_of_mass=np.array(summarize(stand).center_of_mass),
-        buoyancy=_buoyancy(stand),
+        marks=tuple(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, placed)),
         held=any(law.at_origin(stand) for law in shown),
         legend=tuple(law.LEGEND for law in shown if law.ties(stand) or law.at_origin(stand)),
         up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),
@@ -164,16 +170,3 @@ def _disc(flywheel: Flywheel, origin: Array, C: Array, mark: float) -> Disc:
         static=mass * center[1:],
         dynamic=-J[0, 1:],
     )
-
-
-def _buoyancy(stand: Stand) -> Array | None:
-    """Centre of buoyancy of the whole in E1 at phi = 0, m."""
-    total, moment = 0.0, np.zeros(3)
-    for body in stand.bodies:
-        if body.buoyancy is not None:
-            at, C = (np.zeros(3), np.eye(3))
-            if isinstance(body, Instrument | Flywheel):
-                at, C = placement_in_carrier(stand, body)
-            total += body.buoyancy.displaced_mass
-            moment += body.buoyancy.displaced_mass * (at + C @ np.array(body.buoyancy.center))
-    return moment / total if total else None

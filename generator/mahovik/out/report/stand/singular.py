@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.panel import Array, Panel, family
 from mahovik.out.report.stand.markup import paragraph
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.rows import some_rows
-from mahovik.out.report.stand.section import Section
-from mahovik.use.plan.figures import singular_values
+from mahovik.out.report.stand.material import Material, Section
+from mahovik.out.report.stand.run import some_rows
+from mahovik.use.plan.certificate import singular_values
 from mahovik.use.plan.residual import Mechanics
 
 MOST = 3000
@@ -99,7 +98,7 @@ def stretches(x: Array, flags: NDArray[np.bool_]) -> tuple[tuple[float, float], 
 
 
 def _rank(sigma: Array) -> str:
-    """What the number of flywheels and of zeros means."""
+    """Sentences about the number of flywheels and of zeros."""
     columns = sigma.shape[1]
     if columns < 6:
         who = "1 flywheel moves" if columns == 1 else f"{columns} flywheels move"

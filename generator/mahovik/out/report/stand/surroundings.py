@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 from markupsafe import Markup
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.stand.model import Carrier, Instrument, Stand
-from mahovik.out.report.stand.markup import Cell, figure, vector_cell
+from mahovik.out.report.stand.markup import Cell, vector_cell
 
 
 def surroundings(stand: Stand) -> dict[str, Cell]:
@@ -30,27 +28,15 @@ def _fluid(stand: Stand) -> Markup:
     parts = []
     bearers: list[Carrier | Instrument] = [stand.carrier, *stand.instruments]
     added = [body.name for body in bearers if body.added_mass is not None]
-    floating = [body.name for body in stand.bodies if body.buoyancy is not None]
-    damped = [body.name for body in stand.bodies if body.damping is not None]
-    for what, names in (("added mass of", added), ("buoyancy of", floating), ("damping of", damped)):
+    acting = [(text.NAME, text.bearers(stand)) for text in laws.body_parts("text")]
+    for what, names in (("added mass", added), *acting):
         if names:
-            parts.append(Markup("{} {}").format(what, ", ".join(names)))
+            parts.append(Markup("{} of {}").format(what, ", ".join(names)))
     if stand.stream is not None:
         still = "still, unless it is set at run time"
         parts.append(Markup("stream {}").format(vector_cell(stand.stream, "m/s", still)))
-    if any(stand.gravity) and floating:
-        parts.append(_balance(stand))
+    parts += [words for note in laws.of_bodies("report", "note") if (words := note(stand))]
     return Markup("; ").join(parts) if parts else Markup("none")
-
-
-def _balance(stand: Stand) -> Markup:
-    """Weight against Archimedes' force."""
-    mass = math.fsum(body.mass for body in stand.bodies)
-    displaced = math.fsum(body.buoyancy.displaced_mass for body in stand.bodies if body.buoyancy)
-    if abs(displaced - mass) <= 1e-9 * mass:
-        return Markup("neutrally buoyant")
-    light = displaced > mass
-    return Markup("{} by {} kg").format("light" if light else "heavy", figure(abs(displaced - mass), 4))
 
 
 def _places(stand: Stand) -> Markup:

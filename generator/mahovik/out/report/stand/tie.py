@@ -1,4 +1,4 @@
-"""A line between the carrier and the ground in the drawing of a stand."""
+"""Parts of a drawing that a law adds: lines to the ground, places in the carrier."""
 
 from __future__ import annotations
 
@@ -16,3 +16,11 @@ class Tie:
 
     carrier: Array
     ground: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Mark:
+    """A place in E1 (3, m) with a sign of its own, and what it is."""
+
+    at: Array
+    words: str

@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from importlib.metadata import version
+from itertools import groupby
 
 from markupsafe import Markup
 
 from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import version as program_version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.out.report.stand.generated import generated
-from mahovik.out.report.stand.markup import Cell, paragraph, sentence, table
-from mahovik.out.report.stand.material import Material
-from mahovik.out.report.stand.section import Section
-from mahovik.out.report.stand.verdicts import TITLES, derivations_table, failures_of, judges_table, targets_table
+from mahovik.out.report.stand.markup import Cell, markup_of, sentence, share, table, verdict
+from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report, verify_c
-from mahovik.proof.verify.judges.compare import JUDGES, load_judges, verify_by
-from mahovik.proof.verify.judges.rigid import stripped
-from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.targets import TargetsReport, asked, verify_targets
+from mahovik.proof.verify.judges.compare import JUDGES, compare_with_judges, load_judges
+from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.report import Report, conclusion
+from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_targets
 
 STATES = 16
 """Random and extreme, of three derivations; `mahovik verify` takes more."""
@@ -35,45 +36,59 @@ JUDGED = 8
 def section(material: Material) -> Section | None:
     """Three derivations, judges that are installed, targets where they were asked for; then what was not run."""
     stand, file = material.stand, material.stand_file or f"{material.stand.name}.toml"
-    parts, failures, said, open_ = [_introduction()], list[str](), list[str](), list[tuple[str, str]]()
-    found, without = _three(stand)
-    parts.append(derivations_table(found))
-    failures += failures_of(found, "three derivations")
-    said.append("three derivations disagree" if failures else f"three derivations agree at {found.states} states")
-    if without:
-        open_.append((f"the compiled C: {without}", f"mahovik verify {file}"))
-    outside = {}
+    open_ = list[tuple[str, str]]()
+    three, reason = _three(stand)
+    if reason:
+        open_.append((f"the compiled C: {reason}", f"mahovik verify {file}"))
+    outside: dict[str, Report] = {}
     for name in JUDGES:
         try:
             outside[name] = _outside(stand, name)
         except UsageError as error:
             reason = str(error).removeprefix("--judges: ")
             open_.append((f"{TITLES[name]}: {reason}", f"mahovik verify {file} --judges --bare"))
-    if outside:
-        parts.append(judges_table(stand, outside))
+    targets, reason = _on_targets(material)
+    if targets is None:
+        command = f"mahovik verify {file} --targets {material.targets or 'quick'}"
+        open_.append((f"processors: the same bits as on the host{reason}", command))
+    failures, summary = _summary(three, outside, targets)
+    tools = [f"NumPy {version('numpy')}", f"CasADi {version('casadi')}"]
+    if three.judged == "generated C":
+        tools.insert(0, program_version(find_compiler()[0]))
+    open_ += _further(material, file)
+    lines: list[list[Cell]] = [[sentence(what), Markup("<code>{}</code>").format(command)] for what, command in open_]
+    html = markup_of(
+        "verification",
+        three=three,
+        tools=tools,
+        three_verdict=_verdict_line(three),
+        three_table=derivations_table(three),
+        without=_listed(missing(stand)),
+        judges_verdicts=[_verdict_line(found, f"{TITLES[name]}: ") for name, found in outside.items()],
+        judges_table=judges_table(outside) if outside else "",
+        targets=targets,
+        targets_verdict="" if targets is None else _conclusion(targets.conclusion, targets.passed),
+        targets_table="" if targets is None else targets_table(targets),
+        not_run=table(("check", "command"), [lines], kind="verdicts"),
+    )
+    return Section("verification", "Verification", html, tuple(failures), "; ".join(summary))
+
+
+def _summary(
+    three: Report, outside: Mapping[str, Report], targets: TargetsReport | None
+) -> tuple[list[str], list[str]]:
+    """What failed, a line each, and what the head of the page says."""
+    failures = failures_of(three, "three derivations")
+    summary = ["three derivations disagree" if failures else f"three derivations agree at {three.states} states"]
     for name, against in outside.items():
         bad = failures_of(against, TITLES[name])
         failures += bad
-        said.append(f"{TITLES[name]} {'disagrees' if bad else 'agrees'}")
-    targets, reason = _on_targets(material)
+        summary.append(f"{TITLES[name]} {'disagrees' if bad else 'agrees'}")
     if targets is not None:
-        parts.append(targets_table(targets))
         failures += [f"{row.target}, {row.real}: {row.reason}" for row in targets.rows if row.failed]
         equal = sum(row.verdict == "ok" for row in targets.rows)
-        said.append(f"the same bits on {equal} of {len(targets.rows)} targets")
-    else:
-        command = f"mahovik verify {file} --targets {material.targets or 'quick'}"
-        open_.append((f"processors: the same bits as on the host{reason}", command))
-    open_ += _further(material, file)
-    parts.append(_not_run(open_))
-    return Section("verification", "Verification", Markup("").join(parts), tuple(failures), "; ".join(said))
-
-
-def _introduction() -> Markup:
-    return paragraph(
-        "Measured when this report was made. A difference is relative to the natural scale of its quantity: the "
-        "largest terms that it is a sum of. What is not listed here was not run."
-    )
+        summary.append(f"the same bits on {equal} of {len(targets.rows)} targets")
+    return failures, summary
 
 
 def _three(stand: Stand) -> tuple[Report, str]:
@@ -82,12 +97,12 @@ def _three(stand: Stand) -> tuple[Report, str]:
         find_compiler()
     except ToolchainError as error:
         states = draw(stand, 1, STATES, wrenches=False)
-        backend = InterpreterBackend(generated(stand))
+        backend = InterpreterBackend(generate_once(stand))
         wants = [want for want in backend.wants if want != "inverse"]  # tens of thousands of operations a state
         rows = judge(stand, backend, states, wants, DOUBLE, None, Second(stand), "program")
         return report(stand, "program, interpreted", 1, len(states), DOUBLE.default, rows), str(error)
     try:
-        backend_c = CBackend(stand, generated=generated(stand))
+        backend_c = CBackend(stand, generated=generate_once(stand))
     except ToolchainError as error:
         return report(stand, "generated C", 1, 0, DOUBLE.default, (), str(error)), ""
     return verify_c(stand, seed=1, count=STATES, wrenches=False, backend=backend_c), ""
@@ -97,7 +112,9 @@ def _outside(stand: Stand, name: str) -> Report:
     """The literal reference of the stand, without what no judge has, against one of them. Raises UsageError."""
     bare = stripped(stand)
     judges = load_judges(bare, [name])
-    return verify_by(bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference")
+    return compare_with_judges(
+        bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
+    )
 
 
 def _on_targets(material: Material) -> tuple[TargetsReport | None, str]:
@@ -105,7 +122,7 @@ def _on_targets(material: Material) -> tuple[TargetsReport | None, str]:
     if not material.targets:
         return None, ""
     try:
-        return verify_targets(material.stand, asked(material.targets)), ""
+        return verify_targets(material.stand, parse_targets(material.targets)), ""
     except ToolchainError as error:
         return None, f": {error}"
 
@@ -119,11 +136,94 @@ def _further(material: Material, file: str) -> list[tuple[str, str]]:
     ]
     if material.programme is not None:
         motion = material.motion_file or "M.json"
-        command = f"mahovik verify-programme {file} {motion} {material.programme_file}"
+        command = f"mahovik verify-programme {file} --motion {motion} --programme {material.programme_file}"
         found.append(("the programme, by the reference and an adaptive integration", command))
     return found
 
 
-def _not_run(open_: Sequence[tuple[str, str]]) -> Markup:
-    lines: list[list[Cell]] = [[sentence(what), Markup("<code>{}</code>").format(command)] for what, command in open_]
-    return Markup("<h3>Not run here</h3>\n") + table(("check", "command"), [lines], kind="verdicts")
+TITLES = {"pinocchio": "Pinocchio", "mujoco": "MuJoCo"}
+"""Judges as their projects write them."""
+
+_STYLE = {"ok": "good", "FAILED": "bad"}
+
+
+def derivations_table(found: Report) -> Markup:
+    """Differences of the three pairs, quantity by quantity."""
+    judged = "C" if found.judged == "generated C" else "program"
+    head = (
+        "quantity", "by", "states>", f"{judged}, reference>", "reference, second>", f"{judged}, second>", "accepted>",
+        "verdict",
+    )  # fmt: skip
+    groups = [list(rows) for _, rows in groupby(found.rows, key=lambda row: row.want)]
+    return table(head, [[_row(row, found.tolerance) for row in rows] for rows in groups], kind="verdicts")
+
+
+def judges_table(outside: Mapping[str, Report]) -> Markup:
+    """One table of all judges; quantities that a judge does not have are blank."""
+    names = {name: found.judged.rpartition(f"{name} ")[2] for name, found in outside.items()}
+    judges = (f"{TITLES[name]}, {number}>" for name, number in names.items())
+    head = ["quantity", "states>", *judges, "accepted>", "verdict"]
+    by = {name: {row.quantity: row for row in found.rows} for name, found in outside.items()}
+    lines: list[list[Cell]] = []
+    for quantity in dict.fromkeys(quantity for rows in by.values() for quantity in rows):
+        there = [rows.get(quantity) for rows in by.values()]
+        given = [row for row in there if row is not None]
+        bad = [f"{TITLES[row.want]}: {row.reason or 'differs'}" for row in given if row.failed]
+        accepted = given[0].tolerance
+        lines.append([
+            quantity,
+            str(max(row.states for row in given)),
+            *("" if row is None else share(row.worst) for row in there),
+            "" if accepted is None else share(accepted),
+            verdict("FAILED", "bad") + Markup(" {}").format("; ".join(bad)) if bad else verdict("agrees", "good"),
+        ])  # fmt: skip
+    return table(head, [lines], kind="verdicts")
+
+
+def _listed(left: Sequence[str]) -> str:
+    """`w1: damping`, `w2: damping` as `damping (w1, w2)`."""
+    found: dict[str, list[str]] = {}
+    for each in left:
+        body, _, what = each.rpartition(": ")
+        found.setdefault(what.replace("_", " "), []).append(body)
+    return ", ".join(f"{what} ({', '.join(bodies)})" if any(bodies) else what for what, bodies in found.items())
+
+
+def _row(row: Row, tolerance: float) -> list[Cell]:
+    """One quantity of three derivations."""
+    judged = bool(row.want) and row.verdict in _STYLE
+    differences: list[Cell] = [share(row.worst) if judged else ""]
+    differences += ["" if off is None or not judged else share(off) for off in (row.second, row.between)]
+    accepted: Cell = share(row.tolerance or tolerance) if judged else ""
+    said = " ".join(words for words in (row.disagreement, row.reason) if words and row.verdict != "ok")
+    style = _STYLE.get(row.verdict, "bad" if row.failed else "warn")
+    words = verdict("agrees" if row.verdict == "ok" else row.verdict, style)
+    if said:
+        words += Markup(" {}").format(said)
+    return [row.quantity, row.want, str(row.states) if row.states else "", *differences, accepted, words]
+
+
+def _verdict_line(found: Report, by: str = "") -> Markup:
+    return _conclusion(f"{by}{conclusion(found)}", found.passed)
+
+
+def _conclusion(words: str, passed: bool) -> Markup:
+    return verdict(sentence(words), "good" if passed else "bad")
+
+
+def failures_of(found: Report, by: str) -> list[str]:
+    """Messages about a comparison that did not pass, one line each; `by`: the judge."""
+    if found.error:
+        return [f"{by}: {found.error}"]
+    lines = [f"{by}: {row.quantity}: {row.disagreement or row.reason or 'FAILED'}" for row in found.failures]
+    return lines or ([] if found.passed else [f"{by}: nothing was compared"])
+
+
+def targets_table(found: TargetsReport) -> Markup:
+    """The self-test on processors."""
+    lines: list[list[Cell]] = []
+    for row in found.rows:
+        words = verdict("same bits" if row.verdict == "ok" else row.verdict, _STYLE.get(row.verdict, "warn"))
+        words += Markup(" {}").format(row.reason) if row.reason else Markup("")
+        lines.append([row.target, row.title, row.real, row.built_with, str(row.functions), words])
+    return table(("target", "processor", "type", "built with", "functions>", "verdict"), [lines], kind="verdicts")

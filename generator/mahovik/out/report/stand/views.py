@@ -7,8 +7,19 @@ from html import escape
 
 import numpy as np
 
-from mahovik.out.report.stand.labels import HEIGHT, Box, Places
-from mahovik.out.report.stand.projection import Array, Projection, arrow, circle, ellipse, end_on, line, path, text
+from mahovik.out.report.stand.projection import (
+    HEIGHT,
+    Array,
+    Box,
+    Places,
+    Projection,
+    arrow,
+    ellipse,
+    line,
+    path,
+    sign,
+    text,
+)
 from mahovik.out.report.stand.shape import Disc, Shape, Solid
 from mahovik.out.report.stand.tie import Tie
 
@@ -85,7 +96,7 @@ class View:
         found += [self._axis(d, i) for i, d in enumerate(shape.flywheels)]
         found += [self._unbalance(d, magnified) for d in shape.flywheels]
         found.append(self._marks(shape))
-        found.append(self._words(shape))
+        found.append(self._words(shape, magnified))
         return f'<g role="img" aria-label="{escape(self.title)}">{"".join(found)}</g>'
 
     def _solid(self, solid: Solid, is_carrier: bool) -> str:
@@ -118,7 +129,7 @@ class View:
         a, b = self.projection.point(start), self.projection.point(start + along)
         if np.hypot(*(b - a)) >= 0.2 * self.projection.scale * np.linalg.norm(along):
             return arrow(a, b, paint, width)
-        return end_on(a, bool(along @ self.projection.towards > 0), paint)
+        return sign("to-the-eye" if along @ self.projection.towards > 0 else "from-the-eye", a, paint)
 
     def _axis(self, disc: Disc, index: int) -> str:
         return self._vector(disc.center, spin_length(disc) * disc.C[:, 0], colour(index), width=1.5)
@@ -148,36 +159,33 @@ class View:
                           for k in range(1, turns)]  # fmt: skip
                 points = [a, a + 0.15 * far * along, *zigzag, a + 0.85 * far * along, b]
                 found += path(points, "fill:none;stroke:var(--muted)")
-            found += circle(a, 2.2, "fill:var(--ink)")
-            found += "" if is_cut(shape, tie) else _ground(b)
+            found += sign("tie", a)
+            found += "" if is_cut(shape, tie) else sign("ground", b)
         return found
 
     def _marks(self, shape: Shape) -> str:
         """E1 axes at O1, law at O1, points, centres."""
-        found, origin = "", np.zeros(3)
-        at = self.projection.point(origin)
-        if shape.held:
-            found += circle(at, 8.0, "fill:none;stroke:var(--ink);stroke-dasharray:2 2")
-        for k in range(3):
-            found += self._vector(origin, axis_length(shape) * np.eye(3)[k], "var(--ink)", width=1.1)
-        for _, place in shape.points:
-            here = self.projection.point(place)
-            for d in (np.array([4.0, 4.0]), np.array([4.0, -4.0])):
-                found += line(here - d, here + d, "stroke:var(--ink);stroke-width:1.3")
-        if shape.buoyancy is not None:
-            here = self.projection.point(shape.buoyancy)
-            corners = [here + np.array(c) for c in ((0.0, -6.0), (5.2, 3.0), (-5.2, 3.0))]
-            found += path(corners, "fill:var(--paper);stroke:var(--accent);stroke-width:1.4", closed=True)
-        return found + center_of_mass(self.projection.point(shape.center_of_mass))
+        point, origin = self.projection.point, np.zeros(3)
+        found = [sign("law-at-origin", point(origin))] if shape.held else []
+        for axis in axis_length(shape) * np.eye(3):
+            found.append(self._vector(origin, axis, "var(--ink)", width=1.1))
+        found += [sign("point", point(place)) for _, place in shape.points]
+        found += [sign("triangle", point(mark.at)) for mark in shape.marks]
+        return "".join([*found, sign("center-of-mass", point(shape.center_of_mass))])
 
-    def _words(self, shape: Shape) -> str:
+    def _words(self, shape: Shape, magnified: Magnified) -> str:
         busy = []
         for d in shape.flywheels:
             middle, tip = (self.projection.point(d.center + k * spin_length(d) * d.C[:, 0]) for k in (0.0, 0.95))
-            busy += [_around(middle, 7.0), _around((middle + tip) / 2, 4.0), _around(tip, 6.0)]
+            busy += [_box_around(middle, 7.0), _box_around((middle + tip) / 2, 4.0), _box_around(tip, 6.0)]
+        for axis in axis_length(shape) * np.eye(3):
+            busy += [_box_around(self.projection.point(k * axis), 5.0) for k in (0.3, 0.65, 1.0)]
+        for d in shape.flywheels:  # arrows of unbalance
+            for vector in (magnified.static * (d.C[:, 1:] @ d.static), magnified.dynamic * (d.C[:, 1:] @ d.dynamic)):
+                busy += [_box_around(self.projection.point(d.center + k * vector), 4.0) for k in (0.5, 0.9)]
         places = Places(self.frame, busy)
         middle = self.projection.point(shape.center_of_mass)
-        places.take(_around(middle, 5.0))
+        places.take(_box_around(middle, 5.0))
         found = text(np.array([self.frame.x0 + 4, self.frame.y0 + 13]), self.title, "fill:var(--muted)")
         places.take(Box(self.frame.x0, self.frame.y0, self.frame.x0 + 7 * len(self.title), self.frame.y0 + 16))
         asked: list[tuple[str, Array, float, str]] = []
@@ -203,33 +211,14 @@ class View:
         return found
 
 
-def moved(view: View, x: float, y: float) -> View:
+def shift_view(view: View, x: float, y: float) -> View:
     """The same view elsewhere on the paper."""
     at, f = view.projection.at, view.frame
     frame = Box(f.x0 + x, f.y0 + y, f.x1 + x, f.y1 + y)
     return replace(view, projection=replace(view.projection, at=(at[0] + x, at[1] + y)), frame=frame)
 
 
-def center_of_mass(at: Array, radius: float = 5.0) -> str:
-    """The quartered circle."""
-    x, y = at
-    quarter = "".join(
-        f'<path d="M{x:.2f} {y:.2f}h{s * radius}a{radius} {radius} 0 0 1 {-s * radius} {s * radius}z" '
-        'style="fill:var(--ink)"/>'
-        for s in (1, -1)
-    )
-    return circle(at, radius, "fill:var(--paper);stroke:var(--ink)") + quarter
-
-
-def _ground(at: Array) -> str:
-    """A place that stands still: a line with hatches."""
-    found = line(at + np.array([-7, 0]), at + np.array([7, 0]), "stroke:var(--ink);stroke-width:1.3")
-    for x in (-5.0, 0.0, 5.0):
-        found += line(at + np.array([x, 0]), at + np.array([x - 3, 4]), "stroke:var(--ink);stroke-width:.8")
-    return found
-
-
-def _around(at: Array, radius: float) -> Box:
+def _box_around(at: Array, radius: float) -> Box:
     return Box(at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius)
 
 

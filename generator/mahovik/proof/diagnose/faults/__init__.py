@@ -3,29 +3,21 @@
 from __future__ import annotations
 
 from mahovik.proof.diagnose.fault import Fault
-from mahovik.proof.diagnose.faults import (
-    answers,
-    drive,
-    fluid,
-    inertia,
-    laws,
-    mounting,
-    reading,
-    unbalance,
-    velocity,
-    weight,
-)
+from mahovik.proof.diagnose.faults import drive, fluid, laws, mounting, velocity, wrenches
+from mahovik.proof.diagnose.faults.inertia import INERTIA_FAULTS, UNBALANCE_FAULTS
+from mahovik.proof.diagnose.faults.reading import ANSWER_FAULTS, READING_FAULTS
 
 DICTIONARY: tuple[Fault, ...] = (
-    *inertia.FAULTS,
-    *unbalance.FAULTS,
+    *INERTIA_FAULTS,
+    *UNBALANCE_FAULTS,
     *mounting.FAULTS,
     *velocity.FAULTS,
-    *weight.FAULTS,
+    *laws.ON_BODIES,
+    *wrenches.FAULTS,
     *fluid.FAULTS,
-    *laws.FAULTS,
+    *laws.ON_CARRIER,
     *drive.FAULTS,
-    *reading.FAULTS,
-    *answers.FAULTS,
+    *READING_FAULTS,
+    *ANSWER_FAULTS,
 )
 """All faults, by subject. Of faults that a stand cannot tell apart the earlier is named first."""

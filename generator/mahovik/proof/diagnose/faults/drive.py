@@ -7,10 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from mahovik.proof.diagnose.edits.answers import mount_wrench, value, values
-from mahovik.proof.diagnose.edits.matrices import each_wheel, minus
-from mahovik.proof.diagnose.edits.reading import state
-from mahovik.proof.diagnose.edits.wrenches import Motion, drive
+from mahovik.proof.diagnose.edits import Motion, drive, each_wheel, minus, mount_wrench, state, value, values
 from mahovik.proof.diagnose.fault import Case, Fault
 from mahovik.proof.reference.array import Array, Values
 from mahovik.proof.reference.bodies import Spinning

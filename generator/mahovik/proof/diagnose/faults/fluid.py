@@ -1,4 +1,4 @@
-"""Faults in the fluid: added mass, damping, stream."""
+"""Faults in the fluid: added mass, stream."""
 
 from __future__ import annotations
 
@@ -7,10 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik.core.stand.model import Instrument
-from mahovik.proof.diagnose.edits.answers import value
-from mahovik.proof.diagnose.edits.matrices import added_mass, convection, minus, pieces, zero
-from mahovik.proof.diagnose.edits.reading import stand, vector
-from mahovik.proof.diagnose.edits.wrenches import damping, damping_at, wrench
+from mahovik.proof.diagnose.edits import added_mass, convection, pieces, stand, value, vector, wrench, zero
 from mahovik.proof.diagnose.fault import Case, Edit, Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed
@@ -31,18 +28,6 @@ def with_added_weight(P: Array, k: Placed, at: Pieces) -> Array:
         return P
     mass = np.trace(np.array(given)[:3, :3]) / 3
     return P + force_at(mass * k.L[:3, :3].T @ at.gravity, np.zeros(3))
-
-
-def without_sign(P: Array, k: Placed, at: Pieces) -> Array:
-    """Quadratic damping (6) with V_r^2 for V_r |V_r|."""
-    damping = k.body.damping
-    V_r = k.twist(at.V_r)
-    return P if damping is None or damping.quadratic is None else -np.array(damping.quadratic) @ (V_r * V_r)
-
-
-def relative_to_O1(k: Placed, at: Pieces) -> Array:
-    """The twist (6) relative to the fluid, with v of O1."""
-    return np.concatenate([k.L[:3, :3].T @ at.V_r[:3], k.twist(at.V_r)[3:]])
 
 
 def drives_at_V_r(at: Pieces, case: Case) -> Pieces:
@@ -89,33 +74,6 @@ FAULTS = (
     Fault("added mass with weight", "(7)", "fixed", [wrench(with_added_weight, "weight")],
           "Added mass is given weight",
           "added mass is in K and Phi K only, never in the weight"),
-    Fault("damping, sign", "(7)", "all", [damping(minus)],
-          "Damping has the wrong sign: it drives",
-          "wrench -(linear V_r), -(quadratic (V_r |V_r|)), + terms"),
-    Fault("linear damping missing", "(7)", "all", [wrench(zero, "linear damping")],
-          "Linear damping is missing",
-          "`linear` of `damping`"),
-    Fault("quadratic damping missing", "(7)", "all", [wrench(zero, "quadratic damping")],
-          "Quadratic damping is missing",
-          "`quadratic` of `damping`"),
-    Fault("quadratic damping without |V|", "(7)", "all", [wrench(without_sign, "quadratic damping")],
-          "Quadratic damping takes V^2 instead of V |V|: it does not follow the direction of motion",
-          "V_r |V_r|, element by element"),
-    Fault("damping terms missing", "(7)", "all", [wrench(zero, "damping terms")],
-          "The hydrodynamic derivatives (`terms` of `damping`) are missing",
-          "`terms` of `damping`"),
-    Fault("damping terms, sign", "(7)", "all", [wrench(minus, "damping terms")],
-          "The hydrodynamic derivatives (`terms` of `damping`) have the wrong sign",
-          "`terms` are added as published: wrench += value * product"),
-    Fault("flywheel damping without phi'", "(7)", "flywheels", [damping_at(lambda k, at: k.L.T @ at.V_r)],
-          "The damping of the flywheels takes the twist of their mount: without f phi'",
-          "V_s = Ls^T V + f phi'"),
-    Fault("damping with the velocity of O1", "(7)", "all", [damping_at(relative_to_O1)],
-          "Damping of instruments and flywheels takes the twist of O1, not of their own origin",
-          "V_k = L^T V with <O> in L"),
-    Fault("stream ignored in damping", "(7)", "all", [damping_at(lambda k, at: k.twist(at.V))],
-          "Damping ignores the stream: it takes the twist relative to E0",
-          "damping takes V_r = V - (C^T u, 0)"),
     Fault("stream ignored", "V_r", "all", [stand(stream=None)],
           "The stream is ignored",
           "V_r = V - (C^T u, 0) in M, J and damping"),

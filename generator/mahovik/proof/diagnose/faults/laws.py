@@ -6,9 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from mahovik.laws import LAWS, part
-from mahovik.proof.diagnose.fault import Case, Edit, Fault
-from mahovik.proof.diagnose.law_fault import LawFault
+from mahovik.contract.laws import LAWS, of_bodies, part
+from mahovik.proof.diagnose.fault import Case, Edit, Fault, LawFault
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.pose import Pose
 
@@ -25,6 +24,10 @@ def law_fault(law: str, row: LawFault) -> Fault:
     return Fault(row.name, "(7)", "all", [Edit("pieces", edit)], row.words.removesuffix("."), row.look)
 
 
-FAULTS = tuple(
+ON_BODIES: tuple[Fault, ...] = tuple(row for rows in of_bodies("faults", "FAULTS") for row in rows)
+"""Faults in the laws of bodies."""
+
+ON_CARRIER = tuple(
     law_fault(law, row) for law in LAWS if (faults := part(law, "faults")) is not None for row in faults.FAULTS
 )
+"""Faults in the laws between E0 and the carrier."""

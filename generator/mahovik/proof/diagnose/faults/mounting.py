@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, MountingAxes
-from mahovik.proof.diagnose.edits.matrices import mounting, place
-from mahovik.proof.diagnose.edits.reading import body, wheel
+from mahovik.proof.diagnose.edits import body, mounting, place, wheel
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Fixed, Mounted
@@ -21,6 +20,14 @@ def in_other_order(s: Mounted) -> Array:
     """C2(theta) C3(psi) C1(zero) of a mounting by angles."""
     given = s.body.mounting
     return C2(given.theta) @ C3(given.psi) @ C1(given.zero) if isinstance(given, MountingAngles) else s.C
+
+
+def exchanged(s: Flywheel) -> Flywheel:
+    """A flywheel with the first two of its mounting angles exchanged."""
+    given = s.mounting
+    if not isinstance(given, MountingAngles):
+        return s
+    return replace(s, mounting=replace(given, psi=given.theta, theta=given.psi))
 
 
 def from_zero(s: Flywheel) -> Flywheel:
@@ -49,6 +56,9 @@ FAULTS = (
     Fault("order of mounting angles", "(2): Ls", "flywheels", [mounting(in_other_order)],
           "The angles of the mounting are applied in another order: C2(theta) C3(psi) instead of C3(psi) C2(theta)",
           "Cs = C3(psi) C2(theta) C1(phi), whatever sequence the carrier has"),
+    Fault("mounting angles exchanged", "(2): Ls", "flywheels", [body(exchanged)],
+          "The first two angles of the mounting are exchanged: theta is read where psi stands",
+          "`angles` of a flywheel are psi, theta, zero"),
     Fault("spin axis reversed", "(2): Ls", "flywheels", [mounting(lambda s: s.C @ np.diag([-1.0, 1.0, -1.0]))],
           "The spin axis of the flywheels points the other way (the second axis is where it should be)",
           "the direction of each spin axis, from which phi' counts"),

@@ -1,4 +1,4 @@
-"""Faults in how a state is read: units, signs, orders, frames."""
+"""Faults at the surface: how a state is read (units, signs, orders, frames), and what is answered."""
 
 from __future__ import annotations
 
@@ -11,26 +11,28 @@ import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Vec3
 from mahovik.core.stand.state import Quaternion
-from mahovik.proof.diagnose.edits.reading import attitude, stand, state, twist, wheel, wheel_at
+from mahovik.proof.diagnose.edits import attitude, pieces, stand, state, twist, value, values, wheel, wheel_at
 from mahovik.proof.diagnose.fault import Case, Edit, Fault
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import flywheel_transfer
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.array import Array, Values, solve
+from mahovik.proof.reference.bodies import mount_transfer
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.rotation import carrier_rotation, flywheel_mounting
+from mahovik.proof.reference.screw import block_diagonal
 
 
 def absolute(phi_dot: float, s: Flywheel, case: Case) -> float:
     """phi_s' less the turning of the carrier about the flywheel's axis."""
-    axis = flywheel_transfer(case.stand, s, 0.0)[:3, 0]
+    axis = mount_transfer(case.stand, s.mount)[:3, :3] @ flywheel_mounting(s)[:, 0]
     return phi_dot - float(axis @ np.array(case.state.V[3:]))
 
 
 def angles(change: Callable[[Vec3], Any]) -> Edit:
-    """Attitude angles, where the state has them."""
+    """Edit of the attitude angles, if the state has them."""
     return state(lambda x: x if x.angles is None else replace(x, angles=change(x.angles)))
 
 
 def quaternion(change: Callable[[Quaternion], Any]) -> Edit:
-    """The quaternion, where the state has one."""
+    """Edit of the quaternion, if the state has one."""
     return state(lambda x: x if x.quaternion is None else replace(x, quaternion=change(x.quaternion)))
 
 
@@ -46,7 +48,7 @@ def of_mass_center(V: Array, case: Case) -> Array:
 
 
 # fmt: off
-FAULTS = (
+READING_FAULTS = (
     Fault("phi', sign", "state", "flywheels", [wheel("phi_dot", lambda phi_dot: -phi_dot)],
           "The speeds of the flywheels have the wrong sign; phases and accelerations are right",
           "phi' counts about the first axis, right-handed"),
@@ -114,4 +116,70 @@ FAULTS = (
     Fault("V with angular part first", "state", "all", [twist(lambda V, case: np.roll(V, 3))],
           "V is read with its angular part first",
           "linear part first, in V and in wrenches"),
+)
+# fmt: on
+
+
+def acceleration_of_O1(V_dot: Array, right: Values, at: Pieces, case: Case) -> Array:
+    """V* (6) with omega x v added."""
+    return np.asarray(V_dot + np.concatenate([np.cross(at.V[3:], at.V[:3]), np.zeros(3)]))
+
+
+def about_origin(Z0: Array, right: Values, at: Pieces, case: Case) -> Array:
+    """Z (6) about the origin of E0, in the axes of E1."""
+    Z: Array = right["Z"]
+    return np.concatenate([Z[:3], Z[3:] + np.cross(np.array(case.state.position), Z[:3])])
+
+
+def without_rate(right: Values, at: Pieces, case: Case) -> Values:
+    """(10), (11) without D."""
+    D, A = right["D"], right["A"]
+    q_ddot = right["q_ddot"] + solve(A, D @ solve(A, at.V_r))
+    return {**right, "D": np.zeros((6, 6)), "J0": right["J0"] - at.K @ D, "q_ddot": q_ddot}
+
+
+def without_centripetal(points: dict[str, Values], right: Values, at: Pieces, case: Case) -> dict[str, Values]:
+    """Points whose specific force lacks omega x v."""
+    return {
+        name: {**own, "specific_force": own["specific_force"] - np.cross(own["twist"][3:], own["twist"][:3])}
+        for name, own in points.items()
+    }
+
+
+# fmt: off
+ANSWER_FAULTS = (
+    Fault("V* as the acceleration of O1", "V*", "all", [value("V_dot", acceleration_of_O1)],
+          "V* is answered as the acceleration of O1, v* + omega x v, instead of the derivative of components in E1",
+          "V* of the contract is the derivative of the components of V in E1"),
+    Fault("V* in E0", "V*", "all", [value("V_dot", lambda V_dot, right, at, case: block_diagonal(at.C) @ V_dot)],
+          "V* is answered in the axes of E0",
+          "V* of the contract is in E1"),
+    Fault("V* with angular part first", "V*", "all", [value("V_dot", lambda V_dot, *_: np.roll(V_dot, 3))],
+          "V* is answered with its angular part first",
+          "linear part first"),
+    Fault("Z0 about O1", "(1)", "all", [value("Z0", lambda Z0, right, at, case: block_diagonal(at.C) @ right["Z"])],
+          "The momentum in E0 is about O1: its moment is not carried to the origin of E0",
+          "L1 Z with <O1> in T"),
+    Fault("Z0 in E1", "(1)", "all", [value("Z0", about_origin)],
+          "The momentum in E0 is in the axes of E1",
+          "L1 Z with C in L1"),
+    Fault("energy not halved", "energy", "all", [value("energy", lambda energy, *_: 2 * energy)],
+          "The kinetic energy lacks its factor of one half",
+          "V^T Theta V / 2"),
+    Fault("energy without V^T I phi'", "energy", "all",
+          [value("energy", lambda energy, right, at, case: energy - at.V @ at.I @ at.phi_dot)],
+          "The kinetic energy lacks the coupling of carrier and flywheels, V^T I phi'",
+          "the flywheel's energy is of its whole twist V_s"),
+    Fault("D missing", "(10), (11)", "all", [values("generalized", without_rate)],
+          "D = A' of the generalized coordinates is missing",
+          "V* = A q'' + D q'"),
+    Fault("specific force, sign of gravity", "points", "all", [pieces(lambda at: replace(at, gravity=-at.gravity))],
+          "An accelerometer is made to feel gravity with the wrong sign: acceleration plus gravity",
+          "specific force is acceleration minus gravity: +9.81 upward at rest"),
+    Fault("specific force without gravity", "points", "all", [pieces(lambda at: replace(at, gravity=0 * at.gravity))],
+          "An accelerometer does not feel gravity: the specific force is the plain acceleration",
+          "specific force is acceleration minus gravity"),
+    Fault("omega x v of points missing", "points", "all", [value("points", without_centripetal)],
+          "The acceleration of points lacks omega x v: v* is taken for the acceleration",
+          "v* + omega x v at the point"),
 )

@@ -6,9 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from mahovik.proof.diagnose.edits.matrices import column_of_J, convection, minus, pieces, rate, reaction, zero
-from mahovik.proof.diagnose.edits.reading import wheel
-from mahovik.proof.diagnose.edits.wrenches import drive
+from mahovik.proof.diagnose.edits import column_of_J, convection, drive, minus, pieces, rate, reaction, wheel, zero
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Spinning

@@ -3,34 +3,12 @@
 from __future__ import annotations
 
 from mahovik.proof.evidence.piece import Piece
-from mahovik.proof.evidence.pieces import (
-    comparison,
-    cost,
-    delivery,
-    equations,
-    eva,
-    faults,
-    fuzzing,
-    judges,
-    rounding,
-    selftest,
-    static,
-    targets,
-)
+from mahovik.proof.evidence.pieces.agreement import COMPARISON, FAULTS, JUDGES, ROUNDING
+from mahovik.proof.evidence.pieces.runs import COST, FUZZING, ON_TARGETS, SELFTEST
+from mahovik.proof.evidence.pieces.source import DELIVERY, EQUATIONS, EVA, MISRA, WARNINGS
 
 PIECES: tuple[Piece, ...] = (
-    delivery.PIECE,
-    equations.PIECE,
-    selftest.PIECE,
-    comparison.PIECE,
-    rounding.PIECE,
-    judges.PIECE,
-    faults.PIECE,
-    static.WARNINGS,
-    static.MISRA,
-    eva.PIECE,
-    fuzzing.PIECE,
-    targets.PIECE,
-    cost.PIECE,
+    *(DELIVERY, EQUATIONS, SELFTEST, COMPARISON, ROUNDING, JUDGES, FAULTS),
+    *(WARNINGS, MISRA, EVA, FUZZING, ON_TARGETS, COST),
 )
 """Each can be named by `--only` and `--without`."""

@@ -16,7 +16,7 @@ from Basilisk.simulation import reactionWheelStateEffector, spacecraft, svIntegr
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
-from mahovik.proof.verify.judges.basilisk_wheel import Wheel, hub, unlike, wheels
+from mahovik.proof.verify.judges.basilisk_wheel import Wheel, hub, unsupported_features, wheels
 from mahovik.proof.verify.judges.rigid import Array, Values, attitude
 
 Model = Literal["JitterFullyCoupled", "JitterSimple"]
@@ -39,7 +39,7 @@ class BasiliskJudge:
     version: str = Basilisk.__version__
 
     def __init__(self, stand: Stand, model: Model = "JitterFullyCoupled", asymmetric: bool = False) -> None:
-        found = unlike(stand, asymmetric)
+        found = unsupported_features(stand, asymmetric)
         if found:
             raise UsageError(f"--judges: Basilisk's free spacecraft has no {', '.join(found)}")
         self.stand = stand

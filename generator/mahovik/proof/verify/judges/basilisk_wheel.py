@@ -1,4 +1,4 @@
-"""What a reaction wheel of Basilisk can be, and stands whose flywheels are such wheels.
+"""Reaction wheels that Basilisk can represent, and stands whose flywheels are such wheels.
 
 Its tensor about the mass centre is [[Js, 0, U_d], [0, Jt, 0], [U_d, 0, Jg]] in axes of which the first is the spin axis
 and the second points to the mass centre, U_s / mass away. The equations are exact for Jt = Jg only.
@@ -66,7 +66,7 @@ def hub(stand: Stand, bearing_wheels: bool = False) -> tuple[float, Array, Array
     return mass, center, tensor
 
 
-def unlike(stand: Stand, asymmetric: bool = False) -> list[str]:
+def unsupported_features(stand: Stand, asymmetric: bool = False) -> list[str]:
     """Features of the stand that Basilisk lacks. `asymmetric`: let Jt differ from Jg, which it takes but gets wrong."""
     found = missing(stand)
     found += ["gravity that is the same everywhere"] * any(stand.gravity)
@@ -86,13 +86,13 @@ def unlike(stand: Stand, asymmetric: bool = False) -> list[str]:
     return found + [f"{words} ({', '.join(names)})" for words, names in whose.items()]
 
 
-def with_its_wheels(stand: Stand, asymmetric: bool = False) -> Stand:
+def basilisk_stand(stand: Stand, asymmetric: bool = False) -> Stand:
     """The stand without gravity, its flywheels cut to what Basilisk's wheel has.
 
     Of the dynamic unbalance the part across the static one is kept, of the transverse moments the mean; with
     `asymmetric` each of them.
     """
-    flywheels = tuple(_cut(s, w, asymmetric) for s, w in zip(stand.flywheels, wheels(stand), strict=True))
+    flywheels = tuple(_basilisk_flywheel(s, w, asymmetric) for s, w in zip(stand.flywheels, wheels(stand), strict=True))
     return replace(stand, gravity=(0.0, 0.0, 0.0), flywheels=flywheels)
 
 
@@ -117,7 +117,7 @@ def _direction(body: RigidBody) -> float:
     return float(np.arctan2(-body.inertia[0, 1], body.inertia[0, 2])) if np.any(body.inertia[0, 1:]) else 0.0
 
 
-def _cut(s: Flywheel, wheel: Wheel, asymmetric: bool) -> Flywheel:
+def _basilisk_flywheel(s: Flywheel, wheel: Wheel, asymmetric: bool) -> Flywheel:
     Js, Jt, Jg = np.diag(wheel.tensor)
     if not asymmetric:
         Jt = Jg = (Jt + Jg) / 2

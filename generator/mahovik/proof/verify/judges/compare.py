@@ -1,9 +1,9 @@
-"""The generated C against outside judges: the equations state by state, then a free motion."""
+"""The generated C against outside judges: the equations state by state, then a free motion of some seconds."""
 
 from __future__ import annotations
 
 import importlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any, cast
@@ -11,30 +11,136 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.state import State
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import UsageError
 from mahovik.proof import reference
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import DOUBLE
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.compare import Row, difference
+from mahovik.proof.verify.compare import Differences, Row, difference
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
-from mahovik.proof.verify.judges.motion import MOTION_TOLERANCE, UNTIL, end_of_motion, moderate
-from mahovik.proof.verify.judges.rigid import MovingJudge, OutsideJudge, Values, missing, stripped
+from mahovik.proof.verify.judges.rigid import (
+    Array,
+    JudgeError,
+    MovingJudge,
+    OutsideJudge,
+    Values,
+    attitude,
+    missing,
+    quaternion_rate,
+    stripped,
+)
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.states import Request
 
+UNTIL = 2.0
+"""Duration of the published motions, s. A judge that is broken on purpose differs sooner."""
+
+INTEGRATION = 1e-13
+"""Relative tolerance of a step of either integration."""
+
+MOTION_TOLERANCE = 1e-10
+"""A thousand steps of 1e-13 each, on two sides."""
+
+SPEED, ACCELERATION = 20.0, 10.0
+"""rad/s, rad/s2 of the flywheels: some turns in the time."""
+
+
+def motion_start(stand: Stand, seed: int) -> State:
+    """A state from which 1e-13 a step is kept up: speeds of some turns in the time, torques to match."""
+    rng = np.random.default_rng(seed)
+    state = random_state(stand, rng)
+    inertia = np.diag(reference.pieces(stand, state).Theta_ff)
+    N = len(stand.flywheels)
+    speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * SPEED
+    torques = rng.uniform(-1.0, 1.0, N) * ACCELERATION * inertia
+    return replace(
+        state, phi_dot=tuple(map(float, speeds)), tau=tuple(map(float, torques)), wrench=MappingProxyType({})
+    )
+
+
+def end_of_motion(
+    stand: Stand,
+    state: State,
+    coupled: Callable[[State], tuple[Vec6, tuple[float, ...]]],
+    judge: OutsideJudge | MovingJudge,
+    until: float = UNTIL,
+) -> dict[str, tuple[Array, Array, Array]]:
+    """Parts of the state after `until` s: by `coupled` (V* and phi'' of a state), by the judge, and their scale."""
+    tau = np.array(state.tau)
+    turn = attitude(stand, state).as_quat(scalar_first=True)
+    begin = np.concatenate([state.position, turn, state.V, state.phi, state.phi_dot])
+    N = len(tau)
+
+    def rates(y: Array) -> Array:
+        q = y[3:7] / np.linalg.norm(y[3:7])
+        V, phi, phi_dot = y[7:13], y[13 : 13 + N], y[13 + N :]
+        moved = replace(
+            state,
+            position=cast(Vec3, tuple(y[:3].tolist())),
+            angles=None,
+            quaternion=cast(Quaternion, tuple(q.tolist())),
+            V=cast(Vec6, tuple(V.tolist())),
+            phi=tuple(phi.tolist()),
+            phi_dot=tuple(phi_dot.tolist()),
+        )
+        V_dot, phi_ddot = coupled(moved)
+        return np.concatenate([_matrix(q) @ V[:3], quaternion_rate(q, V[3:]), V_dot, phi_dot, phi_ddot])
+
+    y = integrate(rates, begin, until)
+    q = y[3:7] / np.linalg.norm(y[3:7])
+    own = (y[:3], _matrix(q), y[7:13], y[13 : 13 + N], y[13 + N :])
+    if isinstance(judge, MovingJudge):
+        other = judge.moved(state, until)
+    else:
+        theirs = integrate(lambda y: judge.rates(y, tau), judge.own_coordinates(state), until)
+        other = judge.pose_and_velocity(theirs)
+    names = ("position", "C", "V", "phi", "phi_dot")
+    return dict(zip(names, zip(own, other, _motion_scales(own, until), strict=True), strict=True))
+
+
+def integrate(rates: Callable[[Array], Array], begin: Array, until: float = UNTIL) -> Array:
+    """y after `until` s."""
+    from scipy.integrate import solve_ivp  # slow to import, and not all who compare states integrate
+
+    options: dict[str, Any] = {"method": "DOP853", "rtol": INTEGRATION, "atol": INTEGRATION}
+    found = solve_ivp(lambda _, y: rates(y), (0.0, until), begin, **options)
+    return np.asarray(found.y[:, -1])
+
+
+def _motion_scales(own: tuple[Array, ...], until: float) -> tuple[Array, ...]:
+    """Scales: ways and turns by how far things move in the time, velocities by the fastest of them."""
+    position, C, V, phi, phi_dot = own
+    v, omega = float(np.linalg.norm(V[:3])), float(np.linalg.norm(V[3:]))
+    spin = float(np.abs(phi_dot).max(initial=0.0)) + omega
+    return (
+        np.full(3, float(np.linalg.norm(position)) + v * until),
+        np.full_like(C, 1.0 + spin * until),
+        np.repeat([v, omega + spin], 3),
+        np.full_like(phi, 1.0 + spin * until),
+        np.full_like(phi_dot, spin),
+    )
+
+
+def _matrix(q: Array) -> Array:
+    """C (3x3) of a unit quaternion, w first."""
+    w, v = q[0], q[1:]
+    cross = np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
+    return np.asarray(np.eye(3) + 2.0 * w * cross + 2.0 * cross @ cross)
+
+
 JUDGES = {
     "pinocchio": ("mahovik.proof.verify.judges.pinocchio_judge", "PinocchioJudge"),
     "mujoco": ("mahovik.proof.verify.judges.mujoco_judge", "MujocoJudge"),
 }
-"""Module and class of every judge, imported only where it is asked."""
+"""Module and class of every judge, imported on demand."""
 
 PARTIAL = {"basilisk": ("mahovik.proof.verify.judges.basilisk_judge", "BasiliskJudge", "pip install bsk")}
-"""Judges that know some stands only: without them, or for another stand, a row says that nothing is compared."""
+"""Judges of some stands only, not required. If one is missing or refuses the stand, its row reads `not compared`."""
 
 INSTALL = "pip install pin mujoco"
 
@@ -53,23 +159,26 @@ QUANTITIES = {
     "mount_wrench": "joint forces",
     "points": "points",
 }
-"""What is compared, in words."""
+"""Compared quantities, in words."""
 
 ALL = (*JUDGES, *PARTIAL)
 
 Judge = OutsideJudge | MovingJudge
 
 
-def motion_of(seconds: float) -> str:
+def motion_name(seconds: float) -> str:
     """The motion as a quantity, in words."""
     return f"free motion of {seconds:g} s"
 
 
-MOTION = motion_of(UNTIL)
+MOTION = motion_name(UNTIL)
 
 
 def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judge]:
-    """The judges with the model of the stand. UsageError: not installed, or the stand has what they lack."""
+    """The judges with the model of the stand. UsageError: not installed, or the stand has what they lack.
+
+    Raises JudgeError, which is one, where a judge takes no such bodies.
+    """
     found = missing(stand)
     if found:
         raise UsageError(
@@ -84,7 +193,10 @@ def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judg
 def _load(stand: Stand, name: str) -> Judge:
     module, kind, *install = JUDGES.get(name) or PARTIAL[name]
     try:
-        return cast(Judge, getattr(importlib.import_module(module), kind)(stand))
+        judge = getattr(importlib.import_module(module), kind)
+        return cast(Judge, judge(stand))
+    except (ValueError, RuntimeError) as error:
+        raise JudgeError(f"--judges: {name} refuses this stand: {error}") from None
     except ImportError as error:
         command = install[0] if install else INSTALL
         raise UsageError(f"--judges: {name} is not installed ({error.name or error}): {command}") from None
@@ -102,25 +214,26 @@ def verify_judges(
 ) -> Report:
     """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
 
-    `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
+    A judge that refuses the stand has one row that says why. `bare`: of the stand without what no judge has; the
+    report names it. `until`: s, of the free motion.
     """
     if bare:
         found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until, progress=progress)
         return replace(found, left_out=tuple(missing(stand)))
-    judges = load_judges(stand, [name for name in names if name in JUDGES])
-    absent = []
+    judges, absent = [], []
     for name in names:
-        if name in PARTIAL:
-            try:
-                judges.append(_load(stand, name))
-            except UsageError as error:
-                reason = str(error).removeprefix("--judges: ")
-                absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
-    found = verify_by(stand, judges, seed=seed, count=count, until=until, progress=progress)
+        try:
+            judges += load_judges(stand, [name]) if name in JUDGES else [_load(stand, name)]
+        except UsageError as error:
+            if name in JUDGES and not isinstance(error, JudgeError):
+                raise
+            reason = str(error).removeprefix("--judges: ")
+            absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
+    found = compare_with_judges(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
 
 
-def verify_by(
+def compare_with_judges(
     stand: Stand,
     judges: Sequence[Judge],
     *,
@@ -138,16 +251,16 @@ def verify_by(
     backend = backend or CBackend(stand)
     rows = {(judge.name, key): Row(judge.name, words) for judge in judges for key, words in QUANTITIES.items()}
     states = draw(stand, seed, count)
-    for done, (name, drawn) in enumerate(states):
-        state = near(drawn)
-        own, natural = ours(backend, state), natural_scales(stand, state)
+    for done, (name, given) in enumerate(states):
+        state = near_origin(given)
+        own, natural = judged_values(backend, state), natural_scales(stand, state)
         request = Request(name, state, ("matrices", "forward", "torque", "mounts", "points"))
         for judge in judges:
             for key, value in judge.evaluate(state).items():
                 if _empty(value):
                     continue  # no flywheels, no points: nothing to agree on
                 off, reason = difference(own[key], value, natural[key])
-                rows[judge.name, key].note(off, request, reason)
+                rows[judge.name, key].note(Differences(off), request, reason)
         if progress is not None:
             progress(done + 1, len(states))
     moved = [_motion_row(stand, backend, judge, seed, until) for judge in judges if until > 0.0]
@@ -160,7 +273,7 @@ def verify_by(
     return report(stand, f"{judged} against {who}", seed, count, DOUBLE.default, ordered)
 
 
-def near(state: State) -> State:
+def near_origin(state: State) -> State:
     """The state with the carrier near the origin of E0, and no speed that overflows a judge's range."""
     position = np.array(state.position)
     away = float(np.linalg.norm(position))
@@ -169,7 +282,7 @@ def near(state: State) -> State:
     return replace(state, position=cast(Vec3, tuple(map(float, position))))
 
 
-def ours(backend: Backend, state: State) -> Values:
+def judged_values(backend: Backend, state: State) -> Values:
     """The quantities of a judge from what is judged."""
     found: Values = {}
     for want in ("matrices", "torque", "mounts", "points", "coupled"):
@@ -208,20 +321,19 @@ def _empty(value: Any) -> bool:
 
 def _motion_row(stand: Stand, backend: Backend, judge: Judge, seed: int, until: float) -> Row:
     """Where the stand is in the end, by the C and by the judge, each integrated by itself."""
-    state = moderate(stand, seed)
-    row = Row(judge.name, motion_of(until), tolerance=MOTION_TOLERANCE)
+    state = motion_start(stand, seed)
+    row = Row(judge.name, motion_name(until), tolerance=MOTION_TOLERANCE)
 
     def coupled(moved: State) -> tuple[Vec6, tuple[float, ...]]:
         found = backend.evaluate(moved, ("coupled",))
         return found["V_dot"], found["phi_ddot"]
 
     request = Request("moderate", replace(state, wrench=MappingProxyType({})), ("coupled",))
-    own, other = end_of_motion(stand, state, coupled, judge, until)
-    for part, value in own.items():
-        off, _ = difference(value.values, other[part].values, value.scale)
+    for part, (own, other, scale) in end_of_motion(stand, state, coupled, judge, until).items():
+        off, _ = difference(own, other, scale)
         if off > row.worst or not row.states:
             row.reason = part
-        row.note(off, request, part)
+        row.note(Differences(off), request, part)
     row.states = 1
     row.reason = "" if row.worst <= MOTION_TOLERANCE else row.reason
     return row

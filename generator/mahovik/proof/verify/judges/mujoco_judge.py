@@ -13,7 +13,6 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import UsageError
 from mahovik.proof.verify.judges.rigid import (
     Array,
     RigidBody,
@@ -26,7 +25,7 @@ from mahovik.proof.verify.judges.rigid import (
 
 
 class MujocoJudge:
-    """See OutsideJudge. Raises UsageError where MuJoCo takes no such bodies."""
+    """See OutsideJudge. Raises ValueError where MuJoCo takes no such bodies."""
 
     name = "mujoco"
     version = mujoco.__version__
@@ -34,10 +33,7 @@ class MujocoJudge:
     def __init__(self, stand: Stand) -> None:
         self.stand = stand
         self._bodies = tree(stand)
-        try:
-            self.model = mujoco.MjModel.from_xml_string(mjcf(stand))
-        except ValueError as error:
-            raise UsageError(f"MuJoCo refuses this stand: {error}") from None
+        self.model = mujoco.MjModel.from_xml_string(mjcf(stand))
         self.data = mujoco.MjData(self.model)
         joints = [self.model.joint(body.name).id for body in self._bodies if body.turns]
         # MuJoCo numbers depth first: flywheels of instruments come before those of the carrier

@@ -9,15 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik import laws
+from mahovik.contract import laws
 from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Stand
 from mahovik.core.stand.state import State
+from mahovik.errors import UsageError
 
 Array = NDArray[np.float64]
 Values = dict[str, Any]
 
 SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """Names of SciPy; capitals: about moving axes."""
+
+
+class JudgeError(UsageError):
+    """An outside judge takes no stand of this kind."""
 
 
 class StateJudge(Protocol):
@@ -86,8 +91,7 @@ def missing(stand: Stand) -> list[str]:
     found = []
     for body in stand.bodies:
         found += [f"{body.name}: added_mass"] * (getattr(body, "added_mass", None) is not None)
-        found += [f"{body.name}: buoyancy"] * (body.buoyancy is not None)
-        found += [f"{body.name}: damping"] * (body.damping is not None)
+        found += [f"{body.name}: {text.NAME}" for text in laws.body_parts("text") if body.name in text.bearers(stand)]
     found += ["stream"] * (stand.stream is not None)
     return found + [law.NAME for law in laws.parts("text") if law.short(stand)]
 
@@ -96,8 +100,7 @@ def stripped(stand: Stand) -> Stand:
     """The stand without what `missing` names."""
 
     def dry(body: Any) -> Any:
-        changes = {"buoyancy": None, "damping": None}
-        return replace(body, **changes | ({"added_mass": None} if hasattr(body, "added_mass") else {}))
+        return replace(body, laws=(), **({"added_mass": None} if hasattr(body, "added_mass") else {}))
 
     return replace(
         stand,
@@ -113,7 +116,7 @@ def tree(stand: Stand) -> tuple[RigidBody, ...]:
     """Carrier, instruments, flywheels: parents come first."""
     found = [_rigid(stand.carrier, None, np.zeros(3), np.eye(3))]
     for p in stand.instruments:
-        found.append(_rigid(p, stand.carrier.name, np.array(p.position), _turned(p.angles)))
+        found.append(_rigid(p, stand.carrier.name, np.array(p.position), _rotation(p.angles)))
     for s in stand.flywheels:
         found.append(_rigid(s, s.mount, np.array(s.position), _mounted(s), turns=True))
     return tuple(found)
@@ -122,7 +125,7 @@ def tree(stand: Stand) -> tuple[RigidBody, ...]:
 def frames(stand: Stand) -> tuple[Frame, ...]:
     """Instruments, then points."""
     found = [Frame(p.name, p.name, np.zeros(3), np.eye(3)) for p in stand.instruments]
-    return (*found, *(Frame(p.name, p.mount, np.array(p.position), _turned(p.angles)) for p in stand.points))
+    return (*found, *(Frame(p.name, p.mount, np.array(p.position), _rotation(p.angles)) for p in stand.points))
 
 
 def attitude(stand: Stand, state: State) -> Rotation:
@@ -144,14 +147,14 @@ def quaternion_rate(q: Array, omega: Array) -> Array:
     return np.concatenate([[-v @ omega], w * omega + np.cross(v, omega)]) / 2
 
 
-def _turned(angles: tuple[float, float, float]) -> Array:
+def _rotation(angles: tuple[float, float, float]) -> Array:
     return np.asarray(Rotation.from_euler("ZYX", angles).as_matrix())
 
 
 def _mounted(s: Flywheel) -> Array:
     """Axes of a flywheel at phi_s = 0."""
     if isinstance(s.mounting, MountingAngles):
-        return _turned((s.mounting.psi, s.mounting.theta, s.mounting.zero))
+        return _rotation((s.mounting.psi, s.mounting.theta, s.mounting.zero))
     first = np.array(s.mounting.axis) / np.linalg.norm(s.mounting.axis)
     third = np.cross(first, s.mounting.zero)
     third /= np.linalg.norm(third)

@@ -12,22 +12,19 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.rotation import attitude, rotation_vector
 from mahovik.proof.reference.torque import torque
-from mahovik.proof.verify.programme import table
-from mahovik.proof.verify.programme.along import pieces_at, twist
-from mahovik.proof.verify.programme.finding import Finding, Tolerance, judged
-from mahovik.proof.verify.programme.limits import EXCEEDED, bound_findings
-from mahovik.proof.verify.programme.rest import rest_near
-from mahovik.proof.verify.programme.scale import Scale
-from mahovik.proof.verify.programme.simulation import simulate_rows
+from mahovik.proof.verify.programme.finding import Finding, Tolerance, check_limit, largest
+from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, twist
+from mahovik.proof.verify.programme.simulation import rest_near, simulate_rows
+from mahovik.proof.verify.programme.table import EXCEEDED, bound_findings, samples_finding
 
 STEP_ERROR = 1e-8
-"""Error of a step, over the amplitude: the end of a run-up is held less closely than a programme."""
+"""Error of a step over the amplitude: the end of a run-up has a wider tolerance than a programme."""
 
 STEPS = 24
-"""A period at least, and one a row."""
+"""Least number of steps in a period; there is at least one for each row."""
 
 
-def findings(
+def runup_findings(
     stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, tolerance: Tolerance
 ) -> list[Finding]:
     """Findings for each table: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
@@ -35,7 +32,7 @@ def findings(
     for name, given in (("run-up", programme.runup), ("run-down", programme.rundown)):
         if given is None:
             continue
-        found.append(table.samples_finding(f"{name} table", given.samples, tolerance.table))
+        found.append(samples_finding(f"{name} table", given.samples, tolerance.table))
         found.append(_joint(name, programme, given, tolerance.joint))
         found.append(_rest(name, given, tolerance.joint))
         found += _motion(name, stand, motion, programme, given, scale, tolerance.runup)
@@ -43,17 +40,17 @@ def findings(
 
 
 def _joint(name: str, programme: Programme, given: RunUpTable, limit: float) -> Finding:
-    """Where table and programme meet: phi up to whole turns, phi', phi'' as shares of their peaks."""
+    """Finding on the joint of table and programme: phi up to whole turns, phi', phi'' as shares of their peaks."""
     row = -1 if name == "run-up" else 0
     samples, at = given.samples, programme.at(np.zeros(1))
     turns = (samples.phi[row] - at.phi[0]) / (2 * np.pi)
     errors = [2 * np.pi * np.abs(turns - np.round(turns))]
     for own, theirs in ((samples.phi_dot, at.phi_dot), (samples.phi_ddot, at.phi_ddot)):
-        peak = max(float(np.abs(own).max(initial=0.0)), float(np.abs(theirs).max(initial=0.0)), 1e-300)
+        peak = max(largest(own), largest(theirs), 1e-300)
         errors.append(np.abs(own[row] - theirs[0]) / peak)
     worst = np.max(errors, axis=1, initial=0.0)
     i = int(np.argmax(worst))
-    return judged(
+    return check_limit(
         f"{name} joint", float(worst[i]), limit, f"{('phi', 'phi_dot', 'phi_ddot')[i]} at the programme's t = 0"
     )
 
@@ -62,15 +59,15 @@ def _rest(name: str, given: RunUpTable, limit: float) -> Finding:
     row = 0 if name == "run-up" else -1
     errors = []
     for column in (given.samples.phi_dot, given.samples.phi_ddot):
-        peak = float(np.abs(column).max(initial=0.0)) or 1.0
-        errors.append(float(np.abs(column[row]).max(initial=0.0)) / peak)
-    return judged(f"{name} rest", max(errors), limit, "phi', phi'' of the flywheels at rest, share of their peaks")
+        peak = largest(column) or 1.0
+        errors.append(largest(column[row]) / peak)
+    return check_limit(f"{name} rest", max(errors), limit, "phi', phi'' of the flywheels at rest, share of their peaks")
 
 
 def _motion(
     name: str, stand: Stand, motion: RequiredMotion, programme: Programme, given: RunUpTable, scale: Scale, limit: float
 ) -> list[Finding]:
-    """The carrier by (8): from equilibrium to the required state, or from that to equilibrium."""
+    """Findings on the carrier by (8), from equilibrium to the required state or the reverse, and on its bounds."""
     up = name == "run-up"
     required = motion.at(np.zeros(1), programme.bias)
     q, V = required.q[0], twist(stand, required.q[0], required.q_dot[0])
@@ -89,7 +86,7 @@ def _motion(
         return [Finding(f"{name} end", np.inf, limit, False, str(error))]
     apart = twist(stand, q, x)
     shift = rest.free @ (rest.free.T @ (scale.K0 @ apart))  # where the stand may as well have begun elsewhere
-    shares = (scale.of_displacement(apart - shift), scale.of_twist(V_left))
+    shares = (scale.displacement_share(apart - shift), scale.twist_share(V_left))
     strayed = deviation(stand, y, mean)
     words = (
         f"carrier at the end, pose {shares[0]:.2g}, twist {shares[1]:.2g} of the amplitude; on the way "
@@ -106,8 +103,8 @@ def _motion(
     if motion.bounds.deviation is not None:
         over = strayed / np.array(motion.bounds.deviation)
         words_over = f"{strayed[0]:.6g} m, {strayed[1]:.6g} rad from the mean pose"
-        bounds.append(judged(f"{name} bound deviation", float(over.max()), EXCEEDED, words_over))
-    return [judged(f"{name} end", max(shares), limit, words), *bounds]
+        bounds.append(check_limit(f"{name} bound deviation", float(over.max()), EXCEEDED, words_over))
+    return [check_limit(f"{name} end", max(shares), limit, words), *bounds]
 
 
 def deviation(stand: Stand, y: Array, mean: Array) -> Array:
@@ -118,7 +115,7 @@ def deviation(stand: Stand, y: Array, mean: Array) -> Array:
 
 
 def _torques(stand: Stand, y: Array, angles: tuple[Array, Array, Array]) -> Array:
-    """tau (M, N; N m) while the carrier moves freely."""
+    """Drive torques tau (M, N; N m) while the carrier moves freely."""
     found = []
     for row, phi, phi_dot, phi_ddot in zip(y, *angles, strict=True):
         at = pieces_at(stand, row[:6], row[6:], phi, phi_dot)

@@ -1,8 +1,9 @@
-"""Item 2: the carrier by (8) and (10) under given flywheel angles, from a given state, by SciPy's DOP853."""
+"""The carrier by (8) and (10) under given flywheel angles: item 2, simulation; item 7, stability; and equilibrium."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -11,13 +12,11 @@ from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, solve
 from mahovik.proof.reference.forward import forward
-from mahovik.proof.reference.linear import solve
 from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix
-from mahovik.proof.verify.programme.along import pieces_at, twist
-from mahovik.proof.verify.programme.finding import Finding, judged
-from mahovik.proof.verify.programme.scale import Scale
+from mahovik.proof.verify.programme.finding import Finding, check_limit
+from mahovik.proof.verify.programme.mechanics import Scale, pieces_at, twist
 
 Course = Callable[[Array], Angles]
 
@@ -25,11 +24,11 @@ RTOL = 1e-12
 STEP_ERROR = 1e-9
 """Error of a step, over the amplitude."""
 
-STEPS = 32
-"""A span at least: at the rows of a table the third derivative of phi jumps, to which a step's estimate is blind."""
+STEPS_OF_SPAN = 32
+"""Least number of steps in a span: the error estimate of a step misses jumps of phi's third derivative at rows."""
 
 FURTHEST = 100.0
-"""Amplitudes from the required motion: a carrier that is thrown off further is not followed."""
+"""Largest distance from the required motion, in amplitudes, at which the simulation goes on."""
 
 
 def rate(stand: Stand, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
@@ -60,12 +59,12 @@ def simulate(
     m, rad = scale.lengths()
     atol, rates = _absolute(scale, error), _rates(stand, angles)
 
-    def left(_: float, y: Array) -> float:
+    def margin(_: float, y: Array) -> float:
         away = np.abs(y[:6] - start[:6])
         return float(furthest - max(away[:3].max() / m, away[3:].max() / rad))
 
-    left.terminal = True  # type: ignore[attr-defined]  # for SciPy: the event ends the run
-    events = left if np.isfinite(furthest) else None
+    margin.terminal = True  # type: ignore[attr-defined]  # for SciPy: the event ends the run
+    events = margin if np.isfinite(furthest) else None
     span = (t[0], t[-1])
     first = float(min(longest, t[-1] - t[0]))
     found = solve_ivp(
@@ -83,13 +82,13 @@ def simulate_rows(
 ) -> Array:
     """y = (q, V) (M, 12) at the rows (M, s) of a table; no step goes over a row, where the third derivative jumps.
 
-    See `simulate`. From row to row the same method, without what interpolates inside a step: nobody asks there.
+    See `simulate`. The same method from row to row, without interpolation inside a step, which is not needed here.
     """
     from scipy.integrate import DOP853
 
     starts, steps = rows[:-1], np.diff(rows)
     asked = np.append(starts[:, None] + DOP853.C[: DOP853.n_stages] * steps[:, None], (starts + steps)[:, None], axis=1)
-    atol, rates = _absolute(scale, error), _remembered(_rates(stand, _tabled(angles, asked.ravel())))
+    atol, rates = _absolute(scale, error), _keep_last(_rates(stand, _tabulate(angles, asked.ravel())))
     states = [start]
     for begin, end in pairwise(rows.tolist()):
         step = min(longest, end - begin)
@@ -120,7 +119,7 @@ def _rates(stand: Stand, angles: Course) -> Callable[[float, Array], Array]:
     return rates
 
 
-def _tabled(angles: Course, times: Array) -> Course:
+def _tabulate(angles: Course, times: Array) -> Course:
     """The same, where those at `times` (M, s) are evaluated all at once; at any other time one by one."""
     found = {float(t): row for t, *row in zip(times, *(each[:, None] for each in angles(times)), strict=True)}
 
@@ -131,7 +130,7 @@ def _tabled(angles: Course, times: Array) -> Course:
     return tabled
 
 
-def _remembered(rates: Callable[[float, Array], Array]) -> Callable[[float, Array], Array]:
+def _keep_last(rates: Callable[[float, Array], Array]) -> Callable[[float, Array], Array]:
     """The same; the last answer is kept, since a step begins with what the one before ended with."""
     last: list[tuple[float, Array, Array]] = []
 
@@ -143,20 +142,126 @@ def _remembered(rates: Callable[[float, Array], Array]) -> Callable[[float, Arra
     return remembered
 
 
-def finding(stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float) -> Finding:
+def simulation_finding(
+    stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float
+) -> Finding:
     """The carrier's distance from the required motion over one span, from the required state at t = 0."""
     t = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1)
     course = motion.at(t, programme.bias)
     start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
     try:
-        y = simulate(stand, programme.at, start, t, scale, programme.span / STEPS, furthest=FURTHEST)
+        y = simulate(stand, programme.at, start, t, scale, programme.span / STEPS_OF_SPAN, furthest=FURTHEST)
     except StateError as error:
         return Finding("simulation", np.inf, limit, False, str(error))
     apart = y[:, :6] - course.q
-    shares = [scale.of_displacement(twist(stand, q, x)) for q, x in zip(course.q, apart, strict=True)]
+    shares = [scale.displacement_share(twist(stand, q, x)) for q, x in zip(course.q, apart, strict=True)]
     i = int(np.argmax(shares))
     words = (
         f"of (8) from the required state: largest at t = {t[i]:.6g} s, "
         f"O1 {1e3 * np.linalg.norm(apart[i, :3]):.2g} mm, angles {1e3 * np.linalg.norm(apart[i, 3:]):.2g} mrad away"
     )
-    return judged("simulation", float(shares[i]), limit, words)
+    return check_limit("simulation", float(shares[i]), limit, words)
+
+
+STEPS_OF_PERIOD = 12
+"""Least number of steps in a period, and two for every turn and harmonic: the carrier is slower than its excitation.
+
+Ten to a period leave the multipliers of the example stands right to 1e-5.
+"""
+
+DIFFERENCE = 1e-6
+"""Step of a difference, over 1 + the number itself: multipliers are right to about five digits."""
+
+
+def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
+    """The 12 eigenvalues of the monodromy matrix, the largest modulus first, of a pair that with Im > 0.
+
+    x' = A(t) x along the required motion, y = (q, V), over a period by Magnus's fourth-order steps with A at the
+    two points of Gauss. StateError at a singular attitude.
+    """
+    from scipy.linalg import expm
+
+    steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
+    h = programme.span / steps
+    monodromy = np.eye(12)
+    for step in range(steps):
+        early, late = ((step + 0.5 + side * np.sqrt(3) / 6) * h for side in (-1, 1))
+        A1, A2 = (_linear(stand, motion, programme, t) for t in (early, late))
+        exponent = h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)
+        monodromy = expm(exponent) @ monodromy
+    found = [complex(z) for z in np.linalg.eigvals(monodromy)]
+    # moduli of a pair may differ in the last digits
+    return tuple(sorted(found, key=lambda z: (-round(abs(z), 12), -round(z.real, 12), -z.imag)))
+
+
+def _linear(stand: Stand, motion: RequiredMotion, programme: Programme, t: float) -> Array:
+    """A (12x12): derivatives of (q', V*) by (q, V) at t, by differences."""
+    course, angles = motion.at(np.array([t]), programme.bias), programme.at(np.array([t]))
+    y = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
+    phi, phi_dot, phi_ddot = (each[0] for each in angles)
+    here = rate(stand, y, phi, phi_dot, phi_ddot)
+    A = np.zeros((12, 12))
+    for i in range(12):
+        aside = y.copy()
+        aside[i] += DIFFERENCE * (1.0 + abs(y[i]))
+        A[:, i] = (rate(stand, aside, phi, phi_dot, phi_ddot) - here) / (aside[i] - y[i])
+    return A
+
+
+def floquet_finding(stand: Stand, motion: RequiredMotion, programme: Programme, limit: float) -> Finding:
+    """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
+    try:
+        found = multipliers(stand, motion, programme)
+    except StateError as error:
+        return Finding("Floquet", np.inf, limit, False, str(error))
+    value = abs(found[0])
+    if value > limit:
+        words = "largest multiplier: the motion is right, but not stable without feedback"
+    elif value > 2 - limit:
+        words = "largest multiplier: neutral, the carrier is free to drift"
+    else:
+        words = f"largest multiplier: stable, disturbances decay by {value:.3g} a period"
+    return Finding("Floquet", value, limit, bool(np.isfinite(value)), words, found)
+
+
+FREE = 1e-6
+"""Part of the largest stiffness below which the stand is free to move in a direction."""
+
+TURN = 1e-10
+"""Length of the last step, rad and m."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rest:
+    """Equilibrium: q (6) at rest, and the free directions (6, n): displacements in E1, orthogonal in K0."""
+
+    q: Array
+    free: Array
+
+
+def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> Rest:
+    """The equilibrium for phases phi (N) that Newton's steps, least in K0, find from q. StateError: there is none."""
+    root = np.linalg.cholesky(K0).T  # x^T K0 x = |root x|^2
+    still = np.zeros(len(phi))
+    for _ in range(50):
+        pull = rate(stand, np.concatenate([q, np.zeros(6)]), phi, still, still)[6:]
+        slopes = np.zeros((6, 6))
+        for i in range(6):
+            aside = np.zeros(12)
+            aside[i] = 1e-6
+            y = np.concatenate([q, np.zeros(6)])
+            ahead, behind = (rate(stand, y + side * aside, phi, still, still)[6:] for side in (1, -1))
+            slopes[:, i] = (ahead - behind) / 2e-6
+        A = np.column_stack([twist(stand, q, each) for each in np.eye(6)])
+        stiffness = root @ slopes @ np.linalg.inv(root @ A)
+        U, sigma, Vt = np.linalg.svd(stiffness)
+        kept = sigma > FREE * max(sigma[0], 1e-9)
+        x = np.linalg.solve(root, -(Vt[kept].T @ ((U[:, kept].T @ (root @ pull)) / sigma[kept])))
+        step = np.linalg.solve(A, x)
+        q = q + step * min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-300))
+        if np.abs(step).max() < TURN:
+            left = U[:, ~kept].T @ (root @ pull)
+            if np.linalg.norm(left) > 1e-6 * max(float(np.linalg.norm(stand.gravity)), 1.0) * np.sqrt(K0[0, 0]):
+                break
+            return Rest(q, np.linalg.solve(root, Vt[~kept].T))
+    raise StateError("no equilibrium to start from: with the flywheels at rest the carrier accelerates everywhere")

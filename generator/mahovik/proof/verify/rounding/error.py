@@ -1,4 +1,4 @@
-"""Error of an answer against balls that hold the exact one: bounds, and never less than the error is."""
+"""Upper bounds on the error of an answer, from balls that hold the exact one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 Balls = NDArray[np.object_]
 
 NARROW = 2.0**-16
-"""ulp of the scale; a ball of no larger radius adds nothing to an error that can be seen."""
+"""Largest radius of a ball, ulp of the scale: it adds nothing visible to an error."""
 
 SCREWS = ("V_dot", "F", "Z", "Z0", "mount_wrench")
 """Their last index is that of a screw: three linear components, three angular."""
@@ -45,7 +45,7 @@ MISSING = Error(math.inf, math.inf, math.inf)
 
 
 def ulp(scale: float, significand: int) -> float:
-    """Unit in the last place of a number of so many bits, the hidden one counted."""
+    """Unit in the last place of a number whose significand has this many bits, the hidden one counted."""
     return math.ldexp(1.0, math.frexp(scale)[1] - significand)
 
 
@@ -55,14 +55,14 @@ def units(natural: Any, floor: float, significand: int) -> Array:
     return np.asarray(np.vectorize(ulp, otypes=[np.float64])(raised, significand), dtype=np.float64)
 
 
-def narrow(balls: Any, unit: Array) -> bool:
+def is_narrow(balls: Any, unit: Array) -> bool:
     """Whether every ball of a quantity is finite and narrow for its unit."""
     pairs = zip(_flat(balls), np.broadcast_to(unit, _shape(balls)).flat, strict=True)
     return all(ball.is_finite() and ball.rad() <= NARROW * float(u) for ball, u in pairs)
 
 
 def error(quantity: str, found: Any, balls: Any, natural: Any, floor: float, significand: int) -> Error:
-    """Error of what was found. `natural`: scales, in the same shape."""
+    """Error of the found values. `natural`: scales, in the same shape."""
     shape = _shape(balls)
     numbers = np.array(found, dtype=np.float64)
     if numbers.shape != shape or not np.isfinite(numbers).all():
@@ -77,7 +77,7 @@ def error(quantity: str, found: Any, balls: Any, natural: Any, floor: float, sig
     return Error(
         float((off / unit).max()),
         float((off / raised).max()),
-        _own(quantity, _shaped(apart, shape), _shaped(exact, shape)),
+        _own(quantity, _reshape(apart, shape), _reshape(exact, shape)),
     )
 
 
@@ -115,7 +115,7 @@ def _flat(balls: Any) -> list[arb]:
     return [balls] if isinstance(balls, arb) else [x for each in balls for x in _flat(each)]
 
 
-def _shaped(balls: list[arb], shape: tuple[int, ...]) -> Balls:
+def _reshape(balls: list[arb], shape: tuple[int, ...]) -> Balls:
     found = np.empty(shape, dtype=object)
     found.ravel()[:] = balls  # a view: the array is new
     return found

@@ -1,19 +1,24 @@
-"""Measures the true error of the C over states: against the literal equations, and against its own program."""
+"""True error of the C over states, by the literal equations and its own program in ball arithmetic; and its table."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import json
+import math
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 import numpy as np
-from flint import ctx
+from flint import arb, ctx
 
 from mahovik.contract.functions import FUNCTIONS, wants_of
+from mahovik.core.lower.layout import Layout
+from mahovik.core.program.function import Program
+from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -22,16 +27,79 @@ from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
-from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.c_backend import CBackend, ProgramBackend, prepare_records
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
 from mahovik.proof.verify.report import Report
-from mahovik.proof.verify.rounding.error import MISSING, Array, Error, error, narrow, units
-from mahovik.proof.verify.rounding.exact_program import ExactProgram, given_to_c
-from mahovik.proof.verify.rounding.limits import ULPS
+from mahovik.proof.verify.report import as_json as report_json
+from mahovik.proof.verify.report import conclusion as report_conclusion
+from mahovik.proof.verify.rounding.error import MISSING, Error, error, is_narrow, units
 from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.states import Request
+
+ULPS: Mapping[str, float | None] = {"double": 50.0, "float": None}
+"""Largest accepted error of every quantity in ulp of its natural scale, by element type.
+
+None for float: the tolerances of `verify` are stricter there. In double 1e-12 is 4500 ulp, so that an error of 1e-12
+in one number would pass by the tolerance alone.
+"""
+
+MARGIN = 3.0
+"""Least ratio of a tolerance of `verify` to the possible difference of C and judge (docs/results/rounding.md)."""
+
+
+def ball_precision(precision: Precision) -> Precision:
+    """The element type with balls for numbers; those that come in are rounded to the type first, as in C."""
+
+    def ball(x: Any) -> arb:
+        return x if isinstance(x, arb) else arb(float(precision.scalar(x)))
+
+    return replace(precision, scalar=ball)
+
+
+def sincos(x: arb, sine: list[arb], cosine: list[arb]) -> None:
+    """The program's function of that name."""
+    sine[0], cosine[0] = x.sin_cos()
+
+
+def sincos_each(x: Sequence[arb], sine: list[arb], cosine: list[arb]) -> None:
+    """The program's function of that name; places beyond the angles are zero."""
+    for place in range(len(sine)):
+        sine[place], cosine[place] = x[place].sin_cos() if place < len(x) else (arb(0), arb(0))
+
+
+ROUTINES: Mapping[str, Callable[..., Any]] = {
+    "sincos": sincos,
+    "sincos_each": sincos_each,
+    "sqrt": lambda x: x.nonnegative_part().sqrt(),  # a ball may reach below zero though its number does not
+    "atan2": arb.atan2,
+}
+"""Functions of Arb in the place of the program's own, so that its polynomials count as rounding."""
+
+
+class ExactProgram(ProgramBackend):
+    """The program of a stand in ball arithmetic, on the table of its C: what the C would give if nothing were rounded.
+
+    The difference to the C is the error of a function alone, its table taken as exact; that of the table is in the
+    difference to the literal equations. Wants are evaluated at the working precision.
+    """
+
+    def __init__(self, layout: Layout, program: Program, table: Any, mounting: Any) -> None:
+        exact = replace(program, precision=ball_precision(program.precision))
+        interpreter = Interpreter(exact, ROUTINES)
+        # the numbers of the records are binary: exact at any precision
+        super().__init__(
+            "exact", layout, exact, *prepare_records(interpreter, layout, table, mounting), interpreter.run
+        )
+
+
+def state_given_to_c(backend: ProgramBackend, state: State) -> State:
+    """The state with the quaternion that the C gets; for angles, the one from its own function `quaternion`."""
+    rounded = backend.layout.precision.scalar
+    w, x, y, z = (float(rounded(element)) for element in backend.arguments(state)["x"]["attitude"])
+    return replace(state, angles=None, quaternion=(w, x, y, z))
+
 
 Values = dict[str, Any]
 
@@ -43,7 +111,7 @@ class Rounding:
     row    error over the natural scale, judged by the tolerance of `verify` and by the limits in ulp
     ulps   worst error in ulp of the natural scale: of stand file and state to the answer
     alone  the same of the function alone: its table, and the attitude as it got it, are exact
-    judges the same of those that `verify` judges by, reference and second derivation: of whichever is worse
+    judges worst error of reference and second derivation, in the same units
     apart  error of these over the natural scale
     own    error over the largest component of the same unit, state by state
     limit  accepted of `ulps`; None where nothing is promised but the tolerance
@@ -59,7 +127,7 @@ class Rounding:
 
     @property
     def typical(self) -> float:
-        """Median of `own`: what a user sees; its worst says only how much cancels at some state."""
+        """Median of `own`, which users see; its maximum shows only how much cancels at some state."""
         return median(self.own) if self.own else 0.0
 
     def note(
@@ -87,7 +155,7 @@ class Rounding:
 
 @dataclass(frozen=True)
 class RoundingReport:
-    """The lines, and the same as `verify` reports them."""
+    """Result of a measurement: the lines of the table, and a report like that of `verify`."""
 
     real: str
     lines: tuple[Rounding, ...]
@@ -100,21 +168,24 @@ class Ruler:
     def __init__(self, stand: Stand, backend: CBackend, real: str) -> None:
         self._stand = stand
         self._backend = backend
-        self._real = real
-        self._floor = BOUNDS[real].floor
+        self._bounds = BOUNDS[real]
+        self._limit = ULPS[real]
+        self._significand = backend.layout.precision.significand
         self._second = Second(stand)
-        self._exact: dict[CBackend, ExactProgram] = {}
+        self._exact_program = cache(lambda c: ExactProgram(c.layout, c.program, c.table(), c.mounting))
         self.lines: dict[tuple[str, str], Rounding] = {}
 
     @property
     def wants(self) -> tuple[str, ...]:
-        """What the C offers and has an enclosure."""
+        """Wants that the C offers and that have an enclosure."""
         return tuple(want for want in wants_of("rigorous") if want in self._backend.wants)
 
     def measure(self, name: str, state: State) -> None:
         """Note the errors of all wants at a state; one that the reference refuses is no test."""
-        at = self._pieces(state)
-        if at is None:
+        try:
+            with np.errstate(all="ignore"):
+                at = reference.pieces(self._stand, state)
+        except (StateError, ArithmeticError):
             return
         pieces = cache(lambda bits: rigorous.pieces_at(self._stand, state, bits))
         for want in self.wants:
@@ -133,16 +204,17 @@ class Ruler:
         self, request: Request, natural: Values, literal: Callable[[int], Balls], judges: Sequence[Values]
     ) -> None:
         """Note the errors of one want, and of what judges found of it, by the literal equations and the program."""
-        state, want = request.state, request.want
-        judged = self._judged(state)
-        program = self._program(judged)
+        state, want, floor = request.state, request.want, self._bounds.floor
+        # the C that takes the run-time wrenches of the state
+        judged = self._backend if set(state.wrench) <= set(self._backend.inputs) else self._backend.full
+        program = self._exact_program(judged)
 
         def good(balls: Balls) -> bool:
-            return all(narrow(balls[key], self._units(scale)) for key, scale in natural.items())
+            return all(is_narrow(balls[key], units(scale, floor, self._significand)) for key, scale in natural.items())
 
         try:
             found = judged.evaluate(state, want)
-            given = given_to_c(judged, state)
+            given = state_given_to_c(judged, state)
 
             def alone(bits: int) -> Balls:
                 with ctx.workprec(bits):
@@ -156,21 +228,16 @@ class Ruler:
         with ctx.workprec(BITS):
             for key, scale in natural.items():
 
-                def off(values: Values, balls: Balls, key: str = key, scale: Any = scale) -> Error:
-                    return error(key, values[key], balls[key], scale, self._floor, self._precision.significand)
+                def error_of_values(values: Values, balls: Balls, key: str = key, scale: Any = scale) -> Error:
+                    return error(key, values[key], balls[key], scale, floor, self._significand)
 
-                others = [off(values, whole) for values in judges]
-                self._line(want[0], key).note(request, off(found, whole), off(found, own), others)
-
-    def _pieces(self, state: State) -> reference.Pieces | None:
-        try:
-            with np.errstate(all="ignore"):
-                return reference.pieces(self._stand, state)
-        except (StateError, ArithmeticError):
-            return None
+                others = [error_of_values(values, whole) for values in judges]
+                self._line(want[0], key).note(
+                    request, error_of_values(found, whole), error_of_values(found, own), others
+                )
 
     def _judges(self, state: State, want: str, at: reference.Pieces) -> list[Values]:
-        """What reference and second derivation find; nothing where the reference refuses."""
+        """Answers of reference and second derivation; none if the reference refuses."""
         try:
             found = [reference.evaluate(self._stand, state, [want], at)]
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
@@ -180,28 +247,9 @@ class Ruler:
                 found.append(self._second.evaluate(state, (want,)))
         return found
 
-    def _judged(self, state: State) -> CBackend:
-        """The C that takes the run-time wrenches of a state."""
-        return self._backend if set(state.wrench) <= set(self._backend.inputs) else self._backend.full
-
-    def _units(self, scale: Any) -> Array:
-        return units(scale, self._floor, self._precision.significand)
-
-    @property
-    def _precision(self) -> Precision:
-        return self._backend.layout.precision
-
-    def _program(self, judged: CBackend) -> ExactProgram:
-        if judged not in self._exact:
-            self._exact[judged] = ExactProgram(judged.layout, judged.program, judged.table(), judged.mounting)
-        return self._exact[judged]
-
     def _line(self, want: str, quantity: str) -> Rounding:
-        key = (want, quantity)
-        if key not in self.lines:
-            row = Row(want, quantity, tolerance=BOUNDS[self._real].of(want, quantity))
-            self.lines[key] = Rounding(row, ULPS[self._real])
-        return self.lines[key]
+        row = Row(want, quantity, tolerance=self._bounds.of(want, quantity))
+        return self.lines.setdefault((want, quantity), Rounding(row, self._limit))
 
 
 def measure_rounding(
@@ -214,7 +262,7 @@ def measure_rounding(
     progress: Progress | None = None,
     backend: CBackend | None = None,
 ) -> RoundingReport:
-    """Errors of the generated C, fresh or as it lies in `against`, over the states of `verify`.
+    """Errors of the generated C, fresh or in the folder `against`, over the states of `verify`.
 
     `backend`: where it is compiled already. Raises ToolchainError where it does not compile, CheckError where it is of
     another stand.
@@ -232,3 +280,46 @@ def measure_rounding(
     judged = f"{real} C" if against is None else f"{real} C in {against}"
     rows = [line.row for line in lines]
     return RoundingReport(real, lines, report(stand, judged, seed, len(states), BOUNDS[real].default, rows))
+
+
+NEGLIGIBLE = 1e-9
+"""Errors below this, in ulp, are shown as 0: the answer is exact, and its enclosure has a radius."""
+
+
+def ulp_text(ulps: float, digits: int = 2) -> str:
+    """Text of an error in ulp."""
+    return "0" if ulps < NEGLIGIBLE else f"{ulps:.{digits}g}"
+
+
+def conclusion(found: RoundingReport) -> str:
+    """The verdict."""
+    if not found.report.passed:
+        return report_conclusion(found.report)
+    worst = max(found.lines, key=lambda line: line.ulps)
+    words = f"passed: worst {ulp_text(worst.ulps)} ulp of the natural scale, {worst.row.quantity} ({worst.row.want})"
+    return words if worst.limit is None else f"{words}; {worst.limit:g} accepted"
+
+
+def as_json(found: RoundingReport) -> str:
+    """JSON of `verify`, with the errors of each row; null where an error is not finite."""
+    table: dict[str, Any] = json.loads(report_json(found.report))
+    table["real"] = found.real
+    table["conclusion"] = conclusion(found)
+    for row, line in zip(table["rows"], found.lines, strict=True):
+        for unused in ("second", "between", "disagreement"):
+            del row[unused]
+        row.update(_errors(line))
+    return json.dumps(table, indent=1, allow_nan=False)
+
+
+def _errors(line: Rounding) -> dict[str, float | None]:
+    found = {
+        "ulps": line.ulps,
+        "ulps_accepted": line.limit,
+        "ulps_function_alone": line.alone,
+        "ulps_judges": line.judges,
+        "worst_judges": line.apart,
+        "relative_typical": line.typical,
+        "relative_worst": max(line.own, default=0.0),
+    }
+    return {key: x if x is not None and math.isfinite(x) else None for key, x in found.items()}

@@ -1,6 +1,6 @@
 """The natural scale of every quantity: what its difference to the reference is measured against.
 
-A quantity is a sum of products. Its scale is the same sum with every term by its magnitude, so that it says how
+A quantity is a sum of products. Its scale is the same sum of the magnitudes of the terms: it shows how
 large the numbers are that rounding acted on: a component that is small because large terms cancel is not asked
 for digits that no program can have. Rotations mix components, so a vector that is turned counts by its length,
 and what a linear system is solved for goes through the magnitudes of the inverse. See docs/verification.md.
@@ -16,10 +16,18 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
-from mahovik.proof.verify.scales.direct import forward, generalized, matrices, momentum
-from mahovik.proof.verify.scales.inverse import coupled, inverse
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
-from mahovik.proof.verify.scales.mounts import mounts, points, torque
+from mahovik.proof.verify.scales.wants import (
+    coupled,
+    forward,
+    generalized,
+    inverse,
+    matrices,
+    momentum,
+    mounts,
+    points,
+    torque,
+)
 
 Scales = dict[str, Any]
 

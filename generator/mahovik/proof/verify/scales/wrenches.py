@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
-from mahovik import laws
-from mahovik.core.stand.model import Body, Damping, Stand
+from mahovik.contract import laws
+from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed
 from mahovik.proof.reference.pose import Pose
-from mahovik.proof.verify.scales.parts import force_scale, length
+from mahovik.proof.verify.scales.parts import length
 
 
 def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:
@@ -30,15 +30,13 @@ def wrench_scale(stand: Stand, state: State, at: Pieces) -> Array:
 
 
 def own_scale(stand: Stand, state: State, at: Pieces, name: str) -> Array:
-    """Scale of P_k (6; N, N m) in the body's own frame: weight, buoyancy, damping, run-time wrench."""
+    """Scale of P_k (6; N, N m) in the body's own frame: run-time wrench and laws of bodies."""
     body = next(b for b in stand.bodies if b.name == name)
     gravity = length(stand.gravity)
     total = np.abs(np.array(state.wrench.get(name, (0.0,) * 6), dtype=np.float64))
-    total += force_scale(body.mass * gravity, body.center_of_mass)
-    if body.buoyancy is not None:
-        total += force_scale(body.buoyancy.displaced_mass * gravity, body.buoyancy.center)
-    if body.damping is not None:
-        total += _damping(body.damping, twist_scale(stand, at, body))
+    twist = twist_scale(stand, at, body)
+    for scale in laws.of_bodies("scale", "scale"):
+        total += scale(body, gravity, twist)
     return total
 
 
@@ -57,15 +55,3 @@ def _arm(at: Pieces, name: str) -> float:
     placed: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
     L = next(k.L for k in placed if k.body.name == name)
     return length(L[3:, :3].ravel()) / math.sqrt(2.0)  # |<O>| of Frobenius is sqrt(2) |O|
-
-
-def _damping(damping: Damping, twist: Array) -> Array:
-    total = np.zeros(6)
-    if damping.linear is not None:
-        total += np.abs(np.array(damping.linear)) @ twist
-    if damping.quadratic is not None:
-        total += np.abs(np.array(damping.quadratic)) @ (twist * twist)
-    for term in damping.terms:
-        first, second = (twist[factor.component] for factor in term.of)
-        total[term.wrench] += abs(term.value) * first * second
-    return total

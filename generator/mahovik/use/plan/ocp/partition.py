@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.nearest import meant
+from mahovik.nearest import suggestion
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.options import PlanOptions
+from mahovik.use.plan.certificate import scaled_columns
+from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.flywheels import waves
+from mahovik.use.plan.residual.body_laws import twist_laws
 
 NEARLY = 1e-3
 """Least singular value of K^-1/2 I+ Theta_ff^-1/2 below which a time is reported: (13) loses three digits there."""
@@ -35,7 +36,7 @@ def partition_of(names: Sequence[str], stand: Stand) -> Plus:
     shown = f"--partition {','.join(given)}"
     for name in given:
         if name not in known:
-            raise UsageError(f"{shown}: the stand has no flywheel {name!r}{meant(name, known)}")
+            raise UsageError(f"{shown}: the stand has no flywheel {name!r}{suggestion(name, known)}")
     if len(given) != 6:
         raise UsageError(f"{shown}: {len(given)} names; expected the six dependent flywheels of (13)")
     if len(set(given)) != 6:
@@ -44,7 +45,7 @@ def partition_of(names: Sequence[str], stand: Stand) -> Plus:
 
 
 @dataclass(frozen=True, eq=False)
-class Along:
+class PartitionCourse:
     """I+ along a motion: K^-1/2 I+ Theta_ff^-1/2, dimensionless, the same for any units, origin and axes.
 
     t            (M, s)
@@ -58,10 +59,12 @@ class Along:
     values: Array
 
     @staticmethod
-    def of(own: Mechanics, t: Array, phi: Array, plus: Plus) -> Along:
+    def of(own: Mechanics, t: Array, phi: Array, plus: Plus) -> PartitionCourse:
         """I+ at angles phi (M, N) at times t."""
         columns: Array = scaled_columns(own, phi)[:, :, list(plus)]
-        return Along(plus, t, np.asarray(np.linalg.det(columns)), np.asarray(np.linalg.svd(columns, compute_uv=False)))
+        return PartitionCourse(
+            plus, t, np.asarray(np.linalg.det(columns)), np.asarray(np.linalg.svd(columns, compute_uv=False))
+        )
 
     @property
     def least(self) -> float:
@@ -105,7 +108,7 @@ class Along:
         return f"partition {','.join(names[k] for k in self.plus)}: det I+ = 0 at t = {at} s"
 
 
-def best_partition(own: Mechanics, t: Array, phi: Array) -> Along:
+def best_partition(own: Mechanics, t: Array, phi: Array) -> PartitionCourse:
     """Partition with the largest least singular value along phi (M, N); one without change of sign comes first.
 
     All are screened at a few times, and the most promising evaluated at all times.
@@ -119,16 +122,8 @@ def best_partition(own: Mechanics, t: Array, phi: Array) -> Along:
         determinants, least = np.linalg.det(I), np.linalg.svd(I, compute_uv=False)[..., -1].min(axis=1)
         turned = np.any(determinants[:, 1:] * determinants[:, :-1] < 0.0, axis=1)
         scores = sorted([*scores, *zip((turned - least).tolist(), batch, strict=True)])[:_KEPT]
-    close = [Along.of(own, t, phi, plus) for _, plus in scores]
+    close = [PartitionCourse.of(own, t, phi, plus) for _, plus in scores]
     return max(close, key=lambda each: (each.least, -len(each.crossings), float(each.values[:, -1].min())))
-
-
-def scaled_columns(own: Mechanics, phi: Array) -> Array:
-    """G^-1 I Theta_ff^-1/2 (M, 6, N) with K = G G^T, at angles phi (M, N)."""
-    h, _ = waves(phi)
-    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
-    I = np.einsum("hmn,hni->min", h, own.tables.coupling)
-    return np.asarray(np.linalg.solve(np.linalg.cholesky(K), I / np.sqrt(own.tables.Theta_ff)))
 
 
 def order_of(plus: Plus, N: int) -> NDArray[np.intp]:
@@ -146,7 +141,7 @@ def requested_partition(stand: Stand, options: PlanOptions) -> Plus | None:
     if N < 6:
         raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs six dependent ones; use --method fourier")
     for wheel in stand.flywheels:
-        if wheel.damping is not None:
+        if twist_laws(wheel) is not None:
             raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')
     plus = None if options.partition is None else partition_of(options.partition, stand)
     if find_spec("casadi") is None:

@@ -1,29 +1,90 @@
-"""From programmes of the Fourier method to those of (13): partition, IPOPT, refinement, report."""
+"""From programmes of the Fourier method to those of (13): partition, IPOPT, refinement, report.
+
+The refinement makes a collocated motion exact: the Fourier method removes the residual between the nodes.
+"""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Generic, TypeVar
 
 import numpy as np
 
+from mahovik.core.motion.programme import Angles
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.choose import Improver
 from mahovik.use.plan.finite import FiniteProblem, Solved
+from mahovik.use.plan.levenberg import Rules, refine, refine_periodic
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.ocp.coefficients import Scaled
-from mahovik.use.plan.ocp.mesh import Mesh
-from mahovik.use.plan.ocp.partition import Along, Plus, best_partition, order_of
-from mahovik.use.plan.ocp.refine import exact_periodic, finite_exact, finite_start, periodic_start
-from mahovik.use.plan.ocp.solve import Collocated, Start, solve
-from mahovik.use.plan.ocp.structure import Formulation
-from mahovik.use.plan.options import PlanOptions
-from mahovik.use.plan.outcome import Candidates, OnProgress
-from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.search import Candidate
+from mahovik.use.plan.ocp.partition import PartitionCourse, Plus, best_partition, order_of
+from mahovik.use.plan.ocp.solve import Collocated, Scaled, Start, solve
+from mahovik.use.plan.ocp.structure import Mesh
+from mahovik.use.plan.optimise import evaluate, finish
+from mahovik.use.plan.outcome import Candidates, OnProgress, PlanOptions
+from mahovik.use.plan.problem import Basis, Periodic, Problem
+from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, Improver
+
+REFINEMENT_STEPS = 60
+"""Steps of the refinement."""
+_FEWEST_HARMONICS, _MOST_HARMONICS = 16, 32
+"""Least and greatest number of harmonics of the fit."""
+
+
+def periodic_start(motion: Periodic) -> Start:
+    """A periodic flywheel motion as a start."""
+
+    def angles_at(t: Array) -> Angles:
+        return motion.at(Basis.of(motion.period, motion.H, t))
+
+    return Start(angles_at, motion.winding, motion.bias)
+
+
+def exact_periodic(improver: Improver, start: Candidate, found: Collocated) -> Candidate:
+    """The periodic motion on (12) next to a collocated one: fit of its harmonics, then shortest steps."""
+    problem, H = improver.problem, int(np.clip(start.motion.H, _FEWEST_HARMONICS, _MOST_HARMONICS))
+    M = 8 * H
+    t: Array = np.asarray(np.arange(M) * (found.span / M))
+    turned = found.at(t).phi - np.outer(t / found.span, 2.0 * np.pi * start.motion.winding)
+    spectrum = np.fft.rfft(turned, axis=0)[: H + 1].T / M
+    waves = np.hstack([spectrum[:, :1].real, 2.0 * spectrum[:, 1:].real, -2.0 * spectrum[:, 1:].imag])
+    motion = Periodic(start.motion.period, start.motion.winding, waves, found.bias)
+    budget = Budget(REFINEMENT_STEPS)
+    done = finish(problem, improver.cost, evaluate(problem, improver.cost, motion, 0), budget)
+    if done.residual > problem.tolerance:
+        done = evaluate(
+            problem, improver.cost, refine_periodic(problem, motion, HARMONIC_COUNTS, budget).motion, budget.taken
+        )
+    return improver.candidate(done, start.kind, start.free)
+
+
+def finite_start(problem: FiniteProblem, solved: Solved) -> Start:
+    """A finite flywheel motion as a start."""
+    space = problem.space(solved.degree)
+    return Start(lambda t: solved.motion.at(space.modes(t)), np.zeros(problem.N), solved.motion.bias)
+
+
+def finite_exact(problem: FiniteProblem, start: Solved, found: Collocated) -> Solved:
+    """The finite motion on (12) next to a collocated one: fit of its modes, then steps at the degree of the start."""
+    space = problem.space(start.degree)
+    t, weight = space.nodes(start.degree + 1)
+    root = np.sqrt(weight)[:, None]
+    modes, phi = space.modes(t), found.at(t).phi - t[:, None] * found.phi_dot[:, 0]
+    pinned = problem.motion.bounds.start_phi is not None
+    first = np.where(pinned, start.motion.waves[:, 0], 0.0)
+    left = root * (phi - modes.value[:, :1] * first)
+    columns = slice(1, None) if pinned else slice(None)
+    waves = np.zeros_like(start.motion.waves)
+    waves[:, 0] = first
+    waves[:, columns] = np.linalg.lstsq(root * modes.value[:, columns], left, rcond=None)[0].T
+    motion = replace(start.motion, waves=waves, bias=found.bias)
+    grid = problem.grid_of(start.degree, space.nodes(max(3, start.degree - 2), 4)[0])
+    reached = refine(
+        problem, grid, motion, Rules(1e-3 * problem.tolerance, REFINEMENT_STEPS, 1e-2), Budget(REFINEMENT_STEPS)
+    ).motion
+    fine = problem.between(start.degree, 3 * start.degree)
+    return Solved(reached, start.degree, float(np.linalg.norm(problem.rows(fine, reached), axis=1).max()))
+
 
 INTERVALS, DEGREE = 24, 4
 """Intervals per period of a motion with one harmonic (higher ones add more), and degree."""
@@ -60,7 +121,7 @@ def periodic_ocp(
     options: PlanOptions,
     plus: Plus | None,
     budget: Budget,
-    on_progress: OnProgress | None,
+    on_progress: OnProgress,
 ) -> Candidates[Candidate]:
     """(13) of a periodic motion, from programmes of the Fourier method."""
     problem = improver.problem
@@ -84,7 +145,7 @@ def finite_ocp(
     options: PlanOptions,
     plus: Plus | None,
     budget: Budget,
-    on_progress: OnProgress | None,
+    on_progress: OnProgress,
 ) -> Candidates[Solved]:
     """(13) of a finite motion with x(t0) = x0, from programmes of the search; `figures`: of one, for its report."""
     breaks = problem.space(warm[0].degree).breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
@@ -110,25 +171,19 @@ class _Run(Generic[Kind]):
     task: _Task[Kind]
     options: PlanOptions
     budget: Budget
-    on_progress: OnProgress | None
-
-    @property
-    def formulation(self) -> Formulation:
-        """Formulation of (13) for the method; `fourier` has none."""
-        assert self.options.method != "fourier"
-        return self.options.method
+    on_progress: OnProgress
 
     @property
     def names(self) -> list[str]:
         """Names of the flywheels."""
         return [s.name for s in self.problem.stand.flywheels]
 
-    def along(self, one: Kind, plus: Plus | None) -> Along:
+    def along(self, one: Kind, plus: Plus | None) -> PartitionCourse:
         """I+ along a programme; if `plus` is None, for the best partition there."""
         t: Array = np.linspace(0.0, self.problem.motion.span, _TIMES)
         phi = self.task.start(one).at(t).phi
         own = self.problem.mechanics
-        return best_partition(own, t, phi) if plus is None else Along.of(own, t, phi, plus)
+        return best_partition(own, t, phi) if plus is None else PartitionCourse.of(own, t, phi, plus)
 
     def run_all(self, warm: Sequence[Kind], plus: Plus | None) -> Candidates[Kind]:
         """Programmes, most promising start first, until the wanted number is found."""
@@ -151,18 +206,19 @@ class _Run(Generic[Kind]):
         outcome.found.sort(key=lambda each: (not self.task.kept(each[0]), self.task.objective(each[0])))
         return outcome
 
-    def run_one(self, warm: Kind, along: Along, plus: Plus | None, outcome: Candidates[Kind]) -> None:
+    def run_one(self, warm: Kind, along: PartitionCourse, plus: Plus | None, outcome: Candidates[Kind]) -> None:
         """Solve (13) from one programme; the outcome gets the new programme, or the reason why there is none."""
-        until = None
-        if self.options.seconds is not None:
-            until = time.monotonic() + max(0.0, self.options.seconds - self.budget.elapsed)
+        left = None if self.options.seconds is None else max(0.0, self.options.seconds - self.budget.elapsed)
+        time = Budget(0, left)
         scaled = Scaled(self.problem, self.cost, order_of(along.plus, self.problem.N))
+        method = self.options.method
+        assert method != "fourier"
         best: tuple[Kind, Collocated] | None = None
         tries: list[Collocated] = []
         try:
             for part in PARTS:
                 start = self.task.start(warm)
-                run = solve(scaled, self.formulation, self.task.mesh, start, part, self.on_progress, until)
+                run = solve(scaled, method, self.task.mesh, start, part, self.on_progress, time)
                 tries.append(run)
                 outcome.interrupted |= run.interrupted
                 outcome.cut |= run.cut
@@ -183,14 +239,13 @@ class _Run(Generic[Kind]):
             return
         if best is None:
             last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
-            self.add_words(
-                outcome, f"{last}; its motion violates (12) between the nodes; --method fourier has a programme"
-            )
+            why = f"{last}; its motion violates (12) between the nodes; --method fourier has a programme"
+            outcome.words = [*outcome.words, why]
             return
         after = self.along(best[0], along.plus if self.options.method == "ocp-partition" else plus)
         if self.options.method == "ocp-partition" and after.crossings.size:
             outcome.reason = SINGULAR
-            self.add_words(outcome, after.words(self.names))
+            outcome.words = [*outcome.words, after.words(self.names)]
             return
         report = self.report(warm, best[0], best[1], after, iterations)
         outcome.found.append((best[0], report))
@@ -200,12 +255,9 @@ class _Run(Generic[Kind]):
         task = self.task
         return task.kept(warm) and (not task.kept(became) or task.objective(became) > task.objective(warm))
 
-    @staticmethod
-    def add_words(outcome: Candidates[Kind], words: str) -> None:
-        """Add a line to the outcome's words."""
-        outcome.words = [*outcome.words, words]
-
-    def report(self, warm: Kind, became: Kind, run: Collocated | None, along: Along, iterations: int) -> dict[str, Any]:
+    def report(
+        self, warm: Kind, became: Kind, run: Collocated | None, along: PartitionCourse, iterations: int
+    ) -> dict[str, Any]:
         """Entries for the programme's report; `run` None: the start itself is given."""
         mesh = self.task.mesh
         return {

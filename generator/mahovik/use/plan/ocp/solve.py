@@ -1,24 +1,165 @@
-"""One run of IPOPT from a flywheel motion: numbers in, the collocated motion out."""
+"""One run of IPOPT from a flywheel motion: numbers in, the collocated motion out.
+
+The numbers are coefficients in the scales of `node`, and bounds: E_x, E_u and x(t0) of (13), and those of its rows.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.budget import defer_interrupt
-from mahovik.use.plan.fourier import Angles
-from mahovik.use.plan.ocp.coefficients import Scaled
-from mahovik.use.plan.ocp.limits import row_bounds, unknown_bounds
-from mahovik.use.plan.ocp.mesh import Mesh
-from mahovik.use.plan.ocp.structure import Formulation, Structure, Unknowns
-from mahovik.use.plan.ocp.transcription import transcription
-from mahovik.use.plan.ocp.watch import Seen
+from mahovik.use.plan.budget import Budget, defer_interrupt
+from mahovik.use.plan.objective import KINDS, Cost
+from mahovik.use.plan.ocp.structure import Formulation, Mesh, Structure
+from mahovik.use.plan.ocp.transcription import RunRecord, transcription
+from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual import prescribe, residual
+
+
+@dataclass(frozen=True, eq=False)
+class Scaled:
+    """A planning problem in the scales of `node`: flywheels in the order `order`, time in 1/Omega.
+
+    order   (N) numbers of the flywheels, (-, +) of (13)
+    torque  (N, in the stand's order) J_s Omega^2, N m: unit of torque
+    """
+
+    problem: Problem
+    cost: Cost
+    order: NDArray[np.intp]
+
+    @property
+    def Omega(self) -> float:
+        """Frequency of the motion, rad/s."""
+        return self.cost.Omega
+
+    @property
+    def span(self) -> float:
+        """Span of the motion in 1/Omega."""
+        return self.problem.motion.span * self.Omega
+
+    @property
+    def torque(self) -> Array:
+        """Unit of torque (N), N m."""
+        return np.asarray(self.cost.spin_inertia * self.Omega**2)
+
+    def node_parameters(self, t: Array, angles: Angles, bias: Array) -> Array:
+        """Parameters (P, M) of the nodes at times t (M, s), around a bias.
+
+        The change by the bias is linear, with the flywheels at the given angles (M, N). The error is of second order,
+        and the result is solved exactly afterwards.
+        """
+        problem, M = self.problem, len(t)
+        course = problem.motion.at(t)
+        at = prescribe(problem.mechanics, course, bias)
+        by_bias, tau_by_bias = problem.around(course, bias).rates(angles)
+        base = problem.norm.scaled(at.base)
+        fixed, moving = (np.transpose(self._rows(x), (2, 0, 1, 3)) for x in (at.fixed, at.moving * self.Omega))
+        parts = (base, fixed, moving, by_bias, (tau_by_bias / self.torque[:, None])[:, self.order])
+        return np.hstack([x.reshape(M, -1) for x in parts]).T
+
+    def _rows(self, table: Array) -> Array:
+        """A table (5, 7, M, N) with relative rows, flywheels reordered."""
+        root = self.problem.norm.root / self.problem.norm.demand
+        wrench = np.einsum("ij,hjmn->himn", root, table[:, :6])
+        return np.concatenate([wrench, (table[:, 6] / self.torque)[:, None]], axis=1)[..., self.order]
+
+    def stand_parameters(self, mean_speed: Array) -> Array:
+        """Parameters of all nodes (P): tables, objective, motors; mean speeds (N, rad/s)."""
+        own, cost, drives, Omega = self.problem.mechanics, self.cost, self.cost.drives, self.Omega
+        still, spun = (self._rows(x * Omega**2)[:, :, 0] for x in (own.still, own.spun))
+        per_flywheel = (
+            np.array([cost.weights[kind] for kind in KINDS]),
+            mean_speed / Omega,
+            drives.resistance * cost.spin_inertia * Omega / drives.constant**2,
+            drives.viscous * Omega / self.torque,
+            drives.coulomb / self.torque,
+            drives.coulomb_speed / Omega,
+        )
+        column = Omega**2 / self.problem.norm.demand * np.sqrt(own.tables.Theta_ff)
+        ordered = [x[..., self.order].ravel() for x in (column, *per_flywheel)]
+        return np.concatenate([still.ravel(), spun.ravel(), *ordered])
+
+    def limits(self, bounds: Bounds, kind: str, part: float) -> Array:
+        """Magnitudes (N, reordered) of a bound in these scales, times `part`; infinite without a bound."""
+        given = getattr(bounds, kind)
+        if given is None:
+            return np.full(self.problem.N, np.inf)
+        scale = {
+            "speed": self.Omega, "speed_min": self.Omega, "acceleration": self.Omega**2,
+            "torque": self.torque, "angle": 1.0,
+        }[kind]  # fmt: skip
+        return np.asarray((np.array(given) / scale)[self.order] * part)
+
+
+VOLUME = 0.1
+"""Limit of |det I+| at the nodes, as a part of its smallest value along the start."""
+
+
+def unknown_bounds(scaled: Scaled, own: Structure, winding: Array, bias: Array, part: float) -> tuple[Array, Array]:
+    """Bounds of speeds, accelerations that are controls, bias (around `bias`, 6), and x(t0) of a finite motion."""
+    problem, order, N = scaled.problem, scaled.order, own.N
+    bounds = problem.motion.bounds
+    x_low, x_high = _state_bounds(scaled, own, winding, part)
+    u = np.tile(scaled.limits(bounds, "acceleration", part)[: own.controls], own.M)
+    widest = np.full(6, np.inf) if bounds.bias is None else np.array(bounds.bias, dtype=np.float64)
+    shift_low, shift_high = (np.where(problem.free, sign * widest - bias, 0.0) for sign in (-1.0, 1.0))
+    mean = np.full(N, np.inf if "angle" in own.kinds else 0.0)
+    low = np.concatenate([x_low.ravel("F"), -u, shift_low, -mean])
+    high = np.concatenate([x_high.ravel("F"), u, shift_high, mean])
+    if problem.motion.periodic:
+        return low, high
+    if bounds.start_phi is not None:
+        low[:N] = high[:N] = np.array(bounds.start_phi)[order]
+    low[N : 2 * N] = high[N : 2 * N] = np.array(bounds.start_phi_dot or (0.0,) * N)[order] / scaled.Omega
+    return low, high
+
+
+def _state_bounds(scaled: Scaled, own: Structure, winding: Array, part: float) -> tuple[Array, Array]:
+    """Bounds of x (2N, columns): greatest speeds, and least speeds on the side of the winding."""
+    N, columns, bounds = own.N, own.mesh.columns, scaled.problem.motion.bounds
+    fastest = scaled.limits(bounds, "speed", part)
+    slow, fast = -fastest, fastest.copy()
+    if bounds.speed_min is not None:
+        least = scaled.limits(bounds, "speed_min", 1.0 / part)
+        back = winding[scaled.order] < 0.0
+        slow = np.where((least > 0.0) & ~back, least, slow)
+        fast = np.where((least > 0.0) & back, -least, fast)
+    free = np.full(N, np.inf)
+    low, high = (np.tile(np.concatenate(each)[:, None], columns) for each in ((-free, slow), (free, fast)))
+    return low, high
+
+
+def row_bounds(
+    scaled: Scaled, own: Structure, rows: Mapping[str, slice], winding: Array, part: float, first: Array
+) -> tuple[Array, Array]:
+    """Bounds of g: zero for (12) and for the collocation, limits for other rows; `first`: g at the start."""
+    bounds, turn = scaled.problem.motion.bounds, 2.0 * np.pi * winding[scaled.order]
+    low, high = np.zeros(len(first)), np.zeros(len(first))
+    for name, kind in (("dependent", "acceleration"), ("torque", "torque"), ("angle", "angle")):
+        if name in rows:
+            limit = scaled.limits(bounds, kind, part)[-6:] if name == "dependent" else scaled.limits(bounds, kind, part)
+            high[rows[name]] = np.tile(limit, own.M)
+            low[rows[name]] = -high[rows[name]]
+    shifted = {"closing": np.concatenate([turn, 0.0 * turn])}  # phi includes its winding, swing does not
+    shifted["angle"] = (own.mesh.nodes[:, None] * turn).ravel()
+    shifted["mean"] = own.mesh.weights @ own.mesh.nodes * turn
+    for name in shifted.keys() & rows.keys() if own.periodic else ():
+        low[rows[name]] += shifted[name]
+        high[rows[name]] += shifted[name]
+    if "volume" in rows:
+        low[rows["volume"]] = VOLUME * first[rows["volume"]].min()
+        high[rows["volume"]] = np.inf
+    return low, high
+
 
 ROWS = ("acceleration", "torque", "angle")
 """Bounds that are rows, at least in part."""
@@ -40,7 +181,7 @@ class Collocated:
     phi, phi_dot   (N, columns) of the mesh, rad, rad/s, flywheels in the stand's order
     objective   J of (13) by the nodes
     residual    largest relative residual of (12) between the nodes, of the unchanged polynomials
-    solved      whether IPOPT reports success; words: IPOPT's status. usable: whether (13) holds at the nodes
+    words       IPOPT's status; usable: whether (13) holds at the nodes
     """
 
     mesh: Mesh
@@ -50,7 +191,6 @@ class Collocated:
     bias: Array
     objective: float
     residual: float
-    solved: bool
     usable: bool
     words: str
     iterations: int
@@ -70,10 +210,10 @@ def solve(
     mesh: Mesh,
     start: Start,
     part: float,
-    on_progress: Callable[[Any], None] | None = None,
-    until: float | None = None,
+    on_progress: OnProgress,
+    time: Budget,
 ) -> Collocated:
-    """Solve (13) from a start, inside `part` of the bounds. Ctrl-C and the time `until` end it with the best so far."""
+    """Solve (13) from a start, inside `part` of the bounds. Ctrl-C and the end of `time` give the best so far."""
     problem = scaled.problem
     motion = problem.motion
     kinds = frozenset(kind for kind in ROWS if getattr(motion.bounds, kind) is not None)
@@ -83,10 +223,10 @@ def solve(
     nodes = Angles(*(x[mesh.at_nodes] for x in angles))
     of_nodes = scaled.node_parameters(mesh.nodes * motion.span, nodes, start.bias)
     given = np.concatenate([of_nodes.ravel("F"), scaled.stand_parameters(2.0 * np.pi * start.winding / motion.span)])
-    first = _start_point(scaled, own.structure, angles, start.winding).vector
+    first = _start_point(scaled, own.structure, angles, start.winding)
     low, high = unknown_bounds(scaled, own.structure, start.winding, start.bias, part)
-    rows_low, rows_high = row_bounds(scaled, own.structure, start.winding, part, own.rows(first, given))
-    seen = own.watch.begin(rows_low, rows_high, on_progress, until)
+    rows_low, rows_high = row_bounds(scaled, own.structure, own.slices, start.winding, part, own.rows(first, given))
+    seen = own.watch.begin(rows_low, rows_high, on_progress, time)
     with defer_interrupt(seen.interrupt, again=False):
         found = own.solver(x0=first, p=given, lbx=low, ubx=high, lbg=rows_low, ubg=rows_high)
     end = _result(scaled, own.structure, start, found, own.solver.stats(), seen)
@@ -99,21 +239,22 @@ def _result(
     start: Start,
     found: dict[str, Any],
     status: dict[str, Any],
-    seen: Seen,
+    seen: RunRecord,
 ) -> Collocated:
     """The solution; if there is none, the best point seen."""
     solved, back, N = bool(status["success"]), np.argsort(scaled.order), own.N
     last = solved or seen.best is None
-    point = own.split(np.asarray(found["x"]).ravel() if last else np.asarray(seen.best))
+    vector = np.asarray(found["x"]).ravel() if last else np.asarray(seen.best)
+    point, _, bias, _ = np.split(vector, own.ends[1:-1])
+    x = point.reshape(own.shapes[0], order="F")
     return Collocated(
         mesh=own.mesh,
         span=scaled.problem.motion.span,
-        phi=point.x[:N][back],
-        phi_dot=point.x[N:][back] * scaled.Omega,
-        bias=start.bias + np.where(scaled.problem.free, point.bias, 0.0),
+        phi=x[:N][back],
+        phi_dot=x[N:][back] * scaled.Omega,
+        bias=start.bias + np.where(scaled.problem.free, bias, 0.0),
         objective=float(found["f"]) if last else seen.best_objective,
         residual=np.inf,
-        solved=solved,
         usable=solved or seen.best is not None,
         words=str(status["return_status"]).replace("_", " ").lower(),
         iterations=int(status["iter_count"]),
@@ -130,10 +271,11 @@ def residual_between_nodes(problem: Problem, found: Collocated) -> float:
     return problem.norm.relative(residual(at, *found.at(t)))
 
 
-def _start_point(scaled: Scaled, own: Structure, angles: Angles, winding: Array) -> Unknowns:
-    """The point that IPOPT starts from."""
+def _start_point(scaled: Scaled, own: Structure, angles: Angles, winding: Array) -> Array:
+    """z that IPOPT starts from."""
     order, mesh, Omega = scaled.order, own.mesh, scaled.Omega
     phi, v, a = (x[:, order].T for x in (angles.phi, angles.phi_dot / Omega, angles.phi_ddot / Omega**2))
     swing = phi[:, mesh.at_nodes] - 2.0 * np.pi * winding[order][:, None] * mesh.nodes
     mean = swing @ mesh.weights if "angle" in own.kinds else np.zeros(own.N)
-    return Unknowns(np.vstack([phi, v]), a[: own.controls, mesh.at_nodes], np.zeros(6), mean)
+    x, u = np.vstack([phi, v]), a[: own.controls, mesh.at_nodes]
+    return np.concatenate([x.ravel("F"), u.ravel("F"), np.zeros(6), mean])

@@ -1,4 +1,7 @@
-"""Structure of an IPOPT problem: its unknowns, and its rows g = A z + B y, y the values of all nodes.
+"""Structure of an IPOPT problem: its mesh, its unknowns, and its rows g = A z + B y, y the values of all nodes.
+
+Direct collocation: on every interval the states are polynomials of degree d through its start and d Gauss nodes. A
+state is a row with a column for the start and for each node of every interval, and a last one for the end of the span.
 
 Unknowns z: the states x (2N) at all columns of the mesh, the controls u at its nodes, the change of the bias (6), the
 mean of each swing (N). A and B are constant; the bounds of the rows are given at each run.
@@ -12,28 +15,102 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_matrix, csc_matrix, eye, kron, vstack
 
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.ocp.mesh import Mesh
-
-Formulation = Literal["ocp-partition", "ocp"]
-Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
-class Unknowns:
-    """A point: x (2N, columns), u (controls, M), bias (6), mean (N); time in 1/Omega, flywheels (-, +)."""
+class Mesh:
+    """Breaks (K + 1, from 0 to 1, in parts of the span) and degree d: M = K d nodes, K (d + 1) + 1 columns."""
 
-    x: Array
-    u: Array
-    bias: Array
-    mean: Array
+    breaks: Array
+    degree: int
+
+    @staticmethod
+    def uniform(K: int, degree: int) -> Mesh:
+        """K intervals of equal length."""
+        return Mesh(np.linspace(0.0, 1.0, K + 1), degree)
 
     @property
-    def vector(self) -> Array:
-        """Flat vector, column-major, as IPOPT expects."""
-        return np.concatenate([self.x.ravel("F"), self.u.ravel("F"), self.bias, self.mean])
+    def K(self) -> int:
+        """Number of intervals."""
+        return len(self.breaks) - 1
+
+    @property
+    def columns(self) -> int:
+        """Number of columns of a state."""
+        return self.K * (self.degree + 1) + 1
+
+    @cached_property
+    def _local(self) -> tuple[Array, Array]:
+        """Gauss points in (0, 1) (d), and their weights, whose sum is 1."""
+        x, w = np.polynomial.legendre.leggauss(self.degree)
+        return (1.0 + x) / 2.0, w / 2.0
+
+    @property
+    def widths(self) -> Array:
+        """Widths (K,) of the intervals."""
+        return np.diff(self.breaks)
+
+    @property
+    def nodes(self) -> Array:
+        """Times (M,) of the nodes."""
+        return np.asarray((self.breaks[:-1, None] + self.widths[:, None] * self._local[0]).ravel())
+
+    @property
+    def weights(self) -> Array:
+        """Weights (M,) of the nodes in a mean over the span; their sum is 1."""
+        return np.asarray((self.widths[:, None] * self._local[1]).ravel())
+
+    @property
+    def times(self) -> Array:
+        """Times (columns,) of all columns."""
+        local = np.concatenate([[0.0], self._local[0]])
+        return np.append((self.breaks[:-1, None] + self.widths[:, None] * local).ravel(), 1.0)
+
+    @property
+    def at_nodes(self) -> NDArray[np.intp]:
+        """Columns (M,) of the nodes."""
+        return np.asarray([k * (self.degree + 1) + j for k in range(self.K) for j in range(1, self.degree + 1)])
+
+    def _basis(self, x: Array, order: int = 0) -> Array:
+        """(len(x), d + 1): derivatives at local times x of the Lagrange polynomials of start and nodes."""
+        knots = np.concatenate([[0.0], self._local[0]])
+        found = np.empty((len(x), len(knots)))
+        for j, knot in enumerate(knots):
+            others = np.delete(knots, j)
+            polynomial = np.poly1d(np.poly(others) / np.prod(knot - others))
+            found[:, j] = np.polyval(np.polyder(polynomial, order) if order else polynomial, x)
+        return found
+
+    @cached_property
+    def derive(self) -> Array:
+        """(columns, M): a state times this is its derivative at the nodes, for a span of 1."""
+        return self.interpolate(self.nodes, 1).T
+
+    @cached_property
+    def jumps(self) -> Array:
+        """(columns, K): a state times this is the jump between each interval's start and the end of the one before.
+
+        The last entry is the column of the end.
+        """
+        found, ends = np.zeros((self.columns, self.K)), self._basis(np.ones(1))[0]
+        for k in range(self.K):
+            first, end = k * (self.degree + 1), (k + 1) * (self.degree + 1)
+            found[first:end, k], found[end, k] = ends, -1.0
+        return found
+
+    def interpolate(self, x: Array, order: int = 0) -> Array:
+        """(len(x), columns): values, or derivatives by parts of the span, at times x in [0, 1]."""
+        k = np.clip(np.searchsorted(self.breaks, x, side="right") - 1, 0, self.K - 1)
+        local = self._basis((x - self.breaks[k]) / self.widths[k], order) / self.widths[k][:, None] ** order
+        found = np.zeros((len(x), self.columns))
+        columns = k[:, None] * (self.degree + 1) + np.arange(self.degree + 1)
+        np.put_along_axis(found, columns, local, axis=1)
+        return found
+
+
+Formulation = Literal["ocp-partition", "ocp"]
 
 
 @dataclass(frozen=True)
@@ -80,102 +157,16 @@ class Structure:
         return {**first, "torque": slice(at, at + self.N)} if "torque" in self.kinds else first
 
     @property
-    def y_size(self) -> int:
-        """Length of y of one node."""
-        return max(int(each.stop) for each in self.y_slices.values())
-
-    @property
     def shapes(self) -> tuple[tuple[int, int], ...]:
-        """Shapes of x, u, bias, mean."""
+        """Shapes of x (2N, columns), u (controls, M), bias (6), mean (N); time in 1/Omega, flywheels (-, +)."""
         return (2 * self.N, self.mesh.columns), (self.controls, self.M), (6, 1), (self.N, 1)
 
     @property
     def size(self) -> int:
         """Number of unknowns."""
-        return sum(n * m for n, m in self.shapes)
+        return self.ends[-1]
 
-    def split(self, vector: Array) -> Unknowns:
-        """The point of a vector."""
-        pieces, at = [], 0
-        for n, m in self.shapes:
-            pieces.append(vector[at : at + n * m].reshape((n, m), order="F"))
-            at += n * m
-        return Unknowns(pieces[0], pieces[1], pieces[2].ravel(), pieces[3].ravel())
-
-    @cached_property
-    def places(self) -> Indices:
-        """(M, unknowns of a node): positions in z of the x, u, bias of each node."""
-        N, m = self.N, self.controls
-        first = 2 * N * self.mesh.columns
-        x = 2 * N * self.mesh.at_nodes[:, None] + np.arange(2 * N)
-        u = first + m * np.arange(self.M)[:, None] + np.arange(m)
-        bias = np.tile(first + m * self.M + np.arange(6), (self.M, 1))
-        return np.hstack([x, u, bias])
-
-    @cached_property
-    def rows(self) -> dict[str, slice]:
-        """Slices of g, by kind of rows."""
-        found, at = {}, 0
-        for name, (A, _) in self._kinds.items():
-            found[name] = slice(at, at + A.shape[0])
-            at += A.shape[0]
-        return found
-
-    @cached_property
-    def A(self) -> csc_matrix:
-        """Derivative of g by z (rows, size), without the part through y."""
-        return csc_matrix(vstack([A for A, _ in self._kinds.values()]))
-
-    @cached_property
-    def B(self) -> csc_matrix:
-        """Derivative of g by y of all nodes (rows, M times size_of_y)."""
-        return csc_matrix(vstack([B for _, B in self._kinds.values()]))
-
-    @cached_property
-    def _kinds(self) -> dict[str, tuple[csc_matrix, csc_matrix]]:
-        """A and B of each kind of rows."""
-        mesh, N, M = self.mesh, self.N, self.M
-        states = eye(2 * N)
-        none = csc_matrix((M * self.y_size, M * self.y_size))
-        found = {
-            "collocation": self._collocation(),
-            "continuity": (self._by_x(kron(mesh.jumps.T, states)), none[: 2 * N * mesh.K]),
-        }
-        if self.periodic:
-            ends = coo_matrix(([-1.0, 1.0], ([0, 0], [0, mesh.columns - 1])), shape=(1, mesh.columns))
-            found["closing"] = (self._by_x(kron(ends, states)), none[: 2 * N])
-        for name, y in self.y_slices.items():
-            if name != "dependent" or "acceleration" in self.kinds:
-                found[name] = (csc_matrix(((y.stop - y.start) * M, self.size)), self._of_nodes(y))
-        if "angle" in self.kinds:
-            phi = csc_matrix(eye(N, 2 * N))
-            nodes = csc_matrix(eye(mesh.columns))[mesh.at_nodes]
-            mean = coo_matrix((np.ones(N), (np.arange(N), np.arange(self.size - N, self.size))), shape=(N, self.size))
-            found["angle"] = (self._by_x(kron(nodes, phi)) - kron(np.ones((M, 1)), mean), none[: N * M])
-            found["mean"] = (self._by_x(kron(csc_matrix(mesh.weights[None, :] @ nodes), phi)) - mean, none[:N])
-        return found
-
-    def _collocation(self) -> tuple[csc_matrix, csc_matrix]:
-        """(x' - (v, a) span) / M at the nodes; a of the partition's six comes through y."""
-        N, M, m = self.N, self.M, self.controls
-        rate, share = self.span / M, kron(self.mesh.derive.T / M, eye(2 * N))
-        row = 2 * N * np.arange(M)[:, None] + np.arange(2 * N)
-        taken = np.hstack([row[:, :N], row[:, N : N + m]]).ravel()
-        by = np.hstack([self.places[:, N : 2 * N], self.places[:, 2 * N : 2 * N + m]]).ravel()
-        shape = (2 * N * M, self.size)
-        A = self._by_x(share) - rate * coo_matrix((np.ones(len(taken)), (taken, by)), shape=shape)
-        shape = (2 * N * M, M * self.y_size)
-        if not self.partition:
-            return csc_matrix(A), csc_matrix(shape)
-        y = self.y_size * np.arange(M)[:, None] + np.arange(6)
-        B = coo_matrix((np.full(6 * M, -rate), (row[:, N + m :].ravel(), y.ravel())), shape=shape)
-        return csc_matrix(A), csc_matrix(B)
-
-    def _of_nodes(self, y: slice) -> csc_matrix:
-        """Rows equal to a piece of y at every node."""
-        return csc_matrix(kron(eye(self.M), csc_matrix(eye(self.y_size))[y]))
-
-    def _by_x(self, matrix: csc_matrix) -> csc_matrix:
-        """Rows that depend on x alone, extended by the columns of all other unknowns."""
-        wide = coo_matrix(matrix)
-        return csc_matrix(coo_matrix((wide.data, (wide.row, wide.col)), shape=(wide.shape[0], self.size)))
+    @property
+    def ends(self) -> list[int]:
+        """Where x, u, bias, mean end in z, column-major each; 0 first."""
+        return [int(end) for end in np.cumsum([0, *(n * m for n, m in self.shapes)])]

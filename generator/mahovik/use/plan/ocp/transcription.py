@@ -1,21 +1,218 @@
-"""(13) as an IPOPT problem, built once for its structure and solved for any numbers.
+"""(13) as an IPOPT problem in CasADi, built once for its structure and solved for any numbers.
 
-Derivatives are assembled from blocks, one per node, each a flat CasADi function: building takes a second.
+(12) and (13) at one node are expressions of angle, speed, control, with the coefficients as parameters. Masses and
+mountings do not appear: `plan.residual` gives the coefficients as numbers. The unit of time is 1/Omega, with Omega the
+frequency of the motion: v = phi'/Omega, a = phi''/Omega^2; rows of (12) are scaled like the norm of residuals, torques
+are tau / (J_s Omega^2). Flywheels stand in the order (-, +) of (13).
+
+Derivatives are assembled from blocks, one per node, each a flat CasADi function: building takes a second. A callback at
+every iteration reports progress, ends the run by time or Ctrl-C, and keeps the best point so far.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
 import numpy as np
-from scipy.sparse import csc_matrix
 
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.ocp.node import Node, node_functions
-from mahovik.use.plan.ocp.structure import Indices, Structure
-from mahovik.use.plan.ocp.watch import Watch
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.objective import KINDS
+from mahovik.use.plan.ocp.structure import Structure
+from mahovik.use.plan.outcome import OnProgress
+
+HARMONICS, ROWS = 5, 7
+"""Harmonics 1, cos, sin, cos 2, sin 2 of an angle; six rows of a wrench and one of the torque."""
+
+
+def parameter_shapes(N: int) -> tuple[dict[str, tuple[int, ...]], dict[str, tuple[int, ...]]]:
+    """Names and shapes of the parameters: those of a node, and those of all nodes.
+
+    A node has the coefficients of (12) (see plan.residual.prescribed) and derivatives by the bias. All share tables,
+    scales of the columns of I, weights by kind, mean speeds, motors.
+    """
+    table, each = (HARMONICS, ROWS, N), (N,)
+    return (
+        {"base": (6,), "fixed": table, "moving": table, "by_bias": (6, 6), "tau_by_bias": (N, 6)},
+        {"still": table, "spun": table, "column": each, "weights": (len(KINDS), N)}
+        | dict.fromkeys(("mean_speed", "loss", "viscous", "coulomb", "coulomb_speed"), each),
+    )
+
+
+def _tables(name: str, shapes: dict[str, tuple[int, ...]]) -> tuple[Any, dict[str, Any]]:
+    """A vector of symbols, and its parts by name: arrays of single symbols, stored row by row."""
+    vector, found, first = ca.SX.sym(name, sum(map(math.prod, shapes.values()))), {}, 0
+    for part, shape in shapes.items():
+        found[part] = np.empty(shape, dtype=object)
+        for place in np.ndindex(*shape):
+            found[part][place] = vector[first]
+            first += 1
+    return vector, found
+
+
+def _wrenches(N: int, phi: Any, v: Any, bias: Any, at: dict[str, Any], own: dict[str, Any]) -> tuple[Any, ...]:
+    """I (6, N), P - J phi' (6), the part of tau without acceleration, and its factor of acceleration (N each)."""
+    I = ca.SX(6, N)
+    rest = ca.vertcat(*(at["base"][i] + sum(at["by_bias"][i, b] * bias[b] for b in range(6)) for i in range(6)))
+    tau, tau_by_a = ca.SX(N, 1), ca.SX(N, 1)
+    for s in range(N):
+        c, d = ca.cos(phi[s]), ca.sin(phi[s])
+        waves = (1.0, c, d, 1.0 - 2.0 * d * d, 2.0 * c * d)
+        for row in range(ROWS):
+            of_a = sum(h * own["still"][k, row, s] for k, h in enumerate(waves))
+            others = sum(
+                h * (at["fixed"][k, row, s] + v[s] * (at["moving"][k, row, s] + v[s] * own["spun"][k, row, s]))
+                for k, h in enumerate(waves)
+            )
+            if row < 6:
+                I[row, s] = of_a
+                rest[row] -= others
+            else:
+                tau_by_a[s] = of_a
+                tau[s] = others + sum(at["tau_by_bias"][s, b] * bias[b] for b in range(6))
+    return I, rest, tau, tau_by_a
+
+
+def _cost(N: int, v: Any, a: Any, tau: Any, own: dict[str, Any]) -> Any:
+    """J(x, u) of (13) at a node: the rows of `plan.objective`, squared and weighted."""
+    total = 0.0
+    for s in range(N):
+        given = tau[s] + own["viscous"][s] * v[s] + own["coulomb"][s] * ca.tanh(v[s] / own["coulomb_speed"][s])
+        rows = {
+            "acceleration": a[s],
+            "torque": tau[s],
+            "speed_variation": v[s] - own["mean_speed"][s],
+            "power": own["loss"][s] * given**2 + given * v[s],
+        }
+        total += sum(own["weights"][k, s] * rows[kind] ** 2 for k, kind in enumerate(KINDS))
+    return total
+
+
+@dataclass(frozen=True, eq=False)
+class Node:
+    """(12) and (13) at one node, with derivatives by z = (x, u, bias); x = (phi, v) (2N).
+
+    u       controls: a_- (N - 6) in the partition, else all a (N); bias (6): its change
+    value   (z, node, stand) -> (y, cost); y: a_+ (6) and |det I+| of scaled columns (1), or R (6) of (12); tau (N)
+    slope   (z, node, stand) -> (dy/dz, dcost/dz), dense
+    bend    (z, node, stand, by y, by cost) -> second derivatives of by_y . y + by_cost cost, dense
+    """
+
+    N: int
+    controls: int
+    value: Any
+    slope: Any
+    bend: Any
+
+
+def node_functions(N: int, partition: bool, torque: bool) -> Node:
+    """Functions of a node; in the partition a_+ = I+^-1 (P - I- u - J phi') of (13). `torque`: y includes tau."""
+    controls = N - 6 if partition else N
+    z = ca.SX.sym("z", 2 * N + controls + 6)
+    (node, at), (stand, own) = map(_tables, ("node", "stand"), parameter_shapes(N))
+    phi, v, u, bias = z[:N], z[N : 2 * N], z[2 * N : -6], z[-6:]
+    I, rest, still, tau_by_a = _wrenches(N, phi, v, bias, at, own)
+    if partition:
+        column = ca.vertcat(*(own["column"][s] for s in range(N - 6, N)))
+        Q, triangle = ca.qr(I[:, N - 6 :] / ca.repmat(column.T, 6, 1))  # no pivoting: valid for every angle
+        left = rest - ca.mtimes(I[:, : N - 6], u) if N > 6 else rest
+        dependent = ca.solve(triangle, ca.mtimes(Q.T, left)) / column
+        volume = 1.0
+        for i in range(6):
+            volume *= triangle[i, i]
+        a, rows = ca.vertcat(u, dependent), [dependent, ca.fabs(volume)]
+    else:
+        a, rows = u, [rest - ca.mtimes(I, u)]
+    tau = still + tau_by_a * a
+    y, cost = ca.vertcat(*rows, *([tau] if torque else [])), _cost(N, v, a, tau, own)
+    by_y, by_cost = ca.SX.sym("by_y", y.numel()), ca.SX.sym("by_cost")
+    bend, _ = ca.hessian(ca.dot(by_y, y) + by_cost * cost, z)
+    given = [z, node, stand]
+    return Node(
+        N,
+        controls,
+        ca.Function("value", given, [y, cost]),
+        ca.Function("slope", given, [ca.densify(ca.jacobian(y, z)), ca.densify(ca.jacobian(cost, z))]),
+        ca.Function("bend", [*given, by_y, by_cost], [ca.densify(bend)]),
+    )
+
+
+FEASIBLE = 1e-4
+"""Largest violation of a row at which the refinement can still make a point exact."""
+
+
+@dataclass
+class RunRecord:
+    """Record of one run: iterations, objective and largest violation at the last one, and the best feasible point."""
+
+    iterations: int = 0
+    objective: float = np.inf
+    violation: float = np.inf
+    best: Array | None = None
+    best_objective: float = np.inf
+    interrupted: bool = False
+    cut: bool = False
+
+    @property
+    def doing(self) -> str:
+        """Name of the activity."""
+        return "optimal control"
+
+    @property
+    def words(self) -> str:
+        """The line of progress."""
+        return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"
+
+    def interrupt(self) -> None:
+        """Make IPOPT end at its next iteration."""
+        self.interrupted = True
+
+
+class Watch(ca.Callback):
+    """Iteration callback of one IPOPT problem; call `begin` before every run."""
+
+    def __init__(self, name: str, unknowns: int, rows: int, parameters: int) -> None:
+        ca.Callback.__init__(self)
+        self._sizes = dict(zip(ca.nlpsol_out(), (unknowns, 1, rows, unknowns, rows, parameters), strict=True))
+        self.begin(np.zeros(rows), np.zeros(rows), lambda _: None, Budget(0))
+        self.construct(name, {})
+
+    def begin(self, low: Array, high: Array, on_progress: OnProgress, time: Budget) -> RunRecord:
+        """Begin a run with these bounds of the rows, until the time is over; return the record it fills."""
+        self._low, self._high, self._tell, self._time = low, high, on_progress, time
+        self._seen = RunRecord()
+        return self._seen
+
+    def get_n_in(self) -> int:
+        """Number of outputs of the solver."""
+        return int(ca.nlpsol_n_out())
+
+    def get_n_out(self) -> int:
+        """One output: whether to stop."""
+        return 1
+
+    def get_sparsity_in(self, i: int) -> Any:
+        """Dense columns."""
+        return ca.Sparsity.dense(self._sizes[ca.nlpsol_out(i)], 1)
+
+    def eval(self, arg: Any) -> list[int]:
+        """1 stops IPOPT."""
+        seen = self._seen
+        g = np.asarray(arg[2]).ravel()
+        seen.objective = float(arg[1])
+        seen.violation = float(np.maximum(np.maximum(self._low - g, g - self._high), 0.0).max(initial=0.0))
+        if seen.violation < FEASIBLE and seen.objective < seen.best_objective:
+            seen.best, seen.best_objective = np.asarray(arg[0]).ravel().copy(), seen.objective
+        self._tell(seen)
+        seen.iterations += 1
+        seen.cut |= self._time.over()
+        return [int(seen.cut or seen.interrupted)]
+
 
 MOST_STEPS = 300
 _OPTIONS = {
@@ -38,11 +235,15 @@ _OPTIONS = {
 
 @dataclass(frozen=True, eq=False)
 class Transcription:
-    """The IPOPT problem of one structure. Parameters: those of all nodes in turn, then those of the stand."""
+    """The IPOPT problem of one structure. Parameters: those of all nodes in turn, then those of the stand.
+
+    slices   of the rows g, by kind of rows
+    """
 
     structure: Structure
     solver: Any
     rows_of: Any
+    slices: dict[str, slice]
     watch: Watch
 
     def rows(self, unknowns: Array, given: Array) -> Array:
@@ -50,102 +251,70 @@ class Transcription:
         return np.asarray(self.rows_of(unknowns, given)).ravel()
 
 
-_built: dict[Structure, Transcription] = {}
-"""Problems built in this process: other seeds, starts, rounds or stands change only the numbers."""
+@cache
+def transcription(own: Structure) -> Transcription:
+    """The IPOPT problem of a structure, built at its first use: other seeds, starts or stands change only the numbers.
+
+    With P the selection of the nodes' unknowns from z, g = A z + B y: its derivative is A + B Y P, with Y the slopes of
+    y of each node on the diagonal; second derivatives are P^T H P, with those of each node on the diagonal of H.
+    """
+    node, M = node_functions(own.N, own.partition, "torque" in own.kinds), own.M
+    z = ca.MX.sym("z", own.size)
+    pieces = zip(ca.vertsplit(z, own.ends), own.shapes, strict=True)
+    x, u, bias, mean = (ca.reshape(part, *shape) for part, shape in pieces)
+    taken = ca.vertcat(x[:, own.mesh.at_nodes.tolist()], u, ca.repmat(bias, 1, M))
+    nodes, stand = (ca.MX.sym("given", node.value.size1_in(k), n) for k, n in ((1, M), (2, 1)))
+    p = ca.MX.sym("p", nodes.numel() + stand.numel())
+    given = (ca.reshape(p[: nodes.numel()], nodes.shape), p[nodes.numel() :])
+    values, weights = ca.MX.sym("y", node.value.size1_out(0), M), ca.DM(own.mesh.weights)
+    kinds = _row_kinds(own, x, u, mean, values)
+    ends = np.cumsum([0, *(rows.numel() for rows in kinds.values())]).tolist()
+    slices = {name: slice(*pair) for name, pair in zip(kinds, pairwise(ends), strict=True)}
+    A, B = (ca.evalf(ca.jacobian(ca.veccat(*kinds.values()), each)) for each in (z, values))
+    P, w = ca.evalf(ca.jacobian(ca.vec(taken), z)), taken.size1()
+    y, cost = node.value.map("values", "serial", M, [2], [])(taken, *given)
+    f, g = ca.mtimes(cost, weights), ca.densify(ca.mtimes(A, z) + ca.mtimes(B, ca.vec(y)))
+    by_y, by_cost = node.slope.map("slopes", "serial", M, [2], [])(taken, *given)
+    slopes = ca.mtimes(ca.diagcat(*ca.horzsplit(by_y, w)), P)
+    gradient = ca.densify(ca.mtimes(P.T, ca.vec(ca.reshape(by_cost, w, M) * ca.repmat(weights.T, w, 1))))
+    lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", ends[-1])
+    pull = ca.reshape(ca.mtimes(B.T, lam_g), values.shape)
+    bends = node.bend.map("bends", "serial", M, [2], [])(taken, *given, pull, lam_f * weights.T)
+    hessian = ca.triu(ca.mtimes(P.T, ca.mtimes(ca.diagcat(*ca.horzsplit(bends, w)), P)))
+    parts = {
+        "grad_f": ca.Function("nlp_grad_f", [z, p], [f, gradient], ["x", "p"], ["f", "grad_f_x"]),
+        "jac_g": ca.Function("nlp_jac_g", [z, p], [g, A + ca.mtimes(B, slopes)], ["x", "p"], ["g", "jac_g_x"]),
+        "hess_lag": ca.Function(
+            "nlp_hess_l",
+            [z, p, lam_f, lam_g],
+            [hessian],
+            ["x", "p", "lam_f", "lam_g"],
+            ["triu_hess_gamma_x_x"],
+        ),
+    }
+    watch = Watch("watch", own.size, ends[-1], p.numel())
+    options: Any = {**_OPTIONS, **parts, "iteration_callback": watch}
+    problem: Any = {"x": z, "p": p, "f": f, "g": g}
+    solver = ca.nlpsol("ocp", "ipopt", problem, options)
+    return Transcription(own, solver, ca.Function("rows", [z, p], [g]), slices, watch)
 
 
-def transcription(structure: Structure) -> Transcription:
-    """The IPOPT problem of a structure, built at its first use."""
-    if structure not in _built:
-        node = node_functions(structure.N, structure.partition, "torque" in structure.kinds)
-        _built[structure] = _Builder(structure, node).build()
-    return _built[structure]
-
-
-@dataclass(frozen=True, eq=False)
-class _Builder:
-    """Builds the functions for IPOPT from those of a node."""
-
-    structure: Structure
-    node: Node
-
-    def build(self) -> Transcription:
-        """Build f, g, and their derivatives."""
-        own, M = self.structure, self.structure.M
-        z = ca.MX.sym("z", own.size)
-        nodes, stand = (ca.MX.sym("given", self.node.value.size1_in(k), n) for k, n in ((1, M), (2, 1)))
-        of_nodes = nodes.numel()
-        p = ca.MX.sym("p", of_nodes + stand.numel())
-        given = (ca.reshape(p[:of_nodes], nodes.shape), p[of_nodes:])
-        taken = ca.reshape(z[own.places.ravel().tolist()], own.places.shape[1], M)
-        A, B, weights = _matrix(own.A), _matrix(own.B), ca.DM(own.mesh.weights)
-        y, cost = self.node.value.map("values", "serial", M, [2], [])(taken, *given)
-        f, g = ca.mtimes(cost, weights), ca.densify(ca.mtimes(A, z) + ca.mtimes(B, ca.vec(y)))
-        by_y, by_cost = self.node.slope.map("slopes", "serial", M, [2], [])(taken, *given)
-        Jy, gradient = self._slopes(by_y), self._gradient(ca.reshape(by_cost, own.places.shape[1], M), weights)
-        lam_f, lam_g = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", own.A.shape[0])
-        pull = ca.reshape(ca.mtimes(B.T, lam_g), own.y_size, M)
-        bends = self.node.bend.map("bends", "serial", M, [2], [])(taken, *given, pull, lam_f * weights.T)
-        rows_of = ca.Function("rows", [z, p], [g])
-        names = ["x", "p"], ["f", "grad_f_x"]
-        options: dict[str, Any] = {
-            "grad_f": ca.Function("nlp_grad_f", [z, p], [f, gradient], *names),
-            "jac_g": ca.Function("nlp_jac_g", [z, p], [g, A + ca.mtimes(B, Jy)], ["x", "p"], ["g", "jac_g_x"]),
-            "hess_lag": ca.Function(
-                "nlp_hess_l",
-                [z, p, lam_f, lam_g],
-                [self._hessian(bends)],
-                ["x", "p", "lam_f", "lam_g"],
-                ["triu_hess_gamma_x_x"],
-            ),
-        }
-        watch = Watch("watch", own.size, own.A.shape[0], p.numel())
-        options = {**_OPTIONS, **options, "iteration_callback": watch}
-        solver = ca.nlpsol("ocp", "ipopt", {"x": z, "p": p, "f": f, "g": g}, options)
-        return Transcription(own, solver, rows_of, watch)
-
-    def _slopes(self, blocks: Any) -> Any:
-        """dy/dz of all nodes (M size_of_y, size) from blocks side by side."""
-        own, n = self.structure, self.structure.y_size
-        w = own.places.shape[1]
-        k = np.arange(own.M)[:, None, None]
-        row = (n * k + np.arange(n)[None, None, :]) + np.zeros((1, w, 1), dtype=int)  # by columns, as blocks are stored
-        column = np.broadcast_to(own.places[:, :, None], row.shape)
-        return _assembled(row.ravel(), column.ravel(), (own.M * n, own.size), ca.vec(blocks))
-
-    def _gradient(self, blocks: Any, weights: Any) -> Any:
-        """df/dz (size) from slopes (unknowns of a node, M) of the cost."""
-        own = self.structure
-        M, w = own.places.shape
-        data = np.ones(M * w)
-        spread = csc_matrix((data, (own.places.ravel(), np.arange(M * w))), shape=(own.size, M * w))
-        return ca.densify(ca.mtimes(_matrix(spread), ca.vec(blocks * ca.repmat(weights.T, w, 1))))
-
-    def _hessian(self, blocks: Any) -> Any:
-        """Upper triangle of the second derivatives by z, from those of the nodes; all nodes share the bias."""
-        own = self.structure
-        M, w = own.places.shape
-        row = np.broadcast_to(own.places[:, None, :], (M, w, w)).ravel()
-        column = np.broadcast_to(own.places[:, :, None], (M, w, w)).ravel()
-        upper = np.flatnonzero(row <= column)
-        keys, entry = np.unique(column[upper] * own.size + row[upper], return_inverse=True)
-        gather = csc_matrix((np.ones(len(upper)), (entry, upper)), shape=(len(keys), M * w * w))
-        values = ca.mtimes(_matrix(gather), ca.vec(blocks))
-        return _assembled(keys % own.size, keys // own.size, (own.size, own.size), values)
-
-
-def _assembled(row: Indices, column: Indices, shape: tuple[int, int], values: Any) -> Any:
-    """A sparse matrix with values (n) at distinct places."""
-    order = np.lexsort((row, column))
-    counts = np.concatenate([[0], np.cumsum(np.bincount(column, minlength=shape[1]))])
-    sparsity = ca.Sparsity(*shape, counts.tolist(), row[order].tolist())
-    return ca.MX(sparsity, values[order.tolist()])
-
-
-def _matrix(matrix: Any) -> Any:
-    """CasADi matrix of a SciPy one."""
-    columns = csc_matrix(matrix)
-    columns.sort_indices()
-    rows, width = columns.shape
-    sparsity = ca.Sparsity(rows, width, columns.indptr.tolist(), columns.indices.tolist())
-    return ca.DM(sparsity, columns.data)
+def _row_kinds(own: Structure, x: Any, u: Any, mean: Any, y: Any) -> dict[str, Any]:
+    """Rows g by kind, linear in the unknowns and in y (., M); the accelerations of the partition's six come from y."""
+    mesh, N, M = own.mesh, own.N, own.M
+    derive, jumps = (ca.sparsify(ca.DM(each)) for each in (mesh.derive, mesh.jumps))
+    nodes = x[:, mesh.at_nodes.tolist()]
+    a = ca.vertcat(u, y[:6, :]) if own.partition else u
+    found = {
+        "collocation": (ca.mtimes(x, derive) - own.span * ca.vertcat(nodes[N:, :], a)) / M,
+        "continuity": ca.mtimes(x, jumps),
+    }
+    if own.periodic:
+        found["closing"] = x[:, -1] - x[:, 0]
+    for name, rows in own.y_slices.items():
+        if name != "dependent" or "acceleration" in own.kinds:
+            found[name] = y[rows, :]
+    if "angle" in own.kinds:
+        found["angle"] = nodes[:N, :] - ca.repmat(mean, 1, M)
+        found["mean"] = ca.mtimes(nodes[:N, :], ca.DM(mesh.weights)) - mean
+    return found

@@ -10,14 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from mahovik.use.plan.bounds import KNEE, ExceededBound, exceeded_bounds, has_bounds
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.fourier import Periodic
-from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.optimise.merit import Point, Stage
 from mahovik.use.plan.optimise.step import descend, restore
-from mahovik.use.plan.problem import Grid, Problem
-from mahovik.use.plan.rows import Rows
+from mahovik.use.plan.problem import Grid, Periodic, Problem
 
 HARMONICS = 16
 TAIL = 300.0
@@ -67,14 +64,14 @@ def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Im
     motion, steps = start.with_harmonics(stage.H), 0
     point = stage.at(motion)
     if has_bounds(problem.motion.bounds):
-        point, steps = _within(problem, cost, stage, point, budget)
+        point, steps = _tighten(problem, cost, stage, point, budget)
     if point.used <= 1.0:
         run = descend(replace(stage, wider=limit_factor(point.used)), point.motion, STEPS, budget)
         point, steps = run.point, steps + run.steps
     return evaluate(problem, cost, point.motion, steps)
 
 
-def _within(problem: Problem, cost: Cost, target: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
+def _tighten(problem: Problem, cost: Cost, target: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
     """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
     taken, idle = 0, 0
     for _ in range(ROUNDS):

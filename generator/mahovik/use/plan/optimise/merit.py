@@ -2,30 +2,59 @@
 
 Minimised: half the mean square of objective rows, hinge rows of the bounds, and residual harmonics H + 1..2H times
 TAIL. Zero: residual harmonics 0..H (Galerkin). Both with derivatives by the waves and the free bias.
+
+Harmonics come from samples by FFT. For a real R(t) at M uniform times the rows are R_0, sqrt(2) Re R_j, sqrt(2) Im R_j,
+for harmonics j of a range: the sum of their squares is the mean square of those harmonics. A wave cos or sin
+(k Omega t) of a flywheel moves the harmonics j - k and j + k of dR/dphi, dR/dphi', dR/dphi'' to j: no product of
+matrices is needed.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mahovik.core.motion.required import Course
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.bounds import bias_hinges, hinge_rows, utilisation
-from mahovik.use.plan.fourier import Angles, Periodic
-from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise.galerkin import coefficients, derivatives, rows
-from mahovik.use.plan.problem import Grid, Problem
+from mahovik.core.motion.programme import Angles
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.objective import Cost, Rows, bias_hinges, gauss_newton_sums, hinge_rows, utilisation
+from mahovik.use.plan.problem import BiasPerturbations, Grid, Periodic, Problem
 from mahovik.use.plan.residual import Linear, Prescribed, linear, prescribe
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
-from mahovik.use.plan.rows import Rows, gauss_newton_sums
 
-_STEP = 1e-6
-"""m, rad: step of the differences by the bias."""
+
+def harmonic_coefficients(R: Array, first: int, last: int) -> Array:
+    """Rows of R (M, 6) for harmonics first..last; 2 last < M."""
+    return harmonic_rows(np.fft.rfft(R, axis=0)[first : last + 1] / len(R), first)
+
+
+def harmonic_rows(spectrum: Complex, first: int) -> Array:
+    """Real rows of complex coefficients (J, 6, ...) of harmonics `first` and on; for the mean, the real part only."""
+    double = np.sqrt(2.0)
+    mean = 1 if first == 0 else 0
+    parts = [spectrum[:mean].real, double * spectrum[mean:].real, double * spectrum[mean:].imag]
+    return np.concatenate([x.reshape(-1, *spectrum.shape[2:]) for x in parts])
+
+
+def harmonic_derivatives(
+    by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array, Omega: float, H: int, last: int
+) -> Complex:
+    """Harmonics 0..last (last + 1, 6, N (2H + 1)) of the change of R by each wave; by_... are (M, 6, N).
+
+    Omega: 2 pi over the period, rad/s. Waves of a flywheel: mean, cosines 1..H, sines 1..H.
+    """
+    M, R, N = by_phi.shape
+    A, B, C = (np.fft.fft(x, axis=0) / M for x in (by_phi, by_phi_dot, by_phi_ddot))
+    j, k = np.arange(last + 1)[:, None], np.arange(H + 1)[None, :]
+    rate = (Omega * np.arange(H + 1))[None, :, None, None]
+    below, above = (j - k) % M, (j + k) % M
+    up = A[below] + 1j * rate * B[below] - rate**2 * C[below]
+    down = A[above] - 1j * rate * B[above] - rate**2 * C[above]  # (last + 1, H + 1, 6, N)
+    found = np.empty((last + 1, R, N, 2 * H + 1), dtype=np.complex128)
+    found[..., : H + 1] = np.moveaxis((up + down) / 2.0, 1, 3)
+    found[..., H + 1 :] = np.moveaxis((up - down)[:, 1:] / 2j, 1, 3)
+    return found.reshape(last + 1, R, N * (2 * H + 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,21 +83,6 @@ class Stage:
         """The point of a motion with H harmonics."""
         prescribed = prescribe(self.problem.mechanics, self.grid.course, motion.bias)
         return Point(self, motion, motion.at(self.grid.basis), prescribed)
-
-    def around(self, bias: Array) -> BiasPerturbations:
-        """Prescribed coefficients on both sides of a bias, for differences by its free components."""
-        moved = np.flatnonzero(self.problem.free)
-        one = np.eye(6)[moved] * _STEP
-        steps, M = np.vstack([one, -one]), len(self.grid.t)
-        tiled = Course(*(np.tile(x, (2 * len(moved), 1)) for x in self.grid.course))
-        return BiasPerturbations(moved, prescribe(self.problem.mechanics, tiled, bias + np.repeat(steps, M, axis=0)))
-
-
-class BiasPerturbations(NamedTuple):
-    """Prescribed at 2 F shifts of the bias, first forth and then back, of its F free components `moved`."""
-
-    moved: NDArray[np.intp]
-    at: Prescribed
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,12 +135,12 @@ class Point:
     @cached_property
     def c(self) -> Array:
         """Residual harmonics 0..H."""
-        return coefficients(self.scaled, 0, self.stage.H)
+        return harmonic_coefficients(self.scaled, 0, self.stage.H)
 
     @cached_property
     def tail(self) -> Array:
         """Residual harmonics H + 1..2H, weighted."""
-        return self.stage.tail * coefficients(self.scaled, self.stage.H + 1, 2 * self.stage.H)
+        return self.stage.tail * harmonic_coefficients(self.scaled, self.stage.H + 1, 2 * self.stage.H)
 
     def _kinds(self, torque: Rows) -> list[Rows]:
         stage = self.stage
@@ -134,13 +148,15 @@ class Point:
         wanted = stage.cost.rows(self.angles, speed, torque).values() if stage.objective > 0.0 else ()
         bounds = stage.problem.motion.bounds
         kept = hinge_rows(bounds, self.angles, self.swing, torque, self.motion.winding, stage.wider).values()
-        return [rows.scaled(stage.objective) for rows in wanted] + [rows for rows in kept if rows.value.any()]
+        return [harmonic_rows.scaled(stage.objective) for harmonic_rows in wanted] + [
+            harmonic_rows for harmonic_rows in kept if harmonic_rows.value.any()
+        ]
 
     @cached_property
     def value(self) -> float:
         """Half the sum of squares."""
         held, _ = bias_hinges(self.stage.problem.motion.bounds, self.motion.bias)
-        whole = sum(rows.mean_square for rows in self._kinds(Rows.of(self.tau)))
+        whole = sum(harmonic_rows.mean_square for harmonic_rows in self._kinds(Rows.of(self.tau)))
         return (whole + float(held @ held) + float(self.tail @ self.tail)) / 2.0
 
     @cached_property
@@ -158,11 +174,11 @@ class Point:
         root = problem.norm.root / problem.norm.demand
         found = self.linear
         a, b, c = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
-        spectrum = derivatives(a, b, c, stage.Omega, H, 2 * H)
-        R_by_bias, tau_by_bias = self._by_bias(around)
+        spectrum = harmonic_derivatives(a, b, c, stage.Omega, H, 2 * H)
+        R_by_bias, tau_by_bias = around.rates(self.angles)
         own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
-        A, T = rows(whole[: H + 1], 0), stage.tail * rows(whole[H + 1 :], H + 1)
+        A, T = harmonic_rows(whole[: H + 1], 0), stage.tail * harmonic_rows(whole[H + 1 :], H + 1)
         total = gauss_newton_sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
         gradient = total.gradient + T.T @ self.tail
@@ -171,16 +187,3 @@ class Point:
         gradient[n:] += (held * slope)[free]
         curvature[n:, n:] += np.diag((slope**2)[free])
         return Model(self.c, A, gradient, curvature)
-
-    def _by_bias(self, around: BiasPerturbations) -> tuple[Array, Array]:
-        """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
-        problem, M, F = self.stage.problem, len(self.stage.grid.t), len(around.moved)
-        R, tau = np.zeros((M, 6, 6)), np.zeros((M, problem.N, 6))
-        if F == 0:
-            return R, tau
-        W = flywheel_wrenches(around.at, *(np.tile(x, (2 * F, 1)) for x in self.angles))
-        sides = problem.norm.scaled(around.at.base - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
-        R[..., around.moved] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
-        torque = W[6].reshape(2, F, M, problem.N)
-        tau[..., around.moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
-        return R, tau

@@ -10,13 +10,58 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import LinAlgError, cho_factor, cho_solve
+from scipy.linalg import LinAlgError, cho_factor, cho_solve, qr, solve_triangular
 
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.fourier import Periodic
 from mahovik.use.plan.optimise.merit import Model, Point, Stage
-from mahovik.use.plan.optimise.nullspace import Range
+from mahovik.use.plan.problem import Periodic
+
+SINGULAR = 1e-9
+"""Part of the largest singular value below which one counts as zero."""
+_DOUBTFUL = 1e-6
+"""Part of the largest diagonal entry of R below which the singular values are computed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Range:
+    """Range of A (r, n): `least(c)` is the shortest x with A x = c, or nearly so; `null` (n, n - rank)."""
+
+    _left: Array
+    _right: Array
+    _triangle: Array | None
+    _values: Array
+    null: Array
+
+    @staticmethod
+    def of(A: Array, null: bool = True) -> Range:
+        """Range by QR of A^T; by singular values if rows depend on each other or outnumber the unknowns.
+
+        null: whether its basis is needed; otherwise it may be missing.
+        """
+        r, n = A.shape
+        if r <= n:
+            Q, R = qr(A.T, mode="full" if null else "economic", check_finite=False)
+            diagonal = np.abs(np.diag(R))
+            if diagonal.size == 0 or diagonal.min() > _DOUBTFUL * diagonal.max():
+                return Range(Q[:, :0], Q[:, :r], R[:r], diagonal, Q[:, r:])
+        U, values, V = np.linalg.svd(A, full_matrices=True)
+        rank = int(np.sum(values > SINGULAR * values[0])) if values.size else 0
+        return Range(U[:, :rank], V[:rank].T, None, values[:rank], V[rank:].T)
+
+    def least(self, c: Array) -> Array:
+        """Shortest x (n) with A x = c (r)."""
+        if self._triangle is not None:
+            return np.asarray(self._right @ solve_triangular(self._triangle, c, trans="T", check_finite=False))
+        return np.asarray(self._right @ ((self._left.T @ c) / self._values))
+
+    def multipliers(self, g: Array) -> Array:
+        """y (r) of the least-squares problem A^T y = g."""
+        along = self._right.T @ g
+        if self._triangle is not None:
+            return np.asarray(solve_triangular(self._triangle, along, check_finite=False))
+        return np.asarray(self._left @ (along / self._values))
+
 
 LONGEST = 0.7
 """rad: limit of the change of an angle in one step."""
@@ -39,7 +84,6 @@ class Run:
 
     point: Point
     steps: int
-    settled: bool
 
 
 def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: float | None = None) -> Run:
@@ -48,35 +92,35 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
     Ctrl-C or the end of the budget ends the run with its present point.
     """
     point, lam, nu, idle = stage.at(start), 1e-2, 0.0, 0
-    around = stage.around(start.bias)
+    around = stage.problem.around(stage.grid.course, start.bias)
     for taken in range(steps):
         if enough is not None and point.used < enough and is_solved(point):
-            return Run(point, taken, True)
+            return Run(point, taken)
         if not budget.step():
-            return Run(point, taken, False)
+            return Run(point, taken)
         try:
             if taken % RENEWED == RENEWED - 1:
-                around = stage.around(point.motion.bias)
+                around = stage.problem.around(stage.grid.course, point.motion.bias)
             local = Local.of(stage, point.model(around))
             nu = max(local.penalty(), 0.5 * nu)
             trial, lam = local.reduce_merit(point, lam, nu)
         except KeyboardInterrupt:
             budget.interrupted = True
-            return Run(point, taken, False)
+            return Run(point, taken)
         if trial is None:
-            return Run(point, taken + 1, True)
+            return Run(point, taken + 1)
         before, after = merit(point, nu), merit(trial, nu)
         idle = idle + 1 if before - after < _DECREASE * before else 0
         point, lam = trial, max(0.2 * lam, _LEAST)
         if idle >= _IDLE and is_solved(point):
-            return Run(point, taken + 1, True)
-    return Run(point, steps, False)
+            return Run(point, taken + 1)
+    return Run(point, steps)
 
 
 def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Periodic:
     """Bring residual harmonics 0..H to zero by shortest steps alone, as far as `steps` steps allow."""
     point = stage.at(start)
-    around = stage.around(start.bias)
+    around = stage.problem.around(stage.grid.course, start.bias)
     for _ in range(steps):
         if size(point.c) < _SOLVED or not budget.step():
             break

@@ -6,8 +6,7 @@
 
 from mahovik.use.plan.residual.by_design import PARAMETERS, DesignRates, by_design
 from mahovik.use.plan.residual.evaluate import Linear, linear, residual, torques
-from mahovik.use.plan.residual.norm import Norm
-from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, prescribe
+from mahovik.use.plan.residual.prescribed import Mechanics, Norm, Prescribed, prescribe
 
 __all__ = [
     "PARAMETERS",

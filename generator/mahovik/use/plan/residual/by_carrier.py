@@ -9,15 +9,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.contract import laws
+from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.carrier import Housing
-from mahovik.use.plan.residual.damping import damping_rate
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed import Mechanics
 from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
-from mahovik.use.plan.residual.ties import ties
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
     wheels = _flywheels(mechanics.tables, at, phi, phi_dot)
     R = [x - y.sum(axis=1) for x, y in zip(own, wheels, strict=True)]
     tau = [np.einsum("si,msij->msj", mechanics.tables.spin, x) for x in wheels]
-    tied = ties(mechanics.stand, at)
+    tied = law_slopes(mechanics.stand, at)
     by_pose, by_twist = _through_stream(mechanics, at, *R)
     tau_by_pose, tau_by_twist = _through_stream(mechanics, at, *tau)
     return ByCarrier(by_pose + tied.by_pose, by_twist + tied.by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
@@ -57,7 +57,7 @@ def _housing(housing: Housing, at: Twists) -> tuple[Array, Array, Array]:
     momentum = at.V_r @ housing.K
     by_V_r = -motor_cross(at.V_r) @ housing.K - momentum_cross(momentum)
     for L, damping in housing.damped:
-        by_V_r += L @ damping_rate(damping, at.V_r @ L) @ L.T
+        by_V_r += L @ damping.rate(at.V_r @ L) @ L.T
     M = len(at.V)
     return by_V_r, np.tile(-housing.K, (M, 1, 1)), np.tile(housing.heavy, (M, 1, 1))
 
@@ -74,7 +74,7 @@ def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[
         if damping is not None:
             L = tables.Lm[s] @ block_diagonal(turn(0, phi[:, s]))
             twist = (at.V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, s, None] * f
-            by_V_r[:, s] -= L @ damping_rate(damping, twist) @ np.swapaxes(L, 1, 2)
+            by_V_r[:, s] -= L @ damping.rate(twist) @ np.swapaxes(L, 1, 2)
     return by_V_r, Theta, -np.einsum("hms,hsij->msij", h, tables.weight)
 
 
@@ -101,3 +101,13 @@ def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Ar
     by_pose[..., 3:] -= by_V_r[..., :3] @ turned_u.reshape(among)
     by_pose[..., 3:] += by_rate[..., :3] @ (skew(at.V[:, 3:]) @ turned_u).reshape(among)
     return Slopes(by_pose, by_twist)
+
+
+def law_slopes(stand: Stand, at: Twists) -> Slopes:
+    """Slopes of the wrench of all laws at M states. StateError: a law is undefined there."""
+    found = Slopes(np.zeros((len(at.V), 6, 6)), np.zeros((len(at.V), 6, 6)))
+    for law in laws.parts("plan"):
+        by_pose, by_twist = law.slopes(stand, at)
+        found.by_pose[:] += by_pose
+        found.by_twist[:] += by_twist
+    return found

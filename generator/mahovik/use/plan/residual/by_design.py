@@ -11,13 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.damping import damping_rate, damping_wrench
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 from mahovik.use.plan.residual.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
-from mahovik.use.plan.residual.kinematics import Coordinates, Twists, twists
-from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, Shifted, harmonics_at
+from mahovik.use.plan.residual.kinematics import Twists, twists
+from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, harmonics_at
 from mahovik.use.plan.residual.spatial import (
     block_diagonal,
     flywheel_transfer,
@@ -39,7 +39,7 @@ position  Os in the mount's frame, m
 turn      small rotation of its axes at phi = 0 about its own axes, rad: 1 shifts the phase, 2 and 3 tilt the axis
 mass      kg; center of mass and inertia as they are
 center    of mass in its frame, m: 1 along the axis, 2 and 3 across: the unbalance, divided by the mass
-Jij       inertia as the stand has it, about the point that the stand says, kg m2; Jji with it
+Jij       inertia of the stand, about the point named in the stand, kg m2; Jji with it
 """
 PLACING, MASSES = 6, 10
 """How many of them place the flywheel, and how many are of its mass."""
@@ -122,11 +122,11 @@ class DesignRates:
 
 
 def by_design(
-    at: Prescribed, course: Coordinates, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
+    at: Prescribed, course: Course, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
 ) -> DesignRates:
     """Derivatives, exact, at a motion: `at` is `prescribe(mechanics, course, bias)`; angles (M, N each; rad, s)."""
     own = at.mechanics
-    moving = twists(own.stand, Shifted(course.q + bias, course.q_dot, course.q_ddot))
+    moving = twists(own.stand, course._replace(q=course.q + bias))
     rates = table_rates(own.stand, own.tables)
     W = _wrench_rates(own, moving, rates, phi, phi_dot, phi_ddot)
     spin = own.tables.spin
@@ -161,8 +161,8 @@ def _damping_rates(tables: Tables, rates: TableRates, s: int, V_r: Array, phi: A
     assert damping is not None
     R = block_diagonal(turn(0, phi))  # (M, 6, 6)
     v = ((V_r @ Lm)[:, None, :] @ R)[:, 0, :] + phi_dot[:, None] * f
-    wrench = (Lm @ (R @ damping_wrench(damping, v)[:, :, None]))[:, :, 0]
+    wrench = (Lm @ (R @ damping.wrench(v)[:, :, None]))[:, :, 0]
     felt = np.einsum("mi,kij->mkj", V_r, X) @ Lm  # X^T V_r in the frame at phi = 0
-    change = np.einsum("mij,mjk->mik", damping_rate(damping, v), np.swapaxes(felt @ R, 1, 2))
+    change = np.einsum("mij,mjk->mik", damping.rate(v), np.swapaxes(felt @ R, 1, 2))
     found = np.einsum("kij,mj->imk", X, wrench) + np.moveaxis(Lm @ (R @ change), 1, 0)
     return np.asarray(found)

@@ -6,17 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik import laws
-from mahovik.core.stand.model import Carrier, Damping, Instrument, Stand
+from mahovik.contract import laws
+from mahovik.core.stand.model import Carrier, Instrument, Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.damping import damping_wrench
+from mahovik.use.plan.residual.body_laws import TwistLaws, net_weight, twist_laws
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.spatial import (
     fixed_axes,
     gravity_wrench_matrix,
     inertia,
     motor_cross,
-    net_weight,
     transfer,
 )
 
@@ -26,14 +25,14 @@ class Housing:
     """Constants of everything but the flywheels, in E1 about O1.
 
     K        6x6: Theta_1 + sum Lp Theta_p Lp^T and added mass, of (2)
-    heavy    6x3: wrench of weight and buoyancy by gravity in E1
-    damped   L (6x6) and damping of each damped body
+    heavy    6x3: wrench of the net weight by gravity in E1
+    damped   L (6x6) of each damped body, and the laws of its twist
     """
 
     stand: Stand
     K: Array
     heavy: Array
-    damped: tuple[tuple[Array, Damping], ...]
+    damped: tuple[tuple[Array, TwistLaws], ...]
 
     @staticmethod
     def of(stand: Stand) -> Housing:
@@ -46,8 +45,8 @@ class Housing:
             if body.added_mass is not None:
                 K += np.array(body.added_mass)
             heavy += L @ gravity_wrench_matrix(*net_weight(body)) @ L[:3, :3].T
-            if body.damping is not None:
-                damped.append((L, body.damping))
+            if (damping := twist_laws(body)) is not None:
+                damped.append((L, damping))
         return Housing(stand, K, heavy, tuple(damped))
 
     def balance(self, at: Twists) -> Array:
@@ -64,5 +63,5 @@ class Housing:
         if any(self.stand.gravity):
             F += in_E1(at.C, np.broadcast_to(self.stand.gravity, at.O1.shape)) @ self.heavy.T
         for L, damping in self.damped:
-            F += damping_wrench(damping, at.V_r @ L) @ L.T
+            F += damping.wrench(at.V_r @ L) @ L.T
         return F

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.damping import damping_rate, damping_wrench
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.prescribed import Prescribed
 from mahovik.use.plan.residual.spatial import block_diagonal, skew, turn
@@ -87,7 +86,7 @@ def flywheel_damping(tables: Tables, s: int, V_r: Array, phi: Array, phi_dot: Ar
     assert damping is not None
     turned = block_diagonal(turn(0, phi))  # E_s in the frame at phi = 0
     v = ((V_r @ Lm)[:, None, :] @ turned)[:, 0, :] + phi_dot[:, None] * f
-    P, rate = damping_wrench(damping, v), damping_rate(damping, v)
+    P, rate = damping.wrench(v), damping.rate(v)
     by_phi = P @ _SPIN.T - (rate @ (v @ _SPIN.T)[:, :, None])[:, :, 0]  # turned' = turned [<e>]
     by_phi_dot = rate @ f
     found = []

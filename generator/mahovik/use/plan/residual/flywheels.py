@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Damping, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.body_laws import TwistLaws, net_weight, twist_laws
 from mahovik.use.plan.residual.spatial import (
     block_diagonal,
     flywheel_transfer,
     gravity_wrench_matrix,
     inertia,
-    net_weight,
 )
 
 _STILL = block_diagonal(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
@@ -33,10 +33,10 @@ class Tables:
     """Tables of N flywheels, harmonics h = 1, cos, sin, cos 2, sin 2 first; in E1 about O1.
 
     Theta    (5, N, 6, 6): Ls Theta_s Ls^T
-    weight   (5, N, 6, 3): wrench of weight and buoyancy by gravity in E1
+    weight   (5, N, 6, 3): wrench of the net weight by gravity in E1
     spin     (N, 6): what makes tau of a wrench about O1 in E1: its moment about the spin axis
     Lm       (N, 6, 6): transfer of the frame at phi = 0
-    damping  of each flywheel, or None
+    damping  laws of the twist of each flywheel, or None
     unbalance, axis   (N, kg m), (N, 3): mu_s across the axis, and the axis in E1
     Theta_ff (N, kg m2): f^T Theta_s f
     """
@@ -45,7 +45,7 @@ class Tables:
     weight: Array
     spin: Array
     Lm: Array
-    damping: tuple[Damping | None, ...]
+    damping: tuple[TwistLaws | None, ...]
     unbalance: Array
     axis: Array
     Theta_ff: Array
@@ -67,7 +67,7 @@ def tables_of(stand: Stand) -> Tables:
         weight=np.swapaxes(weight, 0, 1),
         spin=np.array([f @ np.linalg.inv(L) for L in Lm]).reshape(-1, 6),
         Lm=Lm,
-        damping=tuple(s.damping for s in wheels),
+        damping=tuple(twist_laws(s) for s in wheels),
         unbalance=np.array([s.mass * np.hypot(*s.center_of_mass[1:]) for s in wheels]),
         axis=Lm[:, :3, 0],
         Theta_ff=np.array([inertia(s)[3, 3] for s in wheels]),

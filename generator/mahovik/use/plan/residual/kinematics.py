@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
+from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.spatial import AXES, attitude, turn
-
-
-class Coordinates(Protocol):
-    """q, q', q'' (M, 6 each): O1 in E0 (m), then psi, theta, phi (rad) in the stand's sequence."""
-
-    @property
-    def q(self) -> Array: ...
-    @property
-    def q_dot(self) -> Array: ...
-    @property
-    def q_ddot(self) -> Array: ...
 
 
 class Twists(NamedTuple):
@@ -35,7 +25,7 @@ class Twists(NamedTuple):
     V_r_dot: Array
 
 
-def twists(stand: Stand, course: Coordinates) -> Twists:
+def twists(stand: Stand, course: Course) -> Twists:
     """V = A q', V* = A q'' + D q' of (10), without the inverse of A: no attitude is singular here."""
     angles, rates, seconds = (x[:, 3:] for x in (course.q, course.q_dot, course.q_ddot))
     C = attitude(stand.angles, angles)

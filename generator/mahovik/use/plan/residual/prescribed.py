@@ -8,7 +8,8 @@ with e_s the twist of a unit spin. Sorted by harmonics h of phi and by powers of
 
     W_s = sum_h h(phi) (A_h + C_h phi' + I_h phi'' + I'_h phi'^2),
 
-A_h, C_h of the motion, I_h, I'_h constant. (8) is then R = balance - sum_s W_s, and tau_s its part about the axis.
+A_h, C_h of the motion, I_h, I'_h constant. (8) is then R = balance - sum_s W_s, and tau_s its part about the axis. The
+norm of residuals is the same for any units, origin and axes.
 """
 
 from __future__ import annotations
@@ -17,11 +18,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.carrier import Housing
 from mahovik.use.plan.residual.flywheels import Tables, slope, tables_of
-from mahovik.use.plan.residual.kinematics import Coordinates, Twists, in_E1, twists
+from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
 from mahovik.use.plan.residual.spatial import motor_cross
 
 
@@ -77,19 +79,9 @@ class Prescribed:
         return np.asarray(self.base - self.fixed[0, :6].sum(axis=2).T)
 
 
-def prescribe(mechanics: Mechanics, course: Coordinates, bias: Array | float = 0.0) -> Prescribed:
+def prescribe(mechanics: Mechanics, course: Course, bias: Array | float = 0.0) -> Prescribed:
     """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a law is undefined."""
-    at = twists(mechanics.stand, Shifted(course.q + bias, course.q_dot, course.q_ddot))
-    return prescribed_at(mechanics, at)
-
-
-@dataclass(frozen=True, eq=False)
-class Shifted:
-    """Coordinates with their bias added (M, 6 each)."""
-
-    q: Array
-    q_dot: Array
-    q_ddot: Array
+    return prescribed_at(mechanics, twists(mechanics.stand, course._replace(q=course.q + bias)))
 
 
 def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
@@ -121,3 +113,49 @@ def _with_torque(harmonics: Array, tables: Tables) -> Array:
     """(5, 7, ...) of (5, 6, ..., N): with the part about each flywheel's axis as a seventh row."""
     about = np.einsum("si,hims->hms", tables.spin, harmonics)
     return np.concatenate([harmonics, about[:, None]], axis=1)
+
+
+_STILL = 1e-9
+"""Part of what the unbalance can do at the motion's frequency, below which a carrier counts as held still."""
+
+
+@dataclass(frozen=True, eq=False)
+class Norm:
+    """max_t |root R(t)| / demand.
+
+    root    6x6: G^-1 of K0 = G G^T, K0 the mean K over all angles: its norm is that of K0^-1/2
+    demand  max_t |root (P(t) - mean P)|, P the wrench needed at locked flywheels
+    """
+
+    root: Array
+    demand: float
+
+    @staticmethod
+    def of(at: Prescribed, span: float) -> Norm:
+        """The norm of a motion prescribed at uniform times, for its period or duration (s).
+
+        For a carrier to be held still: sum mu_s Omega^2 / sqrt(m) in place of the demand; without unbalance
+        as well, what spinning inertias do at that frequency.
+        """
+        own = at.mechanics
+        root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
+        P = at.locked() @ root.T
+        demand = float(np.linalg.norm(P - P.mean(axis=0), axis=1).max())
+        able = able_at(own, 2.0 * np.pi / span)
+        return Norm(root, demand if demand > _STILL * able else able)
+
+    def scaled(self, R: Array) -> Array:
+        """root R / demand (M, 6), dimensionless."""
+        return np.asarray(R @ (self.root.T / self.demand))
+
+    def relative(self, R: Array) -> float:
+        """Relative residual of R (M, 6)."""
+        return float(np.linalg.norm(self.scaled(R), axis=1).max())
+
+
+def able_at(own: Mechanics, Omega: float) -> float:
+    """Largest wrench of all flywheels together at the speed Omega (rad/s), in the norm's units."""
+    K0 = own.mean_inertia
+    by_force = own.tables.unbalance.sum() / np.sqrt(K0[0, 0])
+    by_moment = own.tables.Theta_ff.sum() / np.sqrt(np.trace(K0[3:, 3:]) / 3.0)
+    return float(max(by_force, 1e-3 * by_moment) * Omega**2)

@@ -112,14 +112,6 @@ def spatial_inertia(mass: Array, moment: Array, J: Array) -> Array:
     return Theta
 
 
-def net_weight(body: Body) -> tuple[float, Array]:
-    """What gravity acts on: mass less displaced mass (kg), and first moment less that of the displaced (3, kg m)."""
-    if body.buoyancy is None:
-        return body.mass, first_moment(body)
-    displaced = body.buoyancy.displaced_mass
-    return body.mass - displaced, first_moment(body) - displaced * np.array(body.buoyancy.center)
-
-
 def gravity_wrench_matrix(mass: Array | float, moment: Array) -> Array:
     """Matrix (..., 6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (..., 3; kg m)."""
     H = np.zeros((*np.shape(mass), 6, 3))

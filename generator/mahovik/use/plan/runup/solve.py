@@ -1,22 +1,23 @@
-"""Solve a run-up or run-down: coarse nodes first, then bounds, then nodes fine enough to trust."""
+"""Solve a run-up or run-down: coarse nodes first, then bounds, then nodes fine enough to trust; table and report."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from mahovik.core.motion.programme import Programme, Samples
+from mahovik.core.motion.programme import Programme, RunUpTable, Samples
 from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
-from mahovik.use.plan.runup.limits import reduce_excess, shares
-from mahovik.use.plan.runup.newton import nonzero, shoot
+from mahovik.use.plan.runup.newton import measure, nonzero, reduce_excess, shares, shoot
 
 GOAL = 1e-8
 """Terminal error at the nodes, in amplitudes."""
@@ -40,7 +41,6 @@ class Found:
     """A solution of the boundary-value problem, and the terminal error of its table with nodes twice as dense.
 
     steps     Newton steps of the successful attempt
-    attempts  1: the first
     attempts  1: the first
     """
 
@@ -84,19 +84,19 @@ def solve(
         c = np.zeros((mechanics.N, coarse.family.P))
         c[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
         try:
-            shot = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
-            best = min(best, shot.flight.size)
-            if shot.flight.size > _COARSE:
-                if not budget.over() and is_out_of_reach(coarse, shot.flight):
+            flight, steps = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
+            best = min(best, flight.size)
+            if flight.size > _COARSE:
+                if not budget.over() and is_out_of_reach(coarse, flight):
                     raise CheckError(
                         f"{which}: the surroundings cannot absorb the momentum of the programme, so no "
                         "run-up or run-down exists; a programme of rocking flywheels may have no momentum"
                     )
                 continue
-            found = _refine_nodes(problem, *_reduce_excess(problem, coarse, shot.flight, motion.bounds, budget))
+            found = _refine_nodes(problem, *_reduce_excess(problem, coarse, flight, motion.bounds, budget))
         except StateError:
             continue
-        return Found(*found, shot.steps, number + 1)
+        return Found(*found, steps, number + 1)
     ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
@@ -129,7 +129,7 @@ def _reduce_excess(
         added = own.family.basis[0] @ flight.c.T
         c = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
         try:
-            there = shoot(richer, richer.fly(c), _COARSE, _STEPS, budget).flight
+            there = shoot(richer, richer.fly(c), _COARSE, _STEPS, budget)[0]
         except StateError:
             break
         if there.size > _COARSE:
@@ -149,7 +149,7 @@ def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[B
     own = problem(nodes, splines)
     while nodes <= DENSEST:
         flight = own.fly(flight.c, guess=interpolate_states(before, own, flight.course.y))
-        flight = shoot(own, flight, GOAL, 6).flight
+        flight = shoot(own, flight, GOAL, 6)[0]
         nodes *= 2
         denser = problem(nodes, splines)
         error = denser.table_error(table_of(own, flight), interpolate_states(own, denser, flight.course.y))
@@ -168,3 +168,83 @@ def table_of(problem: Boundary, flight: Flight) -> Samples:
 def interpolate_states(own: Boundary, other: Boundary, y: Array) -> Array:
     """States y at the nodes of `own`, interpolated at those of `other`."""
     return np.asarray(CubicSpline(own.family.t, y)(other.family.t))
+
+
+UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
+
+
+def with_runup(
+    stand: Stand,
+    motion: RequiredMotion,
+    programme: Programme,
+    seed: int = 0,
+    budget: Budget | None = None,
+    say: Callable[[str], None] | None = None,
+) -> Programme:
+    """The programme with the tables `runup` and `rundown` that the motion file requests, and their report.
+
+    A table that was not found is left out; its report has the reason under `reason`. Without `runup` in the motion file
+    nothing changes. The same arguments give the same result, unless time or Ctrl-C ends the `budget`: then a table not
+    found yet is left out. The run-up has half of the remaining seconds. `say` receives the name of the current search.
+    """
+    if motion.runup is None or not programme.periodic:
+        return programme
+    mechanics = Mechanics.of(stand)
+    tables: dict[str, RunUpTable | None] = {}
+    report: dict[str, Any] = dict(programme.report)
+    whole = budget or Budget(0)
+    for key, up in (("runup", True), ("rundown", False)):
+        own = Budget(0, whole.left(0.5 if up else 1.0), interrupted=whole.interrupted)
+        if say is not None:
+            say("run-up" if up else "run-down")
+        try:
+            found = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=own)
+        except KeyboardInterrupt:
+            whole.interrupted = True
+            tables[key], report[key] = None, {"reason": f"{'run-up' if up else 'run-down'}: interrupted"}
+        except CheckError as error:
+            tables[key], report[key] = None, {"reason": str(error)}
+        else:
+            table = RunUpTable(motion.runup, table_of(found.problem, found.flight))
+            tables[key], report[key] = table, runup_figures(found, motion, stand)
+    return replace(programme, runup=tables["runup"], rundown=tables["rundown"], report=report)
+
+
+def shortcomings(programme: Programme) -> tuple[str, ...]:
+    """Problems of run-up and run-down, one per line: not found, or a bound exceeded."""
+    lines = []
+    for key in ("runup", "rundown"):
+        told = programme.report.get(key, {})
+        if "reason" in told:
+            lines.append(told["reason"])
+        lines += told.get("exceeded", ())
+    return tuple(lines)
+
+
+def runup_figures(found: Found, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
+    """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
+    values, t = measure(found.problem, found.flight), found.problem.family.t
+    name = "run-up" if found.problem.up else "run-down"
+    at = np.argmax(values["deviation"], axis=0)
+    exceeded = []
+    for bound, share in shares(found.problem, found.flight, motion.bounds).by_name.items():
+        i, k = np.unravel_index(int(np.argmax(share)), share.shape)
+        if share[i, k] > 1.0:
+            value = abs(float(values[bound][i, k]))
+            unit = ("m", "rad")[k] if bound == "deviation" else UNITS[bound]
+            whose = "" if bound == "deviation" else f" of {stand.flywheels[k].name}"
+            exceeded.append(
+                f"{name}: {bound}{whose} {value:.4g} {unit} at t = {t[i]:.4g} s exceeds its bound, "
+                f"{value / share[i, k]:.4g} {unit}"
+            )
+    return {
+        "terminal_error": found.error,
+        "steps": found.steps,
+        "attempts": found.attempts,
+        "deviation": {
+            kind: {"largest": float(values["deviation"][i, k]), "t": float(t[i])}
+            for k, (kind, i) in enumerate(zip(("linear", "angular"), at, strict=True))
+        },
+        "peak": {key: np.abs(values[key]).max(axis=0).tolist() for key in UNITS},
+        "exceeded": exceeded,
+    }

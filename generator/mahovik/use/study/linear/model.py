@@ -1,26 +1,124 @@
-"""A, B, C, D: evolution of small deviations from a motion of the whole system, with exact derivatives."""
+"""A, B, C, D: evolution of small deviations from a motion of the whole system, with exact derivatives.
+
+Channels name states, inputs and outputs; an output is the displacement of a point of the carrier from that motion. As a
+file a model is JSON, or .mat of MATLAB, Octave, SciPy.
+"""
 
 from __future__ import annotations
 
+import io
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.proof.reference.points import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.verify.states import encode, state_object
+from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
-from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, skew, transfer, turn
-from mahovik.use.study.linear.channels import Channel, inputs, outputs, states
-from mahovik.use.study.linear.points import output_rows, places
+from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
 
-Array = NDArray[np.float64]
+
+class Channel(NamedTuple):
+    """One state, input or output: a name (a space only before a flywheel or point), and an SI unit."""
+
+    name: str
+    unit: str
+
+    def __str__(self) -> str:
+        return f"{self.name} [{self.unit}]"
+
+
+AXES = ("x", "y", "z")
+
+
+def triple(prefix: str, unit: str, suffix: str = "") -> list[Channel]:
+    """Three channels along the axes."""
+    return [Channel(f"{prefix}{axis}{suffix}", unit) for axis in AXES]
+
+
+def states(stand: Stand, locked: bool) -> tuple[Channel, ...]:
+    """Pose (6), V (6), then phi (N) and phi' (N) of flywheels that are not locked."""
+    carrier = [*triple("", "m"), *triple("r", "rad"), *triple("v_", "m/s"), *triple("omega_", "rad/s")]
+    if locked:
+        return tuple(carrier)
+    names = [s.name for s in stand.flywheels]
+    angles = [Channel(f"phi {name}", "rad") for name in names]
+    return (*carrier, *angles, *(Channel(f"phi_dot {name}", "rad/s") for name in names))
+
+
+def inputs(stand: Stand, locked: bool) -> tuple[Channel, ...]:
+    """Drive torques (N) of flywheels that are not locked, then the wrench on the carrier (6)."""
+    drives = [] if locked else [Channel(f"tau {s.name}", "N m") for s in stand.flywheels]
+    wrench = [Channel(f"wrench {letter}", "N" if letter in "XYZ" else "N m") for letter in "XYZKMN"]
+    return (*drives, *wrench)
+
+
+def outputs(points: tuple[str, ...]) -> tuple[Channel, ...]:
+    """Displacement, velocity, acceleration (3 each) of every point."""
+    found: list[Channel] = []
+    for name in points:
+        for prefix, unit in (("d", "m"), ("v", "m/s"), ("a", "m/s2")):
+            found += triple(f"{prefix}_", unit, f" {name}")
+    return tuple(found)
+
+
+class Place(NamedTuple):
+    """A point or instrument on the carrier: origin (3; m) from O1, axes (3, 3), both in E1."""
+
+    name: str
+    origin: Array
+    axes: Array
+
+
+def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...]:
+    """The points and instruments named, in that order; None: all of the stand. Raises UsageError.
+
+    The carrier's name stands for O1 on the axes of E1.
+    """
+    known = {name: Place(name, place(L), L[:3, :3]) for name, L in point_transfers(stand)}
+    if names is None:
+        return tuple(known.values())
+    known[stand.carrier.name] = Place(stand.carrier.name, np.zeros(3), np.eye(3))
+    for i, name in enumerate(names):
+        if name not in known:
+            raise UsageError(f'unknown point "{name}"{suggestion(name, known)}')
+        if name in names[:i]:
+            raise UsageError(f'point "{name}": given twice')
+    return tuple(known[name] for name in names)
+
+
+def output_rows(place: Place, V: Array, V_dot: Array) -> tuple[Array, Array]:
+    """Rows (9, 12) by pose and V, and (9, 6) by V*: displacement, velocity, acceleration of a point.
+
+    They are differences in E0 from the nominal motion, on the point's axes in that motion. V, V* (6): nominal motion.
+    """
+    r, v, omega, v_dot, omega_dot = place.origin, V[:3], V[3:], V_dot[:3], V_dot[3:]
+    arm, turning = skew(r), skew(omega)
+    velocity = v + np.cross(omega, r)
+    acceleration = v_dot + np.cross(omega, velocity) + np.cross(omega_dot, r)
+    at = np.zeros((9, 12))
+    at[:3, :3], at[:3, 3:6] = np.eye(3), -arm
+    at[3:6, 3:6], at[3:6, 6:9], at[3:6, 9:] = -skew(velocity), np.eye(3), -arm
+    at[6:, 3:6] = -skew(acceleration)
+    at[6:, 6:9], at[6:, 9:] = turning, -skew(velocity) - turning @ arm
+    rate = np.zeros((9, 6))
+    rate[6:, :3], rate[6:, 3:] = np.eye(3), -arm
+    own = np.kron(np.eye(3), place.axes.T)
+    return own @ at, own @ rate
+
 
 SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))
 """[<e>] (6, 6) of (5): derivative of a flywheel's axes as it turns."""
@@ -167,3 +265,62 @@ def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
         by_phi[:, k] = L @ SPIN @ P
         about[k] = P[3]
     return total, by_phi, about
+
+
+MODEL_SUFFIXES = (".json", ".mat")
+
+FORMAT = 1
+
+
+def check_model_file(path: Path) -> None:
+    """Raise UsageError if no model can be written to a file of this name."""
+    if path.suffix not in MODEL_SUFFIXES:
+        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(MODEL_SUFFIXES)}")
+
+
+def rendered(model: LinearModel, suffix: str) -> bytes:
+    """The content of a file: `suffix` .json or .mat. The same model gives the same bytes."""
+    if suffix == ".mat":
+        return _mat(model)
+    return (encode_lines(contents(model)) + "\n").encode("utf-8")
+
+
+def contents(model: LinearModel) -> dict[str, Any]:
+    """Contents of both formats, by name. Numbers in SI."""
+    channels = {name: getattr(model, name) for name in ("states", "inputs", "outputs")}
+    return {
+        "schema": FORMAT,
+        "stand": model.stand.name,
+        "physics": identities(model.stand).physics,
+        "flywheels": "locked" if model.locked else "free",
+        "state": state_object(model.state),
+        "points": list(model.points),
+        **{name: [each.name for each in found] for name, found in channels.items()},
+        **{f"{name.removesuffix('s')}_units": [each.unit for each in found] for name, found in channels.items()},
+        **{name: getattr(model, name) for name in "ABCD"},
+    }
+
+
+def encode_lines(values: dict[str, Any]) -> str:
+    """JSON, one key per line; floats read back to the same bits."""
+    lines = [f" {json.dumps(name)}: {encode(value)}" for name, value in values.items()]
+    return "{\n" + ",\n".join(lines) + "\n}"
+
+
+def _mat(model: LinearModel) -> bytes:
+    """Names and units as columns of cells. The header text has no date."""
+    from scipy.io import savemat
+
+    values = contents(model)
+    for name, value in values.items():
+        if isinstance(value, list):
+            values[name] = np.array(value, dtype=object).reshape(-1, 1)
+    wrench = values["state"].pop("wrench", {})
+    if wrench:
+        bodies = np.array(list(wrench), dtype=object).reshape(-1, 1)
+        values["state"] |= {"wrench_bodies": bodies, "wrench": np.array(list(wrench.values()))}
+    buffer = io.BytesIO()
+    savemat(buffer, values, oned_as="column")
+    found = bytearray(buffer.getvalue())
+    found[:116] = f"MATLAB 5.0 MAT-file, linear model of {model.stand.name}, mahovik".encode("ascii")[:116].ljust(116)
+    return bytes(found)

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mahovik.use.study.linear.channels import Channel
-from mahovik.use.study.linear.model import LinearModel
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.linear.model import Channel, LinearModel
 from mahovik.use.study.rest import reduced_basis
-
-Array = NDArray[np.float64]
 
 SAME = 1e-9
 """Relative difference below which two magnitudes of eigenvalues are equal but for rounding."""
@@ -41,7 +38,7 @@ class Mode:
     eigenvalue: complex
     frequency: float
     damping: float
-    shape: NDArray[np.complex128]
+    shape: Complex
 
     @property
     def damped_frequency(self) -> float:
@@ -85,7 +82,7 @@ def modes(model: LinearModel) -> Modes:
     return Modes(coordinates, tuple(found), int(zero.sum()))
 
 
-def _by_size(values: NDArray[np.complex128]) -> list[int]:
+def _by_size(values: Complex) -> list[int]:
     """Indices of eigenvalues by magnitude; of magnitudes that only rounding tells apart, the growing one first."""
     order = np.argsort(np.abs(values), kind="stable")
     sizes = np.abs(values)[order]
@@ -93,7 +90,7 @@ def _by_size(values: NDArray[np.complex128]) -> list[int]:
     return [int(order[i]) for i in np.lexsort((-values[order].real, group))]
 
 
-def _mode(value: complex, shape: NDArray[np.complex128], turning: bool) -> Mode:
+def _mode(value: complex, shape: Complex, turning: bool) -> Mode:
     size = abs(value)
     kind = "oscillation" if turning else "decay" if value.real < 0.0 else "growth"
     damping = -value.real / size
@@ -106,7 +103,7 @@ def _free(shape: Array) -> Mode:
     return Mode("free", 0j, 0.0, 0.0, _scaled(shape.astype(np.complex128)))
 
 
-def _scaled(shape: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _scaled(shape: Complex) -> Complex:
     """Scale so that the largest displacement (m or rad) is 1."""
     largest = shape[int(np.argmax(np.abs(shape)))]
     return np.asarray(shape / largest) if largest != 0.0 else shape

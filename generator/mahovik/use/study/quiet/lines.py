@@ -1,17 +1,177 @@
-"""Lines in the spectrum of a point: flywheels of one speed share a line, and their phases matter there."""
+"""Jitter to first order: lines in the spectrum of a point by the carrier's response to each flywheel's unbalance.
+
+Flywheels of one speed share a line, and their phases matter there: they are chosen so that the amplitudes cancel as far
+as possible.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mahovik.use.study.quiet.options import Interval
-from mahovik.use.study.quiet.phases import cancel
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.points import point_transfers
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+QUARTERS = np.arange(4) * (np.pi / 2)
+"""Phases whose mean removes the first and the second harmonic of a flywheel."""
+
+
+@dataclass(frozen=True, eq=False)
+class Amplitudes:
+    """Amplitudes to first order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments.
+
+    Every flywheel s turns at constant speed; its contribution is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i
+    phi_s).
+
+    A0, A1     (12 x 12), (N x 12 x 12): x' = A x + B w of the carrier with locked flywheels, A = A0 + sum A1_s phi_s'
+    B          (12 x 6), by a wrench about O1 in E1
+    turning    (N x 6, complex): w = Re(turning_s exp(i phi_s)) phi_s'^2, centrifugal wrench
+    hanging    (N x 6, complex): the same for weight and other wrenches that turn with the flywheel
+    C          (axes x 12): velocity of the point, or rotation of its axes; differentiated `power` times: the measure
+    """
+
+    A0: Array
+    A1: Array
+    B: Array
+    turning: Complex
+    hanging: Complex
+    C: Array
+    power: int
+
+    @staticmethod
+    def of(stand: Stand, options: QuietOptions, rest: State) -> Amplitudes:
+        """Amplitudes about the pose `rest`. Raises StateError."""
+        N = len(stand.flywheels)
+        measure = MEASURES[options.measure]
+        across = np.array(options.axes)
+        still = _mean(stand, rest, options.point, np.zeros(N))
+        moving = [_mean(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
+        C, power = still[2], 1 - measure.integrals
+        if measure.turning:
+            L = dict(point_transfers(stand))[options.point]
+            C, power = np.hstack([np.zeros((3, 9)), L[:3, :3].T]), -measure.integrals
+        turning, hanging = _wrenches(stand, rest)
+        return Amplitudes(still[0], np.array(moving), still[1], turning, hanging, across @ C, power)
+
+    def at(self, speeds: Array) -> Complex:
+        """Amplitudes (axes x N) at these speeds (N, rad/s), for phases zero; zero for a flywheel at rest."""
+        return self._solved(speeds)[0]
+
+    def states(self, speeds: Array) -> Complex:
+        """Amplitudes (12 x N) of the carrier's pose and V."""
+        return self._solved(speeds)[1]
+
+    def _solved(self, speeds: Array) -> tuple[Complex, Complex]:
+        A = self.A0 + np.tensordot(speeds, self.A1, axes=1)
+        turning = np.flatnonzero(speeds)
+        y = np.zeros((len(self.C), len(speeds)), dtype=np.complex128)
+        x = np.zeros((12, len(speeds)), dtype=np.complex128)
+        if len(turning) == 0:
+            return y, x
+        omega = np.abs(speeds[turning])
+        w = self.turning[turning] * omega[:, None] ** 2 + self.hanging[turning]
+        w = np.where((speeds[turning] < 0.0)[:, None], w.conj(), w)
+        x[:, turning] = np.linalg.solve(1j * omega[:, None, None] * np.eye(12) - A, (w @ self.B.T)[..., None])[..., 0].T
+        y[:, turning] = self.C @ x[:, turning] * (1j * omega) ** self.power
+        return y, x
+
+
+def _mean(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, Array, Array]:
+    """A, B, and C of the point's velocity, means over phase."""
+    found = []
+    for phase in QUARTERS:
+        N = len(speeds)
+        state = replace(rest, phi=(float(phase),) * N, phi_dot=tuple(speeds.tolist()), phi_ddot=(0.0,) * N)
+        model = linear_model(stand, state, [point], locked=True)
+        found.append((model.A, model.B, model.C[3:6]))
+    A, B, C = (np.mean(each, axis=0) for each in zip(*found, strict=True))
+    return A, B, C
+
+
+def _wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:
+    """First harmonics (N x 6 each) of the wrench on the carrier: by the square of the speed, and independent of it."""
+    N = len(stand.flywheels)
+
+    def harmonic(s: int, speed: float) -> Complex:
+        total = np.zeros(6, dtype=np.complex128)
+        for phase in QUARTERS:
+            phi, phi_dot = np.zeros(N), np.zeros(N)
+            phi[s], phi_dot[s] = phase, speed
+            at = pieces(stand, replace(rest, phi=tuple(phi.tolist()), phi_dot=tuple(phi_dot.tolist())))
+            total += (at.F - bias(at)) * np.exp(-1j * phase) / 2.0
+        return total
+
+    still = [harmonic(s, 0.0) for s in range(N)]
+    moving = [(harmonic(s, 1.0) + harmonic(s, -1.0)) / 2.0 - still[s] for s in range(N)]
+    return np.array(moving), np.array(still)
+
+
+SWEEPS = 400
+
+
+def cancel(a: Complex, rng: np.random.Generator, starts: int = 48) -> tuple[Array, float]:
+    """Angles psi (m; the first 0) that minimise |sum_k a_k exp(i psi_k)|^2, and the minimum; a: axes x m.
+
+    Each angle in turn is set to its best value for the others, which never increases the sum, from many starts at once;
+    Newton's method refines the best.
+    """
+    m = a.shape[1]
+    if m == 1:
+        return np.zeros(1), float(np.sum(np.abs(a) ** 2))
+    R = a.conj().T @ a
+    z = np.exp(1j * rng.uniform(-np.pi, np.pi, (starts, m)))
+    before = np.full(starts, np.inf)
+    for sweep in range(SWEEPS):
+        for k in range(m):
+            others = z @ R[k] - z[:, k] * R[k, k]
+            size = np.abs(others)
+            z[:, k] = np.where(size > 0.0, -others / np.where(size > 0.0, size, 1.0), z[:, k])
+        if sweep % 10 == 9:
+            now = _powers(a, z)
+            if np.all(before - now <= 1e-9 * now):
+                break
+            before = now
+    psi = np.angle(z[int(np.argmin(_powers(a, z)))])
+    psi = _newton(a, psi)
+    psi = np.angle(np.exp(1j * (psi - psi[0])))
+    return psi, power(a, psi)
+
+
+def power(a: Complex, psi: Array) -> float:
+    """|sum_k a_k exp(i psi_k)|^2."""
+    return float(np.sum(np.abs(a @ np.exp(1j * psi)) ** 2))
+
+
+def _powers(a: Complex, z: Complex) -> Array:
+    return np.asarray(np.sum(np.abs(z @ a.T) ** 2, axis=1))
+
+
+def _newton(a: Complex, psi: Array) -> Array:
+    """Damped Gauss-Newton steps on the real rows of the sum, as long as they reduce it."""
+    damping, now = 1e-6, power(a, psi)
+    for _ in range(60):
+        terms = a * np.exp(1j * psi)
+        total, slopes = terms.sum(axis=1), (1j * terms)[:, 1:]
+        rows, r = np.vstack([slopes.real, slopes.imag]), np.concatenate([total.real, total.imag])
+        H = rows.T @ rows
+        step = np.linalg.solve(H + damping * (np.trace(H) / len(H) + 1e-300) * np.eye(len(H)), -(rows.T @ r))
+        tried = psi + np.append(0.0, step)
+        then = power(a, tried)
+        if then < now:
+            psi, now, damping = tried, then, max(damping * 0.1, 1e-14)
+        else:
+            damping *= 10.0
+            if damping > 1e6:
+                break
+    return psi
+
 
 SAME = 1e-9
 """Relative difference of speeds below which two flywheels turn together: a beat lasts years."""

@@ -1,14 +1,21 @@
-"""Options of `mahovik quiet`: point, measure, band, and constraints on the speeds."""
+"""Options of `mahovik quiet`, and the flywheels under them: speeds that hold the momentum, and limits."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.optimize import linprog
 
 from mahovik.core.stand.model import Stand
-from mahovik.errors import UsageError
-from mahovik.nearest import meant
+from mahovik.core.stand.state import rest_state
+from mahovik.errors import CheckError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.screw import f
+from mahovik.use.plan.array import Array
 
 
 class Measure(NamedTuple):
@@ -84,14 +91,14 @@ class QuietOptions:
         if not (math.isfinite(self.least) and self.least >= 0.0):
             raise UsageError(f"--least: {self.least:.6g} rad/s, expected a speed of at least 0")
         if self.reduction is not None and not 1.0 < self.reduction < math.inf:
-            raise UsageError(f"--reduction {self.reduction:g}: expected how many times lower, above 1")
+            raise UsageError(f"--reduction {self.reduction:g}: expected a factor above 1")
         for one, other in self.avoid:
             if not (math.isfinite(one) and math.isfinite(other) and 0.0 <= one < other):
                 raise UsageError(f"--avoid {one:g}..{other:g} Hz: expected two frequencies, the lower first")
 
         for name, value in (("margin", self.margin), ("guard", self.guard)):
             if not 0.0 <= value < 1.0:
-                raise UsageError(f"--{name} {value:g}: expected a part of 1, as 10%")
+                raise UsageError(f"--{name} {value:g}: expected a fraction of 1, as 10%")
         if not self.orders or min(self.orders) < 1:
             raise UsageError("--orders: expected whole numbers from 1, as 1,2")
 
@@ -101,14 +108,115 @@ class QuietOptions:
         return self.band[0] * (1.0 - self.guard), self.band[1] * (1.0 + self.guard)
 
 
-def check(stand: Stand, options: QuietOptions) -> None:
+def check_options(stand: Stand, options: QuietOptions) -> None:
     """Check that the options fit the stand. Raises UsageError."""
     names = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
     if options.point not in names:
-        hint = meant(options.point, names, "the stand has no points: add a [[point]]")
+        hint = suggestion(options.point, names, "the stand has no points: add a [[point]]")
         raise UsageError(f"--point {options.point}: no point or instrument of that name{hint}")
     N = len(stand.flywheels)
     if options.speeds is not None and len(options.speeds) != N:
         raise UsageError(f"--speeds: {len(options.speeds)} numbers, but the stand has {N} flywheels")
     if not all(math.isfinite(x) for x in (*(options.speeds or ()), *(options.momentum or ()))):
         raise UsageError("--momentum, --speeds: expected finite numbers")
+
+
+RANK = 1e-9
+"""Part of the largest singular value below which one is zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class Wheels:
+    """axes (3 x N): mean angular momentum in E1 of unit speeds, spin inertia by spin axis, kg m2.
+
+    nullspace (N x d): orthonormal; speeds without momentum. momentum (3, N m s): the required one.
+    start (N, rad/s): speeds that hold it, nearest to the given ones.
+    moved (rad/s): distance of `start` from the given speeds.
+    """
+
+    names: tuple[str, ...]
+    axes: Array
+    nullspace: Array
+    momentum: Array
+    start: Array
+    moved: float
+    limit: Array
+
+    @staticmethod
+    def of(stand: Stand, options: QuietOptions) -> Wheels:
+        """Wheels of a stand for some options. Raises UsageError: too few flywheels, momentum out of their axes' span.
+
+        CheckError: the momentum needs more than the limits.
+        """
+        N = len(stand.flywheels)
+        axes = momentum_axes(stand)
+        left, sizes, right = np.linalg.svd(axes)
+        rank = int(np.sum(sizes > RANK * sizes[0])) if N else 0
+        if rank >= N or N < 2:
+            raise UsageError(
+                f"{stand.name}: {N} flywheels with spin axes of rank {rank} leave no speeds free; "
+                f"expected {rank + 1} or more"
+            )
+        nullspace = right[rank:].T
+        given = None if options.speeds is None else np.array(options.speeds)
+        momentum = axes @ given if options.momentum is None and given is not None else np.array(options.momentum)
+        outside = float(np.linalg.norm(left[:, rank:].T @ momentum))
+        if outside > 1e-9 * max(float(np.linalg.norm(momentum)), 1e-30):
+            raise UsageError(
+                f"{stand.name}: --momentum: {outside:.4g} N m s of it are perpendicular to all spin axes (rank "
+                f"{rank}): no speeds hold it"
+            )
+        begin = np.zeros(N) if given is None else given
+        start = begin + np.linalg.pinv(axes, rcond=RANK) @ (momentum - axes @ begin)
+        moved = 0.0 if given is None else float(np.abs(start - given).max())
+        names = tuple(s.name for s in stand.flywheels)
+        found = Wheels(names, axes, nullspace, momentum, start, moved, speed_limits(stand, options))
+        found.check_reach()
+        return found
+
+    def check_reach(self) -> None:
+        """Check that some speeds within the limits hold the momentum. Raises CheckError."""
+        least, speeds = self.least_load()
+        if least > 1.0 + 1e-9:
+            worst = int(np.argmax(np.abs(speeds) / self.limit))
+            raise CheckError(
+                f"momentum out of reach: it needs {least:.4g} times the speed limits, at best {self.names[worst]} at "
+                f"{rpm(abs(speeds[worst])):.5g} rpm (limit {rpm(self.limit[worst]):.5g} rpm)"
+            )
+
+    def least_load(self) -> tuple[float, Array]:
+        """The least t for which speeds |phi'_s| <= t limit_s hold the momentum, and those speeds."""
+        finite = np.isfinite(self.limit)
+        if not finite.any():
+            return 0.0, self.start
+        N = len(self.start)
+        bound = np.where(finite, self.limit, 0.0)[finite]
+        rows = np.eye(N)[finite]
+        cost = np.append(np.zeros(N), 1.0)
+        upper = np.vstack([np.column_stack([rows, -bound]), np.column_stack([-rows, -bound])])
+        scale = float(np.abs(self.axes).max())
+        equal, right = np.column_stack([self.axes / scale, np.zeros(3)]), self.momentum / scale
+        free: Any = [(None, None)] * N + [(0.0, None)]
+        found = linprog(cost, upper, np.zeros(len(upper)), equal, right, free, method="highs")
+        if found.x is None:  # rank below 3: some rows depend on others, up to rounding
+            return float((np.abs(self.start[finite]) / bound).max()), self.start
+        return float(found.x[-1]), np.asarray(found.x[:N])
+
+
+def momentum_axes(stand: Stand) -> Array:
+    """3 x N: spin inertia along the spin axis, in E1. The mean of I_s over phase, its angular part."""
+    bodies = pieces(stand, rest_state(stand)).flywheels
+    columns = [s.L[3:, 3:] @ f[3:] * float(f @ s.Theta @ f) for s in bodies]
+    return np.column_stack(columns) if columns else np.zeros((3, 0))
+
+
+def speed_limits(stand: Stand, options: QuietOptions) -> Array:
+    """Speed limits (N, rad/s): the given limit, else the no-load speed of the motor, else none."""
+    speeds = [np.inf if s.motor is None or s.motor.speed is None else s.motor.speed for s in stand.flywheels]
+    own = np.array(speeds, dtype=np.float64)
+    return own if options.limit is None else np.minimum(own, options.limit)
+
+
+def rpm(speed: float) -> float:
+    """Revolutions per minute, from rad/s."""
+    return float(speed * 30.0 / np.pi)

@@ -1,31 +1,45 @@
-"""Quiet speeds and phases, with the jitter before and after by first order and by full simulation."""
+"""Quiet speeds and phases, with the jitter before and after by first order and by full simulation.
+
+Output files: a regime that `simulate` reads, an initial state, and everything as JSON.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import StateError
+from mahovik.proof.verify.states import state_object
+from mahovik.use.plan.array import Array
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
-from mahovik.use.study.quiet.amplitude import Amplitudes
-from mahovik.use.study.quiet.lines import Line, best_phases, in_band, lines, mean_square, uncontrolled_mean_square
-from mahovik.use.study.quiet.options import MEASURES, QuietOptions, check
-from mahovik.use.study.quiet.planes import broken_limits
-from mahovik.use.study.quiet.search import Search
-from mahovik.use.study.quiet.simulated import Sampling, expected_samples, simulate_point, steady_start
-from mahovik.use.study.quiet.spectrum import band_rms, line_amplitude
-from mahovik.use.study.quiet.wheels import Wheels
+from mahovik.use.study.quiet.lines import (
+    Amplitudes,
+    Line,
+    best_phases,
+    in_band,
+    lines,
+    mean_square,
+    uncontrolled_mean_square,
+)
+from mahovik.use.study.quiet.options import MEASURES, QuietOptions, Wheels, check_options
+from mahovik.use.study.quiet.search import Search, broken_limits
+from mahovik.use.study.quiet.simulated import (
+    Sampling,
+    band_rms,
+    expected_samples,
+    line_amplitude,
+    simulate_point,
+    steady_start,
+)
 from mahovik.use.study.rest import rest
-
-Array = NDArray[np.float64]
 
 AGREE = 0.01
 """Part of the RMS before: a larger difference of simulated and expected RMS in the band means first order fails."""
@@ -119,7 +133,7 @@ def quiet(
     Raises UsageError for bad input; ToolchainError if c lacks a compiler, before the search; CheckError if no speeds
     are allowed, or there is no equilibrium.
     """
-    check(stand, options)
+    check_options(stand, options)
     if backend == "c":
         find_compiler()  # before the search, not after it
     wheels = Wheels.of(stand, options)
@@ -139,7 +153,7 @@ def quiet(
     unheld = np.random.default_rng([options.seed, 2]).uniform(0.0, 2 * math.pi, len(speeds))
     interrupted = outcome.interrupted
 
-    def both(by: str | None) -> list[Jitter]:
+    def jitters(by: str | None) -> list[Jitter]:
         found = []
         for name, (now, angles) in {"before": (wheels.start, unheld), "after": (speeds, phases)}.items():
             tell(f"simulating {name}")
@@ -147,9 +161,9 @@ def quiet(
         return found
 
     try:
-        before, after = both(None if interrupted else backend)
+        before, after = jitters(None if interrupted else backend)
     except KeyboardInterrupt:
-        before, after = both(None)
+        before, after = jitters(None)
         interrupted = True
     hold = _phase_tolerance(after, options)
     return QuietResult(
@@ -211,3 +225,70 @@ def _phase_tolerance(after: Jitter, options: QuietOptions) -> float | None:
     if not held or lost <= 0.0 or 3.0 * now >= lost:
         return None
     return math.sqrt(-math.log1p(-3.0 * now / lost))
+
+
+def regime_text(found: QuietResult) -> str:
+    """The regime as TOML: constant speeds, and phases at t = 0."""
+    text = [
+        f"# {found.stand.name}: quiet at {found.options.point}, "
+        f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz.",
+        "# Phases are those at t = 0; flywheels of one speed must hold them.",
+        "schema = 1",
+    ]
+    driven = zip(found.wheels.names, found.after.speeds.tolist(), found.after.phases.tolist(), strict=True)
+    for name, speed, phase in driven:
+        text += ["", f"[flywheel.{name}]", f"speed = {speed + 0.0!r}", f"phase = {phase + 0.0!r}"]
+    return "\n".join(text) + "\n"
+
+
+def as_object(found: QuietResult) -> dict[str, Any]:
+    """Everything, in SI and Hz; strict JSON: an infinite reduction (silence) is null."""
+    options = found.options
+    reduction = found.reduction
+    return {
+        "name": found.stand.name,
+        "point": options.point,
+        "measure": options.measure,
+        "unit": found.unit,
+        "axes": [list(axis) for axis in options.axes],
+        "band": list(options.band),
+        "momentum": found.wheels.momentum.tolist(),
+        "momentum_error": found.momentum_error,
+        "flywheels": list(found.wheels.names),
+        "before": _jitter_object(found, found.before),
+        "after": _jitter_object(found, found.after),
+        "change": (found.after.speeds - found.before.speeds).tolist(),
+        "reduction": reduction if math.isfinite(reduction) else None,
+        "phase_error_that_doubles": found.hold,
+        "avoided": [list(each) for each in options.avoid],
+        "natural_frequencies": list(found.natural),
+        "agrees": found.agrees,
+        "looked_at": found.looked_at,
+        "cut_by_time": found.cut,
+        "interrupted": found.interrupted,
+    }
+
+
+def _jitter_object(found: QuietResult, jitter: Jitter) -> dict[str, Any]:
+    heard = jitter.heard or (None,) * len(jitter.lines)
+    lines = [
+        {
+            "frequency": line.frequency,
+            "flywheels": [found.wheels.names[s] for s in line.flywheels],
+            "in_band": in_band(line.frequency, found.options.band),
+            "amplitude": math.sqrt(2.0 * line.mean_square),
+            "amplitude_of_phases_not_held": math.sqrt(2.0 * line.apart),
+            "simulated": simulated,
+        }
+        for line, simulated in zip(jitter.lines, heard, strict=True)
+    ]
+    return {
+        "speeds": jitter.speeds.tolist(),
+        "phases": jitter.phases.tolist(),
+        "rms_of_phases_not_held": jitter.free,
+        "rms": jitter.rms,
+        "expected": jitter.expected,
+        "simulated": jitter.simulated,
+        "lines": lines,
+        "start": state_object(jitter.start),
+    }

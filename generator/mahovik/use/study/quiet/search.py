@@ -1,22 +1,114 @@
-"""Search of speeds: intersections of planes where something changes, then neighbours of the best ones."""
+"""Search of speeds: intersections of planes where something changes, then neighbours of the best ones.
+
+On a plane in the space of speeds flywheels turn together, a line leaves the band, or a limit is reached.
+"""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
+import itertools
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.errors import CheckError
-from mahovik.use.study.quiet.amplitude import Amplitudes
-from mahovik.use.study.quiet.lines import best_phases, groups, uncontrolled_mean_square
-from mahovik.use.study.quiet.options import QuietOptions
-from mahovik.use.study.quiet.planes import Planes, broken_limits
-from mahovik.use.study.quiet.wheels import Wheels
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.study.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square
+from mahovik.use.study.quiet.options import QuietOptions, Wheels
 
-Array = NDArray[np.float64]
+SLACK = 1e-9
+"""Relative tolerance: a speed at its limit is within it, and an edge is crossed by this much."""
+
+
+class Planes:
+    """row . speeds = value: rows (P x N), values (P); the first `pairs` are those where two flywheels turn together."""
+
+    def __init__(self, wheels: Wheels, options: QuietOptions) -> None:
+        N = len(wheels.start)
+        unit = np.eye(N)
+        rows = [unit[i] + sign * unit[j] for i, j in itertools.combinations(range(N), 2) for sign in (-1.0, 1.0)]
+        values = [0.0] * len(rows)
+        self.pairs = len(rows)
+        for s in range(N):
+            for edge in _edges(wheels, options, s):
+                for sign in (-1.0, 1.0):
+                    rows.append(unit[s])
+                    values.append(sign * edge)
+            if options.change is not None:
+                for sign in (-1.0, 1.0):
+                    rows.append(unit[s])
+                    values.append(float(wheels.start[s]) + sign * options.change)
+        self.rows, self.values = np.array(rows), np.array(values)
+        self._wheels = wheels
+
+    def intersection(self, chosen: tuple[int, ...]) -> Array | None:
+        """Speeds (N) on all of these planes that hold the momentum, nearest to the start; None: there are none."""
+        wheels, rows = self._wheels, self.rows[list(chosen)]
+        at = rows @ wheels.start
+        step, *_ = np.linalg.lstsq(rows @ wheels.nullspace, self.values[list(chosen)] - at, rcond=1e-9)
+        speeds = wheels.start + wheels.nullspace @ step
+        size = max(float(np.abs(speeds).max()), float(np.abs(wheels.start).max()), 1e-12)
+        missed = float(np.abs(rows @ speeds - self.values[list(chosen)]).max())
+        return speeds if missed <= 1e-10 * size else None
+
+    def intersections(self, most: int, rng: np.random.Generator) -> Iterator[Array]:
+        """The start, then intersections of as many planes as speeds are free: all, or `most` random ones."""
+        yield self._wheels.start
+        d, P = self._wheels.nullspace.shape[1], len(self.values)
+        if sum(math.comb(P, k) for k in range(1, d + 1)) <= most:
+            for k in range(1, d + 1):
+                for chosen in itertools.combinations(range(P), k):
+                    speeds = self.intersection(chosen)
+                    if speeds is not None:
+                        yield speeds
+            return
+        for p in range(P):
+            speeds = self.intersection((p,))
+            if speeds is not None:
+                yield speeds
+        for _ in range(most):
+            k = int(rng.integers(2, d + 1))
+            kinds = rng.random(k) < 0.7  # mostly flywheels that turn together
+            drawn = np.where(kinds, rng.integers(0, self.pairs, k), rng.integers(0, P, k))
+            speeds = self.intersection(tuple(sorted({int(p) for p in drawn})))
+            if speeds is not None:
+                yield speeds
+
+
+def _edges(wheels: Wheels, options: QuietOptions, s: int) -> Iterator[float]:
+    """Magnitudes of speed of flywheel s, rad/s, just inside its limits or just outside the band."""
+    low, high = options.guarded
+    yield 2 * math.pi * low * (1.0 - 2 * SLACK)
+    yield 2 * math.pi * high * (1.0 + 2 * SLACK)
+    for one, other in options.avoid:
+        for order in options.orders:
+            yield 2 * math.pi * one / order * (1.0 - 2 * SLACK)
+            yield 2 * math.pi * other / order * (1.0 + 2 * SLACK)
+    if options.least > 0.0:
+        yield options.least
+    if math.isfinite(wheels.limit[s]):
+        yield float(wheels.limit[s])
+
+
+def broken_limits(speeds: Array, wheels: Wheels, options: QuietOptions) -> set[str]:
+    """Names of the options limit, least, change, avoid that these speeds break."""
+    size = np.abs(speeds)
+    found = set()
+    if np.any(size > wheels.limit * (1.0 + SLACK)):
+        found.add("limit")
+    if np.any(size < options.least * (1.0 - SLACK)):
+        found.add("least")
+    if options.change is not None and np.any(np.abs(speeds - wheels.start) > options.change * (1.0 + SLACK)):
+        found.add("change")
+    for one, other in options.avoid:
+        for order in options.orders:
+            of = order * size / (2 * math.pi)
+            if np.any((of > one * (1.0 - SLACK)) & (of < other * (1.0 + SLACK))):
+                found.add("avoid")
+    return found
+
 
 MOST = 3000
 """Random intersections of planes, if there are more."""
@@ -61,7 +153,7 @@ class Search:
         self.rng = np.random.default_rng(options.seed)
         self.planes = Planes(wheels, options)
         self.before = uncontrolled_mean_square(wheels.start, amplitudes.at(wheels.start), options.guarded)
-        self.end = None if seconds is None else time.monotonic() + seconds
+        self.budget = Budget(0, seconds)
         self.found: list[Found] = []
         self.looked_at = 0
         self._tell = tell or (lambda _: None)
@@ -91,14 +183,11 @@ class Search:
         self._tell(f"searching: {self.looked_at} speeds tried, best {lower:.3g} times lower")
         return Found(speeds, least, float(np.abs(speeds - self.wheels.start).max()))
 
-    def _out_of_time(self) -> bool:
-        return self.end is not None and time.monotonic() > self.end
-
     def _meetings(self) -> bool:
         """Try allowed intersections of planes, most promising first; False if time ran out."""
         seen: dict[tuple[float, ...], tuple[float, Array]] = {}
         for speeds in self.planes.intersections(MOST, self.rng):
-            if self._out_of_time():
+            if self.budget.over():
                 break
             key = tuple(np.round(speeds, 6).tolist())
             if key in seen or broken_limits(speeds, self.wheels, self.options):
@@ -106,12 +195,12 @@ class Search:
             seen[key] = self._rank(speeds), speeds
         ranked = sorted(seen.values(), key=lambda each: each[0])
         for bound, speeds in ranked:
-            if self._out_of_time() and self.found:
+            if self.budget.over() and self.found:
                 return False
             if self.found and bound > self._bound():
                 break
             self.found.append(self.evaluate(speeds))
-        return not self._out_of_time()
+        return not self.budget.over()
 
     def _rank(self, speeds: Array) -> float:
         """Rank of speeds: with a wanted reduction the change; otherwise a lower bound of the mean square."""
@@ -149,7 +238,7 @@ class Search:
         step = 0.1 * max(float(np.abs(each.speeds).max()), 1.0)
         smallest = 1e-5 * step
         while step > smallest and len(basis):
-            if self._out_of_time():
+            if self.budget.over():
                 return False
             better = each
             for direction in (*basis, *(-basis)):

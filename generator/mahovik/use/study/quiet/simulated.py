@@ -1,4 +1,7 @@
-"""The check: simulation of the whole stand, by the emitted C or SciPy on the reference, independent of the search."""
+"""The check: simulation of the whole stand, by the emitted C or SciPy on the reference, independent of the search.
+
+RMS in a band and the amplitude at a frequency are taken from the samples by one window with little leakage.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,6 @@ from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.motion.laws import Constant
 from mahovik.core.motion.regime import Driven, Regime
@@ -17,13 +19,50 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.points import point_transfers
+from mahovik.use.plan.array import Array, Complex
 from mahovik.use.simulate import Case, simulate
-from mahovik.use.study.quiet.amplitude import Amplitudes
-from mahovik.use.study.quiet.options import MEASURES, QuietOptions
-from mahovik.use.study.quiet.spectrum import LOBE
+from mahovik.use.study.quiet.lines import Amplitudes
+from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
 from mahovik.use.study.rest import displaced_state
 
-Array = NDArray[np.float64]
+LOBE = 4.0
+"""Half width of the window's main lobe, in 1/T; leakage beside it is 92 dB lower."""
+
+_TERMS = (0.35875, 0.48829, 0.14128, 0.01168)  # Blackman-Harris (1978), four terms
+
+
+def window(n: int) -> Array:
+    """n samples of the window."""
+    angle = 2.0 * np.pi * np.arange(n) / n
+    return np.asarray(sum((-1.0) ** k * a * np.cos(k * angle) for k, a in enumerate(_TERMS)))
+
+
+def band_rms(x: Array, every: float, band: Interval, integrals: int) -> float:
+    """RMS (root of the sum over columns) in the band (Hz) of x (times x axes), `integrals` times integrated."""
+    n = len(x)
+    w = window(n)
+    X = np.fft.rfft(w[:, None] * _level(x, w), axis=0)
+    f = np.fft.rfftfreq(n, every)
+    inside = (f >= band[0]) & (f <= band[1]) & (f > 0.0)
+    power = np.sum(np.abs(X[inside]) ** 2, axis=1) / (2.0 * np.pi * f[inside]) ** (2 * integrals)
+    return float(np.sqrt(2.0 * power.sum() / (n * np.sum(w**2))))
+
+
+def line_amplitude(x: Array, every: float, frequency: float, integrals: int) -> float:
+    """Amplitude (root of the sum of squares over columns) of the line at a frequency (Hz)."""
+    w = window(len(x))
+    turn = np.exp(-2j * np.pi * frequency * every * np.arange(len(x)))
+    value = 2.0 * ((w * turn) @ _level(x, w)) / w.sum()
+    return float(np.linalg.norm(value)) / (2.0 * np.pi * frequency) ** integrals
+
+
+def _level(x: Array, w: Array) -> Array:
+    """The samples without their weighted mean and slope."""
+    t = np.linspace(-1.0, 1.0, len(x))
+    basis = np.column_stack([np.ones_like(t), t])
+    fit = np.linalg.lstsq(w[:, None] * basis, w[:, None] * x, rcond=None)[0]
+    return np.asarray(x - basis @ fit)
+
 
 SHORTEST, LONGEST, MOST = 1.0, 5.0, 20000
 """Shortest and longest simulated time, s; most samples, if a line just outside the band needs a longer time."""
@@ -100,9 +139,7 @@ def simulate_point(
     return np.asarray((V_dot[:, :3] + np.cross(V[:, 3:], V[:, :3])) @ np.array(options.axes).T)
 
 
-def expected_samples(
-    speeds: Array, phases: Array, a: NDArray[np.complex128], integrals: int, sampling: Sampling
-) -> Array:
+def expected_samples(speeds: Array, phases: Array, a: Complex, integrals: int, sampling: Sampling) -> Array:
     """The same samples from amplitudes a (axes x N, integrated), for the same transform."""
     count = round(sampling.until / sampling.every)
     t = sampling.every * np.arange(count)

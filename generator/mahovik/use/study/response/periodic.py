@@ -1,4 +1,9 @@
-"""The periodic steady state of the carrier under flywheels at constant speeds: (8) in full, by Fourier collocation."""
+"""The periodic steady state of the carrier under flywheels at constant speeds: (8) in full, by Fourier collocation.
+
+y at 2 H + 1 uniform nodes is a trigonometric polynomial of H harmonics, found by Newton's method. Its linear equations
+are solved by GMRES, preconditioned by their mean over the period, harmonic by harmonic; what varies in it is small
+where unbalance is. The result is seen as motion of points fixed on the carrier, and its harmonics.
+"""
 
 from __future__ import annotations
 
@@ -6,22 +11,154 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import expm
+from scipy.sparse.linalg import LinearOperator, gmres
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Drive
-from mahovik.use.study.linear.points import Place, places
-from mahovik.use.study.response.collocation import Linearised, derivative, odd_length, resample
-from mahovik.use.study.response.motion import PointMotion, point_motion
+from mahovik.use.study.linear.model import Place, places
 from mahovik.use.study.response.scene import FREE, Scene
 from mahovik.use.study.response.speeds import Turning, common_period
 from mahovik.use.study.rest import rest
 
-Array = NDArray[np.float64]
+ACCURATE = 1e-7
+"""Accuracy of GMRES in one step of Newton's method."""
+
+RESTART, ROUNDS = 60, 5
+
+
+def derivative(y: Array, base: float) -> Array:
+    """dy/dt at the nodes (M odd, ...), base: 2 pi / period (rad/s)."""
+    M = len(y)
+    spectrum = np.fft.rfft(y, axis=0)
+    k = np.arange(len(spectrum)).reshape(-1, *(1,) * (y.ndim - 1))
+    return np.asarray(np.fft.irfft(1j * base * k * spectrum, M, axis=0))
+
+
+@dataclass(frozen=True, eq=False)
+class Linearised:
+    """dy' = J dy + push dh + r with conditions: seen . mean(dy) = c. The unknowns are dy (M, n) and dh (f).
+
+    J (M, n, n); push (M, n, f): effect of the constant numbers h on y'; seen (f, n); base: rad/s;
+    size (n): scales of the unknowns.
+    """
+
+    J: Array
+    push: Array
+    seen: Array
+    base: float
+    size: Array
+
+    def solve(self, r: Array, c: Array) -> tuple[Array, Array] | None:
+        """dy, dh; None if the equations are singular, at an undamped resonance."""
+        M, n = r.shape
+        f = len(c)
+        inverse = self._inverse(M)
+        if inverse is None:
+            return None
+
+        def pack(dy: Array, dh: Array) -> Array:
+            return np.concatenate([(dy / self.size).ravel(), dh])
+
+        def back(r: Array, c: Array) -> Array:
+            spectrum = np.fft.rfft(r, axis=0).astype(np.complex128)
+            right = np.concatenate([spectrum, np.zeros((len(spectrum), f))], axis=1)
+            right[0, n:] = M * c
+            found = (inverse @ right[:, :, None])[:, :, 0]
+            return pack(np.fft.irfft(found[:, :n], M, axis=0), found[0, n:].real / M)
+
+        def forward(x: Array) -> Array:
+            dy, dh = x[: M * n].reshape(M, n) * self.size, x[M * n :]
+            left = derivative(dy, self.base) - (self.J @ dy[:, :, None])[:, :, 0] - self.push @ dh
+            return back(left, self.seen @ dy.mean(axis=0))
+
+        count = M * n + f
+        operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
+        x, missed = gmres(operator, back(r, c), rtol=ACCURATE, atol=0.0, restart=RESTART, maxiter=ROUNDS)
+        if missed or not np.all(np.isfinite(x)):
+            return None
+        return x[: M * n].reshape(M, n) * self.size, x[M * n :]
+
+    def _inverse(self, M: int) -> Complex | None:
+        """Inverses (H + 1, n + f, n + f) of the mean equations, one per harmonic; constants h belong to the zeroth."""
+        n, f = self.J.shape[1], len(self.seen)
+        k = np.arange(M // 2 + 1)
+        A = np.zeros((len(k), n + f, n + f), dtype=np.complex128)
+        A[:, :n, :n] = -self.J.mean(axis=0)
+        A[:, range(n), range(n)] += 1j * self.base * k[:, None]
+        A[0, :n, n:], A[0, n:, :n] = -self.push.mean(axis=0), self.seen
+        A[1:, range(n, n + f), range(n, n + f)] = 1.0
+        try:
+            found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
+        except np.linalg.LinAlgError:
+            return None
+        return found if np.all(np.isfinite(found)) else None
+
+
+def resample(y: Array, M: int) -> Array:
+    """The same trigonometric polynomial at M nodes (odd), without its highest harmonics if M is smaller."""
+    spectrum = np.fft.rfft(y, axis=0)
+    H = min(len(spectrum), M // 2 + 1)
+    return np.asarray(np.fft.irfft(spectrum[:H], M, axis=0) * (M / len(y)))
+
+
+def odd_length(least: int) -> int:
+    """The next number of nodes with only the factors 3, 5, 7: odd, and fast to transform."""
+    M = least | 1
+    while _rest(M) > 1:
+        M += 2
+    return M
+
+
+def _rest(M: int) -> int:
+    for factor in (3, 5, 7):
+        while M % factor == 0:
+            M //= factor
+    return M
+
+
+QUANTITIES = ("displacement", "velocity", "acceleration")
+UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s2"}
+
+
+@dataclass(frozen=True, eq=False)
+class PointMotion:
+    """Motion of one point at M uniform nodes (M, 3 each), from its place at rest, in E0, on its axes at rest."""
+
+    displacement: Array
+    velocity: Array
+    acceleration: Array
+
+    def harmonics(self, quantity: str) -> Complex:
+        """(H + 1, 3) complex amplitudes a_k: the quantity is the real part of sum a_k exp(i k base t)."""
+        values: Array = getattr(self, quantity)
+        spectrum = np.fft.rfft(values, axis=0) * (2.0 / len(values))
+        spectrum[0] /= 2.0
+        return np.asarray(spectrum)
+
+
+def point_motion(place: Place, y: Array, V_dot: Array) -> PointMotion:
+    """Motion of a point from states y (M, 12) in the chart about rest and V* (M, 6)."""
+    turned = Rotation.from_rotvec(y[:, 3:6])
+    origin, v, omega = np.tile(place.origin, (len(y), 1)), y[:, 6:9], y[:, 9:]
+    displacement = y[:, :3] + turned.apply(origin) - origin
+    velocity = v + np.cross(omega, origin)
+    acceleration = V_dot[:, :3] + np.cross(omega, velocity) + np.cross(V_dot[:, 3:], origin)
+    return PointMotion(
+        displacement @ place.axes, turned.apply(velocity) @ place.axes, turned.apply(acceleration) @ place.axes
+    )
+
+
+def rms(amplitudes: Complex, frequencies: Array, band: tuple[float, float] | None = None) -> Array:
+    """Root of the mean square (3) of harmonics (H + 1, 3) above zero, or of those in a band (Hz, ends included)."""
+    low, high = band or (0.0, np.inf)
+    kept = (frequencies >= low * (1 - 1e-9)) & (frequencies <= high * (1 + 1e-9)) & (frequencies > 0.0)
+    return np.asarray(np.sqrt((np.abs(amplitudes[kept]) ** 2).sum(axis=0) / 2.0))
+
 
 PER_TURN = 4
 """Harmonics per turn of the fastest flywheel at first."""
@@ -130,7 +267,7 @@ class _Search:
         f = scene.free.shape[1]
         self.y, self.h = np.zeros((1, 12)), np.zeros(f)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
-        enough = KINKED_TAIL if _has_kinks(scene.stand) else TAIL
+        enough = KINKED_TAIL if scene.stand.kinked else TAIL
         before = np.inf
         while True:
             self._solve(H)
@@ -199,13 +336,6 @@ class _Search:
         multiplier = largest_multiplier(self.J, self.turning.period)
         hold = self.scene.wrench @ self.h
         return Periodic(self.scene, self.turning, self.y, V_dot, motions, hold, multiplier, self.tail, natural(self.J))
-
-
-def _has_kinks(stand: Stand) -> bool:
-    """Whether some damping depends on magnitudes."""
-    laws = [body.damping for body in stand.bodies if body.damping is not None]
-    absolute = any(factor.absolute for law in laws for term in law.terms for factor in term.of)
-    return absolute or any(law.quadratic is not None for law in laws)
 
 
 def largest_multiplier(J: Array, period: float) -> float:

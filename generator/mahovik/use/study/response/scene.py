@@ -5,19 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart, Drive, drive
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.by_carrier import by_carrier
 from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import skew
 from mahovik.use.study.rest import rest
-
-Array = NDArray[np.float64]
 
 FREE = 1e-8
 """Part of the largest stiffness (both per unit of mass) below which a direction is free, as for `rest`."""

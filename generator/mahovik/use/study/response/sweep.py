@@ -1,22 +1,25 @@
-"""Steady states over a range of speeds: spectra at one point, lines of orders, RMS, natural frequencies."""
+"""Steady states over a range of speeds: spectra at one point, lines of orders, RMS, natural frequencies.
+
+As a file: JSON with everything, CSV with a row per speed.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import csv
+import io
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.use.study.response.motion import UNITS, Spectrum, rms
-from mahovik.use.study.response.periodic import UNSTABLE, periodic_response
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.linear.model import encode_lines
+from mahovik.use.study.response.periodic import UNITS, UNSTABLE, periodic_response, rms
 from mahovik.use.study.response.scene import Scene
-from mahovik.use.study.response.speed_plan import SpeedPlan
-from mahovik.use.study.response.speeds import Turning, common_period
-
-Array = NDArray[np.float64]
+from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 
 ORDERS = 6
 """Orders of each flywheel reported as lines."""
@@ -38,7 +41,7 @@ class Step:
     value: float
     turning: Turning
     frequencies: Array
-    amplitudes: Spectrum
+    amplitudes: Complex
     natural: Array
     hold: Array
     multiplier: float
@@ -151,35 +154,108 @@ def sweep(
     values = asked.values(steps)
     turnings = [common_period(asked.speeds(value)) for value in values]
     found: list[Step] = []
-    whole = False
     try:
-        for step in _steps(Scene.of(stand), values, turnings, point, quantity, phases, go_on):
-            found.append(step)
-        whole = len(found) == len(values)
+        scene = Scene.of(stand)
+        for value, turning in zip(values, turnings, strict=True):
+            if not go_on(len(found)):
+                break
+            found.append(_step(scene, value, turning, point, quantity, phases))
     except KeyboardInterrupt:
         pass
     if found and all(step.problem is not None for step in found):
         raise CheckError(str(found[0].problem))
-    return Sweep(stand, asked, point, quantity, band, tuple(found), not whole)
+    return Sweep(stand, asked, point, quantity, band, tuple(found), len(found) < len(values))
 
 
-def _steps(
-    scene: Scene,
-    values: Sequence[float],
-    turnings: Sequence[Turning],
-    point: str,
-    quantity: str,
-    phases: Sequence[float] | None,
-    go_on: Callable[[int], bool],
-) -> Iterator[Step]:
-    for done, (value, turning) in enumerate(zip(values, turnings, strict=True)):
-        if not go_on(done):
-            return
-        try:
-            found = periodic_response(scene, turning.speeds, [point], phases)
-        except CheckError as error:
-            none = np.zeros((0, 3), dtype=np.complex128)
-            yield Step(value, turning, np.zeros(0), none, np.zeros(0), np.zeros(6), np.nan, str(error))
-            continue
-        spectrum = found.points[point].harmonics(quantity)
-        yield Step(value, turning, found.frequencies, spectrum, found.natural, found.hold, found.multiplier)
+def _step(
+    scene: Scene, value: float, turning: Turning, point: str, quantity: str, phases: Sequence[float] | None
+) -> Step:
+    try:
+        found = periodic_response(scene, turning.speeds, [point], phases)
+    except CheckError as error:
+        none = np.zeros((0, 3), dtype=np.complex128)
+        return Step(value, turning, np.zeros(0), none, np.zeros(0), np.zeros(6), np.nan, str(error))
+    spectrum = found.points[point].harmonics(quantity)
+    return Step(value, turning, found.frequencies, spectrum, found.natural, found.hold, found.multiplier)
+
+
+RPM = 30.0 / np.pi
+
+NEGLIGIBLE = 1e-9
+"""Part of the largest amplitude of a step: smaller harmonics are not written."""
+
+AXES = ("x", "y", "z")
+
+
+def as_object(found: Sweep) -> dict[str, Any]:
+    """Contents of the JSON file; SI, frequencies in Hz."""
+    asked = found.asked
+    return {
+        "schema": 1,
+        "stand": found.stand.name,
+        "point": found.point,
+        "quantity": found.quantity,
+        "unit": found.unit,
+        "band_Hz": None if found.band is None else list(found.band),
+        "flywheels": list(asked.names),
+        "swept": None if asked.swept is None else asked.names[asked.swept],
+        "interrupted": found.interrupted,
+        "lines": [
+            {
+                "name": line.name,
+                "frequency_Hz": _numbers(line.frequency),
+                "amplitude": _numbers(line.size),
+            }
+            for line in found.lines()
+        ],
+        "rms": [_numbers(row) for row in found.rms()],
+        "band_rms": None if found.band is None else [_numbers(row) for row in found.rms(found.band)],
+        "steps": [_step_object(step) for step in found.steps],
+    }
+
+
+def _step_object(step: Step) -> dict[str, Any]:
+    sizes = step.sizes
+    kept = np.flatnonzero(sizes > NEGLIGIBLE * sizes.max(initial=0.0))
+    return {
+        "speeds": list(step.turning.speeds),
+        "turns": list(step.turning.turns),
+        "problem": step.problem,
+        "stable": None if step.problem else bool(step.stable),
+        "largest_multiplier": None if not np.isfinite(step.multiplier) else step.multiplier,
+        "hold": step.hold,
+        "natural_Hz": step.natural,
+        "frequency_Hz": step.frequencies[kept],
+        "amplitude_re": step.amplitudes[kept].real,
+        "amplitude_im": step.amplitudes[kept].imag,
+    }
+
+
+def _numbers(row: Any) -> list[float | None]:
+    """A row of numbers; null without a steady state."""
+    return [float(x) if np.isfinite(x) else None for x in row]
+
+
+def json_text(found: Sweep) -> str:
+    """JSON, one key per line."""
+    return encode_lines(as_object(found)) + "\n"
+
+
+def csv_text(found: Sweep) -> str:
+    """A row per speed: speeds, RMS on the axes and together, within the band, amplitudes of the orders."""
+    unit, lines = found.unit, found.lines()
+    names = [f"speed {name} [rpm]" for name in found.asked.names]
+    parts = [("rms", found.rms())] + ([("band rms", found.rms(found.band))] if found.band else [])
+    for name, _ in parts:
+        names += [f"{name} {axis} [{unit}]" for axis in (*AXES, "xyz")]
+    names += [f"{line.name} [{unit}]" for line in lines]
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(names)
+    for i, step in enumerate(found.steps):
+        row = [RPM * speed for speed in step.turning.speeds]
+        for _, table in parts:
+            row += [*table[i], float(np.linalg.norm(table[i]))]
+        row += [float(line.size[i]) for line in lines]
+        writer.writerow([f"{x:.12g}" if np.isfinite(x) else "" for x in row])
+    return file.getvalue()

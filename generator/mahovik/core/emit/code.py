@@ -1,0 +1,106 @@
+"""A program as C: its facts, structs, functions and tables, ready for the templates that print them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from typing import Any
+
+from mahovik.core.emit.constant import initialiser
+from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary, zeros
+from mahovik.core.emit.expression import Expressions
+from mahovik.core.emit.literal import hex_literal, real_literal
+from mahovik.core.emit.names import Names
+from mahovik.core.emit.statement import Statements
+from mahovik.core.emit.templates import template
+from mahovik.core.program.expression import BitCast
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.restrictable import restrictable
+from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.walk import expressions
+from mahovik.core.stand.identity import Identities
+
+INDENT = "    "
+"""One indent."""
+
+
+class Code:
+    """A program with the names and literals that it has in C; `word`: the name of its type of bits."""
+
+    def __init__(self, program: Program, identities: Identities, word: str = "word") -> None:
+        self.program, self.precision, self.names = program, program.precision, Names(program.name, word)
+        self.public = [f for f in program.functions if f.public]
+        self._statements = Statements(self.names, Expressions(self.names, self.precision))
+        self._facts = {
+            "name": program.name,
+            "NAME": program.name.upper(),
+            "structure": identities.structure,
+            "physics": identities.physics,
+            "real": self.precision.name,
+            "width": self.precision.width,
+            "real_bytes": self.precision.width // 8,
+            "literal": self.real,
+            "hexadecimal": self.hex,
+            "zeros": zeros(self.public, self.names),
+        }
+
+    def render(self, name: str, **more: Any) -> str:
+        """The text of a template, which knows the facts of the program and what else is given."""
+        return template(name).render(**self._facts | more)
+
+    # -- literals ------------------------------------------------------------------------------------------------------
+
+    def real(self, value: float) -> str:
+        """A decimal literal."""
+        return real_literal(value, self.precision)
+
+    def hex(self, value: Any) -> str:
+        """A hexadecimal literal."""
+        return hex_literal(float(value), self.precision)
+
+    # -- what a program consists of ------------------------------------------------------------------------------------
+
+    def structs(self, structs: Iterable[Struct]) -> list[list[str]]:
+        """Definitions of structs."""
+        return [struct_lines(s, self.names) for s in structs]
+
+    def declared(self, functions: Iterable[Function]) -> list[dict[str, Any]]:
+        """Contract and prototype of public functions."""
+        return [
+            {"comment": contract(f, self.names, self.program), "prototype": prototype(f, self.names)} for f in functions
+        ]
+
+    @cached_property
+    def functions(self) -> list[dict[str, Any]]:
+        """Comment, prototype and body of each function."""
+        return [self.function(f) for f in self.program.functions]
+
+    def function(self, f: Function) -> dict[str, Any]:
+        """The same of one function."""
+        body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
+        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body}
+
+    def table(
+        self, name: str, struct: Struct, value: Mapping[str, Any], labels: Mapping[str, list[str]] | None = None
+    ) -> dict[str, Any]:
+        """Definition of a constant; `labels`: names of the rows of array members, for a comment at their end."""
+        return {
+            "declaration": f"const {self.names.declaration(self.names.function(name), struct)}",
+            "lines": initialiser(struct, value, self.precision, labels or {}),
+        }
+
+    @cached_property
+    def casts(self) -> set[Kind]:
+        """Kinds that bits are cast to."""
+        found = (e for f in self.program.functions for e in expressions(f.body))
+        return {e.kind for e in found if isinstance(e, BitCast)}
+
+    @property
+    def words(self) -> bool:
+        """Whether the type of bits is used."""
+        every = (e for f in self.program.functions for e in expressions(f.body))
+        return bool(self.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every)
+
+    @cached_property
+    def _restrictable(self) -> frozenset[tuple[str, str]]:
+        return restrictable(self.program)

@@ -1,0 +1,1 @@
+"""Buoyancy: Archimedes force on a body that displaces fluid."""

@@ -1,0 +1,26 @@
+"""Faults in buoyancy, (7)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.proof.diagnose.edits import minus, without_moment, wrench, zero
+from mahovik.proof.diagnose.fault import Fault
+from mahovik.proof.reference.screw import force_at
+
+# fmt: off
+FAULTS = (
+    Fault("buoyancy at O1", "(7)", "all", [wrench(without_moment, "buoyancy")],
+          "Buoyancy acts at the origin of the body (O1 of the carrier), not at the centre of buoyancy",
+          "`center` of `buoyancy`"),
+    Fault("buoyancy at the centre of mass", "(7)", "all",
+          [wrench(lambda P, k, at: force_at(P[:3], np.array(k.body.center_of_mass)), "buoyancy")],
+          "Buoyancy acts at the centre of mass, not at the centre of buoyancy",
+          "`center` of `buoyancy`: the righting moment comes from the two centres being apart"),
+    Fault("buoyancy, sign", "(7)", "all", [wrench(minus, "buoyancy")],
+          "Buoyancy pulls down",
+          "-displaced_mass g"),
+    Fault("buoyancy missing", "(7)", "all", [wrench(zero, "buoyancy")],
+          "Buoyancy is missing",
+          "`buoyancy` of carrier, instruments, flywheels"),
+)

@@ -1,0 +1,18 @@
+"""Archimedes force on a body, literally."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.screw import force_at
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """-displaced_mass g at the centre of buoyancy (6; N, N m); `gravity` (3, m/s2) in the body's frame."""
+    buoyancy = body.law(Buoyancy)
+    if buoyancy is None:
+        return {"buoyancy": np.zeros(6)}
+    return {"buoyancy": force_at(-buoyancy.displaced_mass * gravity, np.array(buoyancy.center))}

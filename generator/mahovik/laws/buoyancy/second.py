@@ -1,0 +1,26 @@
+"""Archimedes force on a body by its potential."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.proof.second.bodies import MovingBody
+from mahovik.proof.second.chart import Expr
+from mahovik.proof.second.potential import Potential
+
+
+def numbers(body: Body) -> tuple[float, ...]:
+    """Displaced mass and its centre; zeros where there is none."""
+    buoyancy = body.law(Buoyancy)
+    return (buoyancy.displaced_mass, *buoyancy.center) if buoyancy else (0.0,) * 4
+
+
+def energy(body: MovingBody, own: Expr, gravity: Expr) -> Expr:
+    """m_displaced x_b . gravity (J), x_b the place of the centre of buoyancy: it rises where a weight falls."""
+    displaced_mass, center = own[0], own[1:]
+    return displaced_mass * ca.dot(body.place(center), gravity)
+
+
+POTENTIAL = Potential(4, numbers, energy)

@@ -1,0 +1,180 @@
+"""Damping in the program of a stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.fmu import units
+from mahovik.core.lower.fmu.member import Member, matrix, member
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import translate
+from mahovik.core.program.build import Body as Statements
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Place, magnitude, select
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Stand
+from mahovik.core.stand.structure import Structure
+from mahovik.laws.damping.data import Damping
+
+INT = Kind.INT
+
+
+def damped(structure: Structure) -> set[int]:
+    """Indices of the bodies on which any damping acts."""
+    with_terms = (index for index, _ in structure.law("damping_terms"))
+    return {*structure.law("linear_damping"), *structure.law("quadratic_damping"), *with_terms}
+
+
+def term_count(structure: Structure) -> int:
+    """Number of hydrodynamic derivatives of all bodies."""
+    return sum(len(kinds) for _, kinds in structure.law("damping_terms"))
+
+
+def table_fields(structure: Structure) -> list[Field]:
+    """The hydrodynamic derivatives of all bodies, where there are any."""
+    fields = (
+        Field("wrench", INT, (), "", "component of the wrench, 0..5 = X Y Z K M N"),
+        Field("first", INT, (), "", "0..5 = u v w p q r, 6..11 their magnitudes"),
+        Field("second", INT, (), "", "likewise"),
+        Field("value", Kind.REAL, (), "SI", "wrench += value * first * second"),
+    )
+    count = term_count(structure)
+    return [Field("term", Struct("term", "A hydrodynamic derivative.", fields), (count,))] if count else []
+
+
+def damper_struct(structure: Structure) -> Struct:
+    """Damping of one body, with those members only that some body has."""
+    fields = []
+    if structure.law("linear_damping"):
+        fields.append(Field("linear", Kind.REAL, (6, 6), "SI", "wrench -= linear V"))
+    if structure.law("quadratic_damping"):
+        fields.append(Field("quadratic", Kind.REAL, (6, 6), "SI", "wrench -= quadratic (V |V|)"))
+    if term_count(structure):
+        fields.append(Field("first_term", INT, (), "", "terms first_term .. last_term - 1 of the table"))
+        fields.append(Field("last_term", INT))
+    return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+
+
+def damper_values(body: Body, damper: Struct, terms: list[dict[str, Any]]) -> dict[str, Any]:
+    """One damper; its hydrodynamic derivatives are appended to the table of terms."""
+    damping, zero = body.law(Damping), ((0.0,) * 6,) * 6
+    found: dict[str, Any] = {}
+    if damper.field("linear") is not None:
+        found["linear"] = damping.linear if damping and damping.linear else zero
+    if damper.field("quadratic") is not None:
+        found["quadratic"] = damping.quadratic if damping and damping.quadratic else zero
+    if damper.field("first_term") is not None:
+        found["first_term"] = len(terms)
+        for term in damping.terms if damping else ():
+            first, second = (f.component + 6 * f.absolute for f in term.of)
+            terms.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
+        found["last_term"] = len(terms)
+    return found
+
+
+def damper_members(body: str, struct: Struct, value: Any) -> Iterator[Member]:
+    """Matrices of damping; the hydrodynamic derivatives follow in a table of their own."""
+    for f in struct.fields:
+        if f.name == "linear":
+            what = f"{body}: linear damping, of its own twist relative to the fluid, in its own frame"
+            yield from matrix(f"{body}.damping.linear", f, member(value, f.name), lambda i, j: units.law(i, (j,)), what)
+        elif f.name == "quadratic":
+            what = f"{body}: damping quadratic in its own twist relative to the fluid, in its own frame"
+            yield from matrix(
+                f"{body}.damping.quadratic", f, member(value, f.name), lambda i, j: units.law(i, (j, j)), what
+            )
+
+
+def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
+    """Hydrodynamic derivatives, in the order in which the table has them."""
+    damped = ((body.name, body.law(Damping)) for body in stand.bodies)
+    own = [(name, term) for name, damping in damped if damping is not None for term in damping.terms]
+    for k, ((body, term), row) in enumerate(zip(own, rows, strict=True)):
+        factors = [f"|{TWIST_LETTERS[f.component]}|" if f.absolute else TWIST_LETTERS[f.component] for f in term.of]
+        text = f"{body}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {' '.join(factors)}"
+        unit = units.law(term.wrench, tuple(f.component for f in term.of))
+        yield Member(f"derivative[{k + 1}]", unit, text, float(member(row, "value")))
+
+
+def damp(lib: Library) -> Function:
+    """Damping of one body in its own frame, added to a wrench."""
+    struct, terms = lib.layout.damper, term_count(lib.layout.structure)
+    damper = Argument("damper", struct)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
+    table = lib.table_argument()
+    body = Statements()
+    factors: Place | None = None
+    if terms or struct.field("quadratic") is not None:
+        factors = body.local("x", (12,), comment="u v w p q r and their magnitudes")
+        for k in range(6):
+            body.set(factors[k], V.place[k])
+        for k in range(6):
+            body.set(factors[k + 6], magnitude(V.place[k]))
+    if struct.field("linear") is not None:
+        with body.loop("i", 6) as i:
+            row = derived.row_times("linear", "V")
+            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": V.place}))
+    if struct.field("quadratic") is not None:
+        assert factors is not None
+        with body.loop("i", 6) as i, body.loop("j", 6) as j:
+            drag = damper.place.quadratic[i][j] * (factors[j] * factors[j + 6])
+            body.add(P.place[i], -drag)
+    if terms:
+        assert factors is not None
+        first, last = damper.place.first_term, damper.place.last_term
+        with body.loop("t", last, start=first, most=terms) as t:
+            term = table.place.term[t]
+            body.add(P.place[term.wrench], term.value * factors[term.first] * factors[term.second])
+    return Function(
+        "damp",
+        "Adds the damping of one body to its wrench, both in the body's own frame.",
+        (table, damper, V, P),
+        body.statements,
+        equation="(7)",
+    )
+
+
+def damp_slope(lib: Library) -> Function:
+    """Derivative of one body's damping by its twist, times a twist."""
+    table = lib.table_argument()
+    struct, terms = lib.layout.damper, term_count(lib.layout.structure)
+    damper = Argument("damper", struct)
+    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
+    change = Argument("change", Kind.REAL, (6,), purpose="change of that twist")
+    P = Argument("P", Kind.REAL, (6,), "inout", purpose="change of the wrench; this change is added to it")
+    body = Statements()
+    x, dx = None, None
+    if terms or struct.field("quadratic") is not None:
+        x = body.local("x", (12,), comment="u v w p q r and their magnitudes")
+        dx = body.local("dx", (12,), comment="their changes with the twist")
+        for k in range(6):
+            body.set(x[k], V.place[k])
+            body.set(x[k + 6], magnitude(V.place[k]))
+            body.set(dx[k], change.place[k])
+            body.set(dx[k + 6], select(V.place[k] < 0, -change.place[k], change.place[k]))
+    if struct.field("linear") is not None:
+        with body.loop("i", 6) as i:
+            row = derived.row_times("linear", "V")
+            body.add(P.place[i], -translate(row, {"linear": damper.place.linear[i], "V": change.place}))
+    if struct.field("quadratic") is not None:
+        assert x is not None and dx is not None
+        with body.loop("i", 6) as i, body.loop("j", 6) as j:
+            body.add(P.place[i], -(damper.place.quadratic[i][j] * (2 * x[j + 6] * dx[j])))
+    if terms:
+        assert x is not None and dx is not None
+        first, last = damper.place.first_term, damper.place.last_term
+        with body.loop("t", last, start=first, most=terms) as t:
+            term = table.place.term[t]
+            slope = dx[term.first] * x[term.second] + x[term.first] * dx[term.second]
+            body.add(P.place[term.wrench], term.value * slope)
+    return Function(
+        "damp_slope",
+        "Change of the damping of one body with its twist.",
+        (table, damper, V, change, P),
+        body.statements,
+        equation="(7)",
+    )

@@ -1,0 +1,50 @@
+"""Damping in planning: its wrench, and the derivative of it, for M twists at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.damping.data import Damping
+from mahovik.use.plan.array import Array
+
+
+@dataclass(frozen=True)
+class TwistLaw:
+    """Damping of one body by its twist v (M, 6) relative to the fluid, all in the body's frame."""
+
+    damping: Damping
+
+    def wrench(self, v: Array) -> Array:
+        """-(linear v) - (quadratic (v |v|)) + terms (M, 6; N, N m)."""
+        P, damping = np.zeros_like(v), self.damping
+        if damping.linear is not None:
+            P -= v @ np.array(damping.linear).T
+        if damping.quadratic is not None:
+            P -= (v * np.abs(v)) @ np.array(damping.quadratic).T
+        for term in damping.terms:
+            first, second = (np.abs(v[:, a.component]) if a.absolute else v[:, a.component] for a in term.of)
+            P[:, term.wrench] += term.value * first * second
+        return P
+
+    def rate(self, v: Array) -> Array:
+        """dP/dv (M, 6, 6) of `wrench`. |v| has the slope 0 at v = 0."""
+        D, damping = np.zeros((*v.shape, 6)), self.damping
+        if damping.linear is not None:
+            D -= np.array(damping.linear)
+        if damping.quadratic is not None:
+            D -= np.array(damping.quadratic) * (2.0 * np.abs(v))[:, None, :]
+        for term in damping.terms:
+            values = [np.abs(v[:, a.component]) if a.absolute else v[:, a.component] for a in term.of]
+            slopes = [np.sign(v[:, a.component]) if a.absolute else np.ones(len(v)) for a in term.of]
+            for own, other in ((0, 1), (1, 0)):
+                D[:, term.wrench, term.of[own].component] += term.value * slopes[own] * values[other]
+        return D
+
+
+def twist_law(body: Body) -> TwistLaw | None:
+    """The damping of a body; None where nothing damps."""
+    damping = body.law(Damping)
+    return None if damping is None else TwistLaw(damping)

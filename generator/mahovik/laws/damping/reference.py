@@ -1,0 +1,40 @@
+"""Damping of a body, literally, (7); `V_r` (6) is its twist relative to the fluid, all in the body's frame."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.damping.data import Damping
+from mahovik.proof.reference.array import Array
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrenches (6; N, N m) of the three kinds of damping; none where nothing damps."""
+    damping = body.law(Damping)
+    if damping is None:
+        return {}
+    return {
+        "linear damping": linear_damping(damping, V_r),
+        "quadratic damping": quadratic_damping(damping, V_r),
+        "damping terms": damping_terms(damping, V_r),
+    }
+
+
+def linear_damping(damping: Damping, V_r: Array) -> Array:
+    """-(linear V_r) (6; N, N m)."""
+    return np.zeros(6) if damping.linear is None else -np.array(damping.linear) @ V_r
+
+
+def quadratic_damping(damping: Damping, V_r: Array) -> Array:
+    """-(quadratic (V_r |V_r|)) (6; N, N m), product element by element."""
+    return np.zeros(6) if damping.quadratic is None else -np.array(damping.quadratic) @ (V_r * np.abs(V_r))
+
+
+def damping_terms(damping: Damping, V_r: Array) -> Array:
+    """Sum of hydrodynamic derivatives (6; N, N m): component `wrench` += value * product of two."""
+    P = np.zeros(6)
+    for term in damping.terms:
+        first, second = (abs(V_r[a.component]) if a.absolute else V_r[a.component] for a in term.of)
+        P[term.wrench] += term.value * first * second
+    return P

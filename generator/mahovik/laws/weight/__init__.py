@@ -1,0 +1,1 @@
+"""Weight: m g at the centre of mass of every body."""

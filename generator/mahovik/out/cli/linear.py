@@ -1,0 +1,179 @@
+"""`mahovik modes`, `mahovik linearize`: small motions of a stand about rest or a state."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mahovik.errors import CheckError
+from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, load_stand, option
+from mahovik.out.cli.output import print_json_text, print_line, print_table
+from mahovik.out.cli.progress import progress
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.state import State
+    from mahovik.use.study.linear import Modes
+
+SMALL = 5e-4
+"""Part of the largest displacement of a shape: smaller ones are not printed."""
+
+ALIGNED = 1.0
+"""deg: a phase this near to 0 or 180 deg is printed as a sign."""
+
+
+KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "wrench")
+"""Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
+
+AT = option("--at", "Linearise about this state, as `eval` reads it.", metavar="rest|STATE.json", default="rest")
+
+
+@command()
+def modes(
+    stand_file: str = STAND_FILE,
+    at: str = AT,
+    flywheels: str = choice(
+        "--flywheels",
+        ["locked", "free"],
+        "Keep flywheels locked to their motion, as a stiff servo does, or free under constant torques.",
+        default="locked",
+    ),
+    as_json: bool = JSON,
+) -> None:
+    """Find natural frequencies, damping and shapes.
+
+    Modes of small motions about rest or a state.
+
+    A shape is a motion of the carrier (O1 along the axes of E1, rotations about them) and of free flywheels; its
+    largest number is 1, in m or rad. Free directions come first.
+    """
+    stand = load_stand(stand_file)
+    from mahovik.use.study.linear import linear_model
+    from mahovik.use.study.linear import modes as modes_of
+
+    with progress(f"modes of {stand.name}"):
+        model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
+        found = modes_of(model)
+    if as_json:
+        from mahovik.use.study.linear.model import encode_lines
+
+        print_json_text(encode_lines(_values(found, stand.name, at, flywheels) | {"steady": model.steady}))
+        return
+    title = f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}"
+    _print(found, title, model.steady)
+
+
+def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
+    """SI; shapes as real and imaginary parts."""
+    each = [
+        {
+            "kind": mode.kind,
+            "frequency": mode.frequency,
+            "damped_frequency": mode.damped_frequency,
+            "damping": mode.damping,
+            "eigenvalue": [mode.eigenvalue.real, mode.eigenvalue.imag],
+            "shape": [mode.shape.real, mode.shape.imag],
+        }
+        for mode in found.modes
+    ]
+    return {
+        "stand": name,
+        "at": at,
+        "flywheels": flywheels,
+        "coordinates": [str(each) for each in found.coordinates],
+        "zero_eigenvalues": found.zeros,
+        "unstable": found.unstable,
+        "modes": each,
+    }
+
+
+def _print(found: Modes, title: str, steady: bool) -> None:
+    rows = []
+    for number, mode in enumerate(found.modes, start=1):
+        free = mode.kind == "free"
+        frequency = "-" if free else f"{mode.frequency:.6g}"
+        kind = "" if mode.kind in ("free", "oscillation") else f"{mode.kind}, "
+        damping = "-" if free else f"{mode.damping:.4g}"
+        rows.append((str(number), frequency, damping, kind + _shape(found, mode.shape)))
+    print_table(("mode", "frequency, Hz>", "damping ratio>", "shape"), rows, title=title)
+    if any(mode.kind == "free" for mode in found.modes):
+        print_line("without a frequency: a free direction, no restoring force")
+    if not steady:
+        print_line(
+            "valid for one moment: the carrier or a flywheel accelerates here, so growth does not show stability"
+        )
+    elif found.unstable:
+        print_line("warning: unstable, a mode with negative damping grows", "yellow")
+
+
+def _shape(found: Modes, shape: Any) -> str:
+    """Displacements of a shape, largest first, with their phases unless these are signs."""
+    given = sorted(zip(found.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
+    return "  ".join(f"{channel.name} {_number(x)}" for channel, x in given if abs(x) > SMALL)
+
+
+def _number(x: complex) -> str:
+    degrees = math.degrees(cmath.phase(x))
+    if abs(degrees) <= ALIGNED:
+        return f"{abs(x):.3g}"
+    if abs(degrees) >= 180.0 - ALIGNED:
+        return f"{-abs(x):.3g}"
+    return f"{abs(x):.3g} at {degrees:.0f} deg"
+
+
+@command()
+def linearize(
+    stand_file: str = STAND_FILE,
+    at: str = AT,
+    points: str | None = option(
+        "--points", "Choose points and instruments of the outputs; default: all, else the carrier.", metavar="a,b"
+    ),
+    flywheels: str = choice(
+        "--flywheels",
+        ["free", "locked"],
+        "Leave flywheels free, driven by torques, or locked to their motion.",
+        default="free",
+    ),
+    output: str = file_option("-o", "FILE.json|FILE.mat", "Write the model to this file.", required=True),
+) -> None:
+    """Linearise a stand: A, B, C, D.
+
+    About rest or a state, by exact derivatives: x' = A x + B u, y = C x + D u.
+
+    States: pose, V, angles and speeds of the flywheels. Inputs: drive torques, a wrench on the carrier. Outputs:
+    displacement, velocity and acceleration of points. Names and units are in the file.
+    """
+    stand = load_stand(stand_file)
+    from mahovik.use.study.linear import linear_model
+    from mahovik.use.study.linear.model import check_model_file, rendered
+    from mahovik.writing import probe, write
+
+    target = Path(output)
+    check_model_file(target)
+    probe(target)
+    names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
+    if names is None and not (stand.points or stand.instruments):
+        names = ["carrier"]
+    with progress(f"linearize {stand.name}"):
+        model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
+    write(target, rendered(model, target.suffix))
+    sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
+    click.echo(f"{click.format_filename(output)}   {', '.join(f'{number} {name}' for number, name in sizes)}")
+
+
+def nominal_state(stand: Stand, at: str) -> State:
+    """The state that `--at` names. Raises UsageError, CheckError."""
+    if at != "rest":
+        from mahovik.use.simulate.case import load_start
+
+        return load_start(Path(at), stand, KEYS, "; V_dot and tau follow from them")
+    from mahovik.use.study.rest import rest
+
+    try:
+        return rest(stand).state
+    except CheckError as error:
+        raise CheckError(f"{error}; give a state by --at STATE.json") from None

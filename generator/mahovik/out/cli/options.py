@@ -1,0 +1,125 @@
+"""Options and arguments of commands, written once: as the defaults of the parameters of the command's function.
+
+    @command()
+    def modes(stand_file: str = STAND_FILE, name: str = option("--name", "Name the stand.")) -> None:
+
+The name of a parameter is that of the value; the help shows the options in the order of the parameters.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mahovik.out.cli.output import note_json
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """An option or argument of a command, without its name in Python."""
+
+    make: Callable[..., click.Parameter]
+    declarations: tuple[str, ...]
+    attributes: dict[str, Any]
+
+
+def command(
+    name: str | None = None, *, short_help: str | None = None, group: click.Group | None = None
+) -> Callable[[Callable[..., None]], click.Command]:
+    """Make a command of a function whose parameters have options and arguments as defaults; its docstring is the help.
+
+    The command is added to `group`.
+    """
+
+    def made(function: Callable[..., None]) -> click.Command:
+        defaults = {key: each.default for key, each in inspect.signature(function).parameters.items()}
+        params = [each.make([*each.declarations, key], **each.attributes) for key, each in defaults.items()]
+        own, words = name or function.__name__.replace("_", "-"), inspect.getdoc(function)
+        found = click.Command(own, callback=function, params=params, help=words, short_help=short_help)
+        if group is not None:
+            group.add_command(found)
+        return found
+
+    return made
+
+
+def argument(metavar: str | None, **attributes: Any) -> Any:
+    """An argument: by default the path of a file."""
+    return Parameter(click.Argument, (), {"metavar": metavar, "type": click.Path(), **attributes})
+
+
+def option(declaration: str, help: str, *, parse: Callable[[str, str], object] | None = None, **attributes: Any) -> Any:
+    """An option; its default is shown. `help` is a sentence that begins with what the option does.
+
+    `parse` makes its value of the option's name and text.
+    """
+    known: dict[str, Any] = {"help": help, "show_default": "default" in attributes}
+    if parse is not None:
+        known["callback"] = lambda _context, own, text: None if text is None else parse(own.opts[0], text)
+    return Parameter(click.Option, (declaration,), known | attributes)
+
+
+def flag(declaration: str, help: str, **attributes: Any) -> Any:
+    """An option without a value."""
+    return option(declaration, help, is_flag=True, **attributes)
+
+
+def choice(declaration: str, values: Sequence[str], help: str, **attributes: Any) -> Any:
+    """An option with one of some values."""
+    return option(declaration, help, type=click.Choice(values), **attributes)
+
+
+def file_option(declaration: str, metavar: str, help: str, **attributes: Any) -> Any:
+    """An option that names a file or folder."""
+    return option(declaration, help, metavar=metavar, type=click.Path(), **attributes)
+
+
+def json_option(help: str = "Print JSON instead of text.") -> Any:
+    """The option `--json`."""
+    return flag("--json", help, callback=note_json)
+
+
+def whole_number(_context: click.Context, _option: click.Parameter, value: str | None) -> int | None:
+    """Callback of a choice between numbers."""
+    return None if value is None else int(value)
+
+
+STAND_FILE = argument("STAND.toml")
+STAND_FILE_OR_NONE = argument("[STAND.toml]", required=False)
+REAL = choice("--real", ["double", "float"], "Choose the element type of the C.", default="double")
+LANES = choice(
+    "--lanes",
+    ["1", "2", "4", "8"],
+    "Compute this number of flywheels per vector; default 1, with --fast chosen by their number.",
+    callback=whole_number,
+)
+FAST = flag("--fast", "Optimise for a desktop processor, with bits that are not reproducible.")
+MOTION = file_option("--motion", "M.json", "Read the required motion from this file.", required=True)
+SEED_OF_STARTS = option("--seed", "Draw the starts from this seed.", metavar="N", type=click.IntRange(min=0), default=0)
+SEED_OF_STATES = option("--seed", "Draw the random states from this seed.", type=click.IntRange(0), default=1)
+STATES = option("--states", "Evaluate this number of states.", type=click.IntRange(1, 1_000_000), default=200)
+TIME_LIMIT = option("--time", "Limit the time of the search.", metavar="S", type=click.FloatRange(min=0, min_open=True))
+JUNIT = file_option("--junit", "FILE", "Write the table as JUnit XML too.")
+WORST = file_option("-o", "FILE", "Write the worst states, for `eval`; default: on failure only.")
+PHASES = option("--phase", 'Set the phase at t = 0, "w1=90 deg"; default 0.', metavar="NAME=ANGLE", multiple=True)
+JSON = json_option()
+
+
+def load_stand(stand_file: str) -> Stand:
+    """The stand of a file. Raises StandError."""
+    from mahovik.core.stand import load
+
+    return load(stand_file)
+
+
+def is_given(name: str) -> bool:
+    """Whether the user gave an option of the running command, by its name in Python."""
+    source = click.get_current_context().get_parameter_source(name)
+    return source not in (None, click.core.ParameterSource.DEFAULT)

@@ -1,0 +1,119 @@
+"""An FMU of a stand: description, sources, binary for this machine, in one file that other tools load."""
+
+from __future__ import annotations
+
+import io
+import math
+import zipfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from mahovik.core.emit.fmu import compiled_sources, fmu_sources
+from mahovik.core.emit.fmu_description import fmu_build, fmu_description
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.lower.fmu.variables import Inputs, Kind, Start, form
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.core.toolchain.module import build_module, module_suffix, platform_folder
+from mahovik.errors import CheckError, NoCompilerError, UsageError
+from mahovik.use.study.rest import rest
+
+STEP = 1e-3
+"""Proposed communication step in the description, s."""
+
+
+@dataclass(frozen=True)
+class Fmu:
+    """An FMU: bytes of the file, its contents by name, and messages, one line each."""
+
+    content: bytes
+    files: dict[str, str | bytes]
+    lines: tuple[str, ...]
+
+
+def export_fmu(
+    stand: Stand,
+    version: str,
+    kind: Kind,
+    inputs: Inputs = "torque",
+    dt: float = 1e-4,
+    start: State | None = None,
+    binary: bool = True,
+    generated: Generated | None = None,
+) -> Fmu:
+    """The FMU of a stand. `start`: default the static equilibrium, as `simulate` begins; `dt`: longest step inside, s.
+
+    `generated`: the C of the stand in double, for a caller that has it already.
+
+    Raises UsageError; CheckError: no equilibrium to begin in; ToolchainError: the compiler failed. Without a compiler
+    the FMU has only sources, and a message says so.
+    """
+    if not 1e-9 <= dt <= 10.0:
+        raise UsageError(f"--dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
+    generated = generated or generate_all(stand)
+    found = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
+    description = fmu_description(stand, found, version, compiled_sources(stand, version), max(STEP, dt))
+    sources = fmu_sources(stand, generated, found, version, description.token)
+    files: dict[str, str | bytes] = {"modelDescription.xml": description.text}
+    files |= {f"sources/{name}": text for name, text in sources.files.items()}
+    if version == "3.0":
+        files["sources/buildDescription.xml"] = fmu_build(stand, sources.compiled)
+    lines = [f"FMI {version}, {'co-simulation' if kind == 'cs' else 'model exchange'}; {description.token}"]
+    if binary:
+        place = f"binaries/{platform_folder(version)}/{stand.name}{module_suffix()}"
+        try:
+            files[place] = build_module(sources.files, sources.compiled)
+            lines.append(f"binary: {place}")
+        except NoCompilerError as error:
+            lines.append(f"no binary, only sources: {error}")
+    else:
+        lines.append("no binary, only sources")
+    return Fmu(archive(files), files, tuple(lines))
+
+
+_DECIMALS = 12
+"""Decimals kept of an equilibrium: its last bits depend on the machine's linear algebra."""
+
+
+def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
+    """Start of a state; without one, the static equilibrium with flywheels at rest. CheckError: there is none."""
+    if state is not None:
+        return Start(state.position, _unit(state, generated), state.V, state.phi, state.phi_dot)
+    try:
+        found = rest(stand).state
+    except CheckError as error:
+        raise CheckError(f"{error}; give an initial state by --start") from None
+    position, attitude = _rounded(found.position), _rounded(_unit(found, generated))
+    return Start(position, attitude, found.V, found.phi, found.phi_dot)
+
+
+def _unit(state: State, generated: Generated) -> list[float]:
+    """The attitude as a quaternion, w first, of unit length."""
+    quaternion: Sequence[float] | None = state.quaternion
+    if quaternion is None:
+        angles = state.angles or (0.0, 0.0, 0.0)
+        quaternion = Interpreter(generated.program).run("quaternion", {"angles": angles})[1]["attitude"]
+    length = math.hypot(*quaternion)
+    return [float(c) / length for c in quaternion]
+
+
+def _rounded(values: Sequence[float]) -> list[float]:
+    return [round(float(x), _DECIMALS) + 0.0 for x in values]
+
+
+_BEGINNING = (1980, 1, 1, 0, 0, 0)
+"""The earliest time of the format, used for all files."""
+
+
+def archive(files: Mapping[str, str | bytes]) -> bytes:
+    """The files by path, in that order, compressed; without dates."""
+    found = io.BytesIO()
+    with zipfile.ZipFile(found, "w", zipfile.ZIP_DEFLATED) as target:
+        for name, content in files.items():
+            entry = zipfile.ZipInfo(name, _BEGINNING)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.create_system = 3
+            entry.external_attr = (0o755 if name.startswith("binaries/") else 0o644) << 16
+            target.writestr(entry, content)
+    return found.getvalue()

@@ -1,1 +1,0 @@
-"""Changes that faults are made of, by stage of the reference, which gives the right terms that they need."""

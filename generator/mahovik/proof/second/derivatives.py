@@ -1,0 +1,40 @@
+"""Derivatives of the second derivation's accelerations by automatic differentiation, to judge Jacobians."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import casadi as ca
+
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.second.evaluate import PROBLEMS, Second
+from mahovik.proof.second.problems import coupled
+from mahovik.proof.second.rotation import Array
+
+
+class Derivatives:
+    """Jacobians of what a want gives by inputs of a state, at fixed position and attitude.
+
+    `locked` (N): flywheels held at phi_ddot = 0, of `coupled` only.
+    """
+
+    def __init__(self, second: Second, want: str, by: Sequence[str], locked: Sequence[bool] = ()) -> None:
+        self._second = second
+        system = second.system
+        found = coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
+        self._names = [(value, name) for value in found for name in by]
+        parts = [ca.jacobian(found[value], system.inputs[name]) for value, name in self._names]
+        self._function = ca.Function("derivatives", list(system.inputs.values()), parts, list(system.inputs), [
+            f"{value}_{name}" for value, name in self._names
+        ])  # fmt: skip
+
+    @property
+    def stand(self) -> Stand:
+        """The stand whose equations are differentiated."""
+        return self._second.stand
+
+    def evaluate(self, state: State) -> dict[str, Array]:
+        """Matrices by name: `V_dot_phi` is that of V_dot by phi. Raises StateError."""
+        found = self._function(**self._second.arguments(state))
+        return {name: found[name].full() for name in (f"{value}_{by}" for value, by in self._names)}

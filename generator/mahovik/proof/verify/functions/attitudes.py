@@ -1,0 +1,79 @@
+"""Judges of `quaternion` and `state_from_coordinates`: attitudes and (10) of the literal reference."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from mahovik.core.stand.model import Sequence
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.rotation import (
+    attitude,
+    check_attitude,
+    kinematic_matrix,
+    kinematic_matrix_rate,
+    quaternion_rotation,
+)
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+
+ATTITUDES = 24
+"""Attitudes tried, some of them after several turns."""
+
+
+def _angles(case: Case) -> Iterator[tuple[str, Array]]:
+    """Angles psi, theta, phi (3, rad), as the element type has them."""
+    rng = case.random(1)
+    for number in range(ATTITUDES):
+        turns = 20.0 if number % 4 == 3 else 1.0
+        angles = rng.uniform(-math.pi, math.pi, 3) * turns
+        yield f"attitude {number}", case.held(angles)
+
+
+def quaternion_rows(case: Case) -> Iterator[Row]:
+    """C of the quaternion against the product of the elementary rotations."""
+    row = Comparison("quaternion", "C", case.bounds.of("generalized", "A"))
+    for name, angles in _angles(case):
+        found = case.call("quaternion", {"angles": list(angles)})["attitude"]
+        row.note(quaternion_rotation(*found), attitude(case.stand.angles, *angles), np.ones((3, 3)), name)
+    yield row.finished()
+
+
+def coordinate_rows(case: Case) -> Iterator[Row]:
+    """V = A q' and V* = A q'' + D q' of (10), and position and attitude."""
+    rng, sequence = case.random(2), case.stand.angles
+    row = Comparison("state_from_coordinates", "state, V_dot", case.bounds.default)
+    count = case.count
+    for name, angles in _angles(case):
+        if _singular(sequence, angles):
+            continue
+        position, q_dot, q_ddot = (case.held(rng.normal(size=size)) for size in (3, 6, 6))
+        x = {"position": [0.0] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "V": [0.0] * 6}
+        x |= {"phi": [0.0] * count, "phi_dot": [0.0] * count} if count else {}
+        given = {"position": list(position), "angles": list(angles), "q_dot": list(q_dot), "q_ddot": list(q_ddot)}
+        try:
+            found = case.call("state_from_coordinates", given | {"x": x})
+        except StateError as error:
+            row.note_refusal(error, name)
+            continue
+        A, D = kinematic_matrix(sequence, angles), kinematic_matrix_rate(sequence, angles, q_dot[3:])
+        S_A = np.kron(np.eye(2), np.ones((3, 3)))  # elements of rotations, and their rates
+        S_D = float(np.abs(q_dot[3:]).sum()) * S_A
+        row.note(found["x"]["position"], position, np.abs(position), f"{name}, position")
+        C = quaternion_rotation(*found["x"]["attitude"])
+        row.note(C, attitude(sequence, *angles), np.ones((3, 3)), f"{name}, attitude")
+        row.note(found["x"]["V"], A @ q_dot, S_A @ np.abs(q_dot), f"{name}, V")
+        scale = S_A @ np.abs(q_ddot) + S_D @ np.abs(q_dot)
+        row.note(found["V_dot"], A @ q_ddot + D @ q_dot, scale, f"{name}, V_dot")
+    yield row.finished()
+
+
+def _singular(sequence: Sequence, angles: Array) -> bool:
+    try:
+        check_attitude(sequence, angles)
+    except StateError:
+        return True
+    return False

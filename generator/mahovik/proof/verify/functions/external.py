@@ -1,0 +1,42 @@
+"""Judges of functions that repeat what a want gives: `wrench`, and the forms of given sines and cosines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.errors import StateError
+from mahovik.proof.verify.compare import Judge, Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.states import Request
+
+
+def wrench_rows(case: Case) -> Iterator[Row]:
+    """F of (7) against that of the literal reference."""
+    row = Comparison("wrench", "F", case.bounds.of("matrices", "F"), case.bounds.floor)
+    for name, state in case.states:
+        at = case.at(state)
+        scale = scales(case.stand, state, at, "matrices", case.bounds.cuts)["F"]
+        try:
+            row.note(case.call("wrench", case.backend.arguments(state))["F"], at.F, scale, name)
+        except StateError as error:
+            row.note_refusal(error, name)
+    yield row.finished()
+
+
+def rows_of_given_sines(case: Case, function: str) -> Iterator[Row]:
+    """A function `NAME_at` of given sines and cosines, against the reference's answer to the want NAME."""
+    want = function.removesuffix("_at")
+    judge = Judge(case.stand, case.bounds)
+    assert FUNCTIONS[want].want
+    for name, state in case.states:
+        request = Request(name, state, (want,))
+        try:
+            judge.compare(request, want, case.call(function, case.backend.arguments(state)))
+        except StateError as error:
+            judge.compare(request, want, None, reason=str(error))
+    for row in judge.rows():
+        row.want = function
+        row.request = None  # `eval` has no want of this name
+        yield row

@@ -1,0 +1,80 @@
+"""Judges of the Jacobians: automatic differentiation of the second derivation."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.second.derivatives import Derivatives
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.locks import lock_patterns
+from mahovik.proof.verify.scales import scales
+
+STATES = 4
+"""States at which a Jacobian is judged by automatic differentiation."""
+
+STATES_WITH_LOCKS = 1
+"""States at which it is judged with locks; each pattern needs a derivative of its own."""
+
+CONDITION = 10.0
+"""Accepted beyond the bound of the function itself: a derivative goes through K^-1 twice."""
+
+
+def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
+    """All matrices of `forward_jacobian` or `coupled_jacobian`: the worst of them."""
+    want = function.removesuffix("_jacobian")
+    names = FUNCTIONS[function].gives if case.count else ("V_dot_V",)
+    by = tuple(dict.fromkeys(re.sub("^(V_dot|phi_ddot)_", "", name) for name in names))
+    row = Comparison(function, "derivatives", CONDITION * case.bounds.default, case.bounds.floor)
+    derivatives = Derivatives(case.second, want, by)
+    for name, state in case.states[:STATES]:
+        try:
+            found = case.call(function, case.backend.arguments(state))
+        except StateError as error:
+            row.note_refusal(error, name)
+            continue
+        expected, scale = derivatives.evaluate(state), derivative_scales(case, state, want, by)
+        for quantity in names:
+            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    yield row.finished()
+    if want == "coupled":
+        yield _row_with_locks(case, names, by)
+
+
+def derivative_scales(case: Case, state: State, want: str, by: Sequence[str]) -> dict[str, Array]:
+    """Scale of an acceleration over the size of what it is differentiated by: the largest |v|, |omega|, |phi'| ..."""
+    own = scales(case.stand, state, case.at(state), want, case.bounds.cuts)
+    sizes: dict[str, Any] = {
+        "V": np.repeat([np.abs(state.V[:3]).max(), np.abs(state.V[3:]).max()], 3),
+        "phi": np.ones(case.count),
+        "phi_dot": np.full(case.count, np.abs(state.phi_dot).max(initial=1e-9)),
+        "phi_ddot": np.full(case.count, np.abs(state.phi_ddot).max(initial=1e-9)),
+        "tau": np.full(case.count, np.abs(state.tau).max(initial=1e-9)),
+    }
+    return {f"{value}_{name}": np.divide.outer(own[value], sizes[name]) for value in own for name in by}
+
+
+def _row_with_locks(case: Case, names: Sequence[str], by: Sequence[str]) -> Row:
+    """All matrices of coupled_jacobian with locks: the worst of them."""
+    row = Comparison("coupled_jacobian", "derivatives, with locks", CONDITION * case.bounds.default, case.bounds.floor)
+    for number, (name, state) in enumerate(case.states[:STATES_WITH_LOCKS]):
+        locked = lock_patterns(case.count, number)
+        given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
+        try:
+            found = case.call("coupled_jacobian", given)
+        except StateError as error:
+            row.note_refusal(error, name)
+            continue
+        expected = Derivatives(case.second, "coupled", by, list(locked)).evaluate(state)
+        scale = derivative_scales(case, state, "coupled", by)
+        for quantity in names:
+            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    return row.finished()

@@ -1,0 +1,41 @@
+"""Judge of `coupled` with locks: the literal reference without the equations of the locked flywheels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from mahovik.errors import StateError
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.coupled import coupled_with_locks
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.scales.magnitudes import Magnitudes
+from mahovik.proof.verify.scales.wants import coupled as coupled_scale
+
+
+def lock_patterns(count: int, number: int) -> Array:
+    """Pattern of locked flywheels (N, bool): every second, the others, all but one, all, in turn."""
+    order = np.arange(count)
+    patterns = (order % 2 == 0, order % 2 == 1, order != number % max(count, 1), order >= 0)
+    return np.asarray(patterns[number % 4])
+
+
+def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Row]:
+    """V_dot and phi_ddot with some flywheels locked."""
+    names = ("V_dot", "phi_ddot")
+    row = Comparison(function, "V_dot, phi_ddot, with locks", case.bounds.default, case.bounds.floor)
+    for number, (name, state) in enumerate(case.states):
+        locked, at = lock_patterns(case.count, number), case.at(state)
+        given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
+        scale = coupled_scale(Magnitudes(case.stand, state, at, case.bounds.cuts), locked)
+        expected = dict(zip(names, coupled_with_locks(at, np.array(state.tau), locked), strict=True))
+        try:
+            found = case.call(function, given)
+        except StateError as error:
+            row.note_refusal(error, name)
+            continue
+        for quantity in names:
+            row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
+    yield row.finished()

@@ -1,0 +1,89 @@
+"""Judge of `mounts` by the second derivation: the drive torques, and the motion of the carrier under the reactions.
+
+The literal reference and the C share the formula of a mount wrench, so a term that is missing in both would pass.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any, cast
+
+import numpy as np
+
+from mahovik.core.stand.model import Vec6
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.rotation import C1
+from mahovik.proof.reference.screw import block_diagonal
+from mahovik.proof.second import Second
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.scales import scales
+from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
+
+
+def mount_rows(case: Case) -> Iterator[Row]:
+    """Element 4 of each mount wrench against the second derivation's tau, and all six by the carrier's motion.
+
+    Carrier and instruments alone, with the reactions of the mounts as wrenches on the carrier, must have the V* of the
+    whole stand: Lagrange's equations of the stand without flywheels know nothing of what mounts bear.
+    """
+    tolerance, floor = case.bounds.of("mounts", "mount_wrench"), case.bounds.floor
+    torque = Comparison("mounts", "element 4, tau of the second", tolerance, floor)
+    motion = Comparison("mounts", "V_dot under the reactions", tolerance, floor)
+    bare = Second(replace(case.stand, flywheels=(), points=()))
+    for name, state in case.states:
+        try:
+            V_dot = case.call("forward", case.backend.arguments(state))["V_dot"]
+            moving = replace(state, V_dot=tuple(V_dot))
+            found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
+            wrenches = np.array(found, dtype=np.float64).reshape(-1, 6)
+            tau = case.second.evaluate(moving, ("torque",))["tau"]
+        except StateError as error:
+            torque.note_refusal(error, name)
+            continue
+        at = case.at(moving)
+        natural = {want: scales(case.stand, moving, at, want, case.bounds.cuts) for want in ("torque", "mounts")}
+        torque.note(wrenches[:, 3], tau, natural["torque"]["tau"], name)
+        if case.stand.carrier.mass:
+            _note_motion(motion, case, bare, moving, at, wrenches, np.array(natural["mounts"]["mount_wrench"]), name)
+    yield torque.finished()
+    yield motion.finished()
+
+
+def _note_motion(
+    row: Comparison,
+    case: Case,
+    bare: Second,
+    state: State,
+    at: reference.Pieces,
+    wrenches: Array,
+    natural: Array,
+    name: str,
+) -> None:
+    """Count one state: V* of carrier and instruments under the reactions, by the second derivation."""
+    reaction, size = np.zeros(6), np.zeros(6)
+    for s, wrench, scale in zip(at.flywheels, wrenches, natural, strict=True):
+        still = s.L @ block_diagonal(C1(s.phi)).T  # from the axes of Es at phi = 0
+        reaction -= still @ wrench
+        size += np.abs(still) @ scale
+    given = np.array(state.wrench.get("carrier", (0.0,) * 6)) + reaction
+    names = {body.name for body in bare.stand.bodies}
+    own = {body: wrench for body, wrench in state.wrench.items() if body in names}
+    own["carrier"] = cast(Vec6, tuple(float(x) for x in given))
+    none: tuple[Any, ...] = ()
+    alone = replace(
+        state,
+        phi=none,
+        phi_dot=none,
+        phi_ddot=none,
+        tau=none,
+        wrench=MappingProxyType(own),
+    )
+    pieces = reference.pieces(bare.stand, alone)
+    scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"] + inverse_magnitude(pieces.K) @ size
+    row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)

@@ -1,0 +1,70 @@
+"""The judge of each public function of the C."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+
+from mahovik.contract.functions import FUNCTIONS
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions import (
+    allocation,
+    attitudes,
+    carries,
+    encoders,
+    external,
+    jacobians,
+    locks,
+    parameters,
+    reactions,
+    steps,
+)
+from mahovik.proof.verify.functions.case import Case
+
+JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
+    "wrench": external.wrench_rows,
+    "mounts": reactions.mount_rows,
+    "coupled": locks.rows_with_locks,
+    "step": partial(steps.step_rows, function="step"),
+    "step_driven": partial(steps.step_rows, function="step_driven"),
+    "step_carried": partial(carries.carried_rows, function="step_carried"),
+    "step_driven_carried": partial(carries.carried_rows, function="step_driven_carried"),
+    "inverse": allocation.inverse_rows,
+    "inverse_fast": partial(allocation.fast_rows, function="inverse_fast"),
+    "inverse_fast_at": partial(allocation.fast_rows, function="inverse_fast_at"),
+    "forward_jacobian": partial(jacobians.jacobian_rows, function="forward_jacobian"),
+    "coupled_jacobian": partial(jacobians.jacobian_rows, function="coupled_jacobian"),
+    "quaternion": attitudes.quaternion_rows,
+    "state_from_coordinates": attitudes.coordinate_rows,
+    "wrap": encoders.wrap_rows,
+    "phase_of_counts": encoders.phase_rows,
+    "speed_of_counts": encoders.speed_rows,
+    "accumulate": encoders.accumulate_rows,
+    "prepare": parameters.prepare_rows,
+    "prepare_mounts": parameters.prepare_mounts_rows,
+}
+"""Functions that answer no want, and those of a want with arguments that `eval` does not set."""
+
+JUDGES |= {
+    name: partial(external.rows_of_given_sines, function=name)
+    for name in FUNCTIONS
+    if name.endswith("_at") and name not in JUDGES
+}
+
+
+def unjudged(functions: Iterable[str]) -> list[str]:
+    """Names of public functions that neither answer a want nor have a judge here."""
+    return [name for name in functions if name not in JUDGES and not (name in FUNCTIONS and FUNCTIONS[name].want)]
+
+
+def function_rows(case: Case) -> Iterator[Row]:
+    """Rows of every public function of the program that has a judge here, in the order of the program.
+
+    A function without any judge has a row that fails.
+    """
+    names = [function.name for function in case.backend.program.functions if function.public]
+    for name in unjudged(names):
+        yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
+    for name in names:
+        if name in JUDGES:
+            yield from JUDGES[name](case)

@@ -1,0 +1,213 @@
+"""Judges of `step` and `step_driven`: the literal reference integrated by SciPy, and the order of convergence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache, partial
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.state import State
+from mahovik.errors import StateError
+from mahovik.proof import reference
+from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.coupled import coupled_with_locks
+from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation
+from mahovik.proof.reference.screw import cross
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.locks import lock_patterns
+
+STATES = 2
+"""States from which a motion starts; of `step`, the second has locked flywheels."""
+
+RADIANS = 0.25
+"""Length of a motion: time in which the fastest of rotation, vibration and decay turns by this angle."""
+
+SHORTER = (1.0, 1 / 4, 1 / 16, 1 / 64)
+"""Parts of this time that are compared: the first on whose way no law has a kink."""
+
+ORDER_OVER = (1.0, 1 / 4, 4.0, 16.0)
+"""Likewise the multiples of this time over which the order is looked for, longer ones where rounding hides it."""
+
+FINE, COARSE = (32, 64, 128), {4: (2, 4, 8), 2: (8, 16, 32)}
+"""Steps of the compared motion (order 4; more only where fewer do not suffice: no error of the equations falls with
+them), and those from which the order is seen."""
+
+AGREEMENT = {"double": 1e-10, "float": 2e-5}
+"""Accepted of the compared motion, relative to state and change: 32 steps of 1/128 radian have an error of 1e-11."""
+
+LARGE = 1e-3
+"""Relative error above which the steps are too long to show their order."""
+
+SLACK = 0.6
+"""Accepted between the order that is seen and the order of the method."""
+
+Rates = Callable[[float, Array], Array]
+
+
+def step_rows(case: Case, function: str) -> Iterator[Row]:
+    """Agreement of the motion by order 4, and the order of convergence of both methods."""
+    agreement = Comparison(function, "state at the end of a motion", AGREEMENT[case.real])
+    sought = COARSE if case.real == "double" else ()  # in float rounding hides the order of the same program
+    orders = {order: Comparison(function, f"order {order}: order seen", SLACK) for order in sought}
+    seen: dict[int, tuple[float, str]] = {}
+    for number, (name, state) in enumerate(case.states[:STATES]):
+        locked = lock_patterns(case.count, 0) if function == "step" and number == 1 else None
+        motion = Motion(case, function, state, locked)
+        try:
+            off = motion.first(SHORTER, motion.least_error)
+            if off is not None:
+                agreement.note_difference(off, "", name)
+            for order in set(sought) - set(seen):
+                found = motion.first(ORDER_OVER, partial(motion.order_seen, order))
+                if found is not None:
+                    seen[order] = found, name
+        except StateError as error:
+            agreement.note_refusal(error, name)
+    yield agreement.finished()
+    for order, row in orders.items():
+        if order in seen:
+            row.note_difference(abs(seen[order][0] - order), f"{seen[order][0]:.2f}", seen[order][1])
+        else:
+            row.row.reason = "rounding, or a law with |V|, hides the order"
+        yield row.finished()
+
+
+class Motion:
+    """Motions from one state, by the program and by the reference, over the same time."""
+
+    def __init__(self, case: Case, function: str, state: State, locked: Array | None) -> None:
+        self._case, self._function, self._state, self._locked = case, function, state, locked
+        self._bodies = bodies_of(case.stand)
+        self._start = _flat(state, carrier_rotation(case.stand, state))
+        # a power of two, so that a float has it and its halves exactly
+        self.time = 2.0 ** math.floor(math.log2(RADIANS / self._rate()))
+        self._smooth = not case.stand.kinked
+        self._kink_within = math.inf  # s: shortest time known to have a kink
+
+    def first(self, parts: Sequence[float], judged: Callable[[float], float | None]) -> float | None:
+        """What `judged` says of the first time (s) that has no kink on its way and an answer; None where none has."""
+        for part in parts:
+            time = part * self.time
+            if time >= self._kink_within:
+                continue
+            if self._has_kink(time):
+                self._kink_within = time
+                continue
+            found = judged(time)
+            if found is not None:
+                return found
+        return None
+
+    @lru_cache(maxsize=16)  # noqa: B019 - a motion lives as long as its rows are made
+    def _expected(self, time: float) -> tuple[Array, Array]:
+        """States of the reference on the way (a column each), and the size of each number's group."""
+        way = solve_ivp(self._rates, (0, time), self._start, method="DOP853", rtol=1e-13, atol=1e-15).y
+        return way, _group_sizes(self._start, way[:, -1] - self._start, self._case.count)
+
+    def _has_kink(self, time: float) -> bool:
+        """Whether a component of some body's twist relative to the fluid changes sign: |V| has a kink there."""
+        if self._smooth:
+            return False
+        signs = np.array([np.sign(self._twists(y)) for y in self._expected(time)[0].T])
+        return bool(np.any(signs != signs[0]))
+
+    def _twists(self, y: Array) -> Array:
+        """Twists of all bodies relative to the fluid, one after the other, each in its own frame."""
+        at = reference.pieces(self._case.stand, self._at(y, y[3:12].reshape(3, 3)), self._bodies)
+        return np.concatenate([*(k.L.T @ at.V_r for k in at.fixed), *(s.twist(at.V_r) for s in at.flywheels)])
+
+    def error(self, order: int, steps: int, time: float) -> float:
+        """Difference of the two ends, relative to the state and its change, of the worst component."""
+        case = self._case
+        given = case.backend.arguments(self._state) | {"dt": time / steps, "order": order}
+        if self._locked is not None:
+            given["locked"] = [int(x) for x in self._locked]
+        x, given["carry"] = given["x"], {"rounding": [0.0] * case.numbers}
+        for _ in range(steps):
+            results = case.call(self._function, given | {"x": x})
+            x, given["carry"] = results["next"], results.get("carry")
+        return self.difference(x, time)
+
+    def difference(self, x: Mapping[str, Any], time: float) -> float:
+        """Difference of a state from that of the reference after a time, likewise."""
+        case, (way, sizes) = self._case, self._expected(time)
+        found = [x["position"], quaternion_rotation(*x["attitude"]).ravel(), x["V"]]
+        off = np.concatenate([*found, x.get("phi", []), x.get("phi_dot", [])]) - way[:, -1]
+        turned = slice(18, 18 + case.count)
+        off[turned] = np.remainder(off[turned] + math.pi, 2 * math.pi) - math.pi
+        return float(np.max(np.abs(off) / sizes))
+
+    def least_error(self, time: float) -> float:
+        """Difference of the two ends by order 4, with as many steps as it needs."""
+        off = math.inf
+        for steps in FINE:
+            off = self.error(4, steps, time)
+            if off <= AGREEMENT[self._case.real]:
+                break
+        return off
+
+    def order_seen(self, order: int, time: float) -> float | None:
+        """The power of the step with which errors fall; None where they are hidden by rounding, or far from small."""
+        errors = [self.error(order, n, time) for n in COARSE[order]]
+        if errors[-1] < 100 * self._case.unit or errors[0] > LARGE:
+            return None
+        return math.log2(errors[-2] / errors[-1])
+
+    def _rates(self, _: float, y: Array) -> Array:
+        """d/dt of O1 in E0 (3), C (9), V (6), phi, phi' (N each): O1' = C v, C' = C <omega>."""
+        N = self._case.count
+        C, V = y[3:12].reshape(3, 3), y[12:18]
+        state = self._at(y, C)
+        at = reference.pieces(self._case.stand, state, self._bodies)
+        if not self._function.startswith("step_driven"):
+            locked = np.zeros(N, dtype=bool) if self._locked is None else self._locked
+            V_dot, phi_ddot = coupled_with_locks(at, np.array(state.tau), locked)
+        else:
+            phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
+            V_dot = forward(at, phi_ddot)
+        return np.concatenate([C @ V[:3], (C @ cross(V[3:])).ravel(), V_dot, y[18 + N :], phi_ddot])
+
+    def _at(self, y: Array, C: Array) -> State:
+        """The state at y, its attitude by SciPy's quaternion of C."""
+        N, start = self._case.count, self._state
+        x, y_, z, w = Rotation.from_matrix(C).as_quat()
+        given: dict[str, Any] = {
+            "position": tuple(y[:3]), "angles": None, "quaternion": (w, x, y_, z), "V": tuple(y[12:18]),
+            "phi": tuple(y[18 : 18 + N]), "phi_dot": tuple(y[18 + N :]),
+        }  # fmt: skip
+        return State(**given, phi_ddot=start.phi_ddot, V_dot=start.V_dot, tau=start.tau, wrench=start.wrench)
+
+    def _rate(self) -> float:
+        """The fastest rate (1/s): of turning, and of the eigenvalues of the linearised motion."""
+        y, N = self._start, self._case.count
+        base = self._rates(0.0, y)
+        steps = 1e-6 * np.maximum(np.abs(y), 1e-2)
+        columns = [
+            (self._rates(0.0, y + step * e) - base) / step for step, e in zip(steps, np.eye(len(y)), strict=True)
+        ]
+        fastest = float(np.abs(np.linalg.eigvals(np.column_stack(columns))).max())
+        turning = float(np.linalg.norm(y[15:18])) + float(np.abs(y[18 + N :]).max(initial=0.0))
+        return max(fastest, turning, 1e-3)
+
+
+def _flat(state: State, C: Array) -> Array:
+    """O1 (3), C (9), V (6), phi, phi' (N each) of a state."""
+    return np.concatenate([state.position, C.ravel(), state.V, state.phi, state.phi_dot])
+
+
+def _group_sizes(start: Array, change: Array, N: int) -> Array:
+    """Size of each number's group (position, attitude, v, omega, phases, speeds) and of the group's change."""
+    sizes = []
+    for first, last in ((0, 3), (3, 12), (12, 15), (15, 18), (18, 18 + N), (18 + N, 18 + 2 * N)):
+        part = np.abs(start[first:last]).max(initial=0.0) + np.abs(change[first:last]).max(initial=0.0)
+        floor = 1.0 if (first, last) in ((3, 12), (18, 18 + N)) else 1e-9
+        sizes += [max(part, floor)] * (last - first)
+    return np.array(sizes)

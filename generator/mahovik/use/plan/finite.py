@@ -1,0 +1,293 @@
+"""Finite motions, from rest to rest: (12) by collocation over splines of rising degree, from random angles at rest.
+
+The motion's q'' has kinks of its third derivative at the samples; phi'' needs the same kinks, so phi is four times
+differentiable there and a polynomial between. Modes are those of a free beam in that space: the first is constant,
+and each has a frequency; the search damps by it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import BSpline
+from scipy.linalg import eigh, null_space
+
+from mahovik.core.motion.programme import Angles, Samples
+from mahovik.core.motion.required.course import Sampled
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.levenberg import Rules, StartBatch, refine
+from mahovik.use.plan.outcome import OnProgress
+from mahovik.use.plan.problem import Basis, Grid, Periodic, Problem
+from mahovik.use.plan.search import Search
+
+_SMOOTH = 4
+"""Derivatives that are continuous at the breaks."""
+PINNED = 1e12
+"""Order of a mode that must not move."""
+
+
+@dataclass(frozen=True, eq=False)
+class Modes(Basis):
+    """The modes at M times; `order` (n): waves in the span of each."""
+
+    order: Array
+
+    @property
+    def orders(self) -> Array:
+        """Frequencies, in waves per span."""
+        return self.order
+
+
+@dataclass(frozen=True, eq=False)
+class SplineSpace:
+    """Splines of a degree on [0, span] with breaks (m + 1, s). Slope 0 at time 0; with `pinned` also value 0.
+
+    The first mode is the constant 1 (if pinned, it is fixed); its coefficient is the mean angle of a motion.
+    """
+
+    span: float
+    breaks: Array
+    degree: int
+    pinned: bool
+
+    @property
+    def multiplicity(self) -> int:
+        """Multiplicity of the knots at inner breaks: new functions in each interval."""
+        return self.degree - _SMOOTH
+
+    @cached_property
+    def _spline(self) -> BSpline:
+        p, inner = self.degree, np.repeat(self.breaks[1:-1], self.multiplicity)
+        knots = np.concatenate([np.full(p + 1, 0.0), inner, np.full(p + 1, self.span)])
+        return BSpline(knots, np.eye(len(knots) - p - 1), p)
+
+    def nodes(self, each: int, at_ends: int = 0) -> tuple[Array, Array]:
+        """`each` Gauss points in every interval, `at_ends` more in the first and the last; and their weights (s)."""
+        t, weights = [], []
+        for k, (a, b) in enumerate(zip(self.breaks[:-1], self.breaks[1:], strict=True)):
+            x, w = np.polynomial.legendre.leggauss(each + (at_ends if k in (0, len(self.breaks) - 2) else 0))
+            t.append(a + (b - a) / 2.0 * (1.0 + x))
+            weights.append((b - a) / 2.0 * w)
+        return np.concatenate(t), np.concatenate(weights)
+
+    @cached_property
+    def _modes(self) -> tuple[Array, Array]:
+        """Coefficients (n splines, modes) and order of each mode."""
+        t, weight = self.nodes(self.degree + 1)
+        value, second = self._spline(t), self._spline(t, 2)
+        ends = [self._spline(0.0, 1)] + ([self._spline(0.0)] if self.pinned else [])
+        allowed = null_space(np.array(ends))
+        value, second = value @ allowed, second @ allowed
+        mass, stiff = (x.T @ (weight[:, None] * x) for x in (value, second))
+        squares, vectors = eigh(stiff, mass)
+        order = np.maximum(squares, 0.0) ** 0.25 * self.span / (2.0 * np.pi)
+        modes = allowed @ vectors * np.sqrt(self.span / 2.0)
+        constant = np.ones((len(allowed), 1))
+        if self.pinned:
+            return np.hstack([constant, modes]), np.concatenate([[PINNED], order])
+        return np.hstack([constant, modes[:, 1:]]), np.concatenate([[0.0], order[1:]])
+
+    @property
+    def size(self) -> int:
+        """Number of modes."""
+        return len(self._modes[1])
+
+    def modes(self, t: Array, n: int | None = None) -> Modes:
+        """The first n modes (default all) at times t (M, s) in [0, span]."""
+        coefficients, order = self._modes
+        B = [np.asarray(self._spline(t, m) @ coefficients[:, :n]) for m in range(3)]
+        return Modes(self.span, t, B[0], B[1], B[2], order[:n])
+
+    def convert(self, waves: Array, other: SplineSpace) -> Array:
+        """Coefficients (N, size) here of the function with `waves` (N, n) in a space of lower degree or fewer modes."""
+        t, weight = self.nodes(self.degree + 1)
+        root = np.sqrt(weight)[:, None]
+        theirs = other.modes(t, waves.shape[1]).value @ waves[:, :].T
+        first = waves[:, :1]
+        left = root * (theirs - first.T)
+        rest = np.linalg.lstsq(root * self.modes(t).value[:, 1:], left, rcond=None)[0]
+        return np.hstack([first, rest.T])
+
+
+DEGREES = (5, 7, 9, 11, 13)
+"""Spline degrees tried, in order."""
+DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
+_SCORED, _CROWD, _STEPS = 8, 12, 15
+"""Modes for the score; modes of the batch; its steps."""
+_VARIED = 0.1
+"""rad: variation of each mode for starts from given angles."""
+_MOST_UNKNOWNS = 2500
+_TABLE = 8192
+"""Most rows of a table."""
+
+
+@dataclass(frozen=True, eq=False)
+class SplineMotion(Periodic):
+    """A finite flywheel motion: `waves` (N, n) are coefficients of the modes; `winding` is the start speed T/2 pi."""
+
+    @property
+    def H(self) -> int:
+        """Number of modes, not counting the first."""
+        return int(self.waves.shape[1]) - 1
+
+    def with_harmonics(self, H: int) -> SplineMotion:
+        """The same motion with H + 1 modes: new coefficients are zero."""
+        wide = np.zeros((self.N, H + 1))
+        kept = min(H, self.H) + 1
+        wide[:, :kept] = self.waves[:, :kept]
+        return replace(self, waves=wide)
+
+
+@dataclass(frozen=True, eq=False)
+class FiniteProblem(Problem):
+    """The problem of a finite motion."""
+
+    _spaces: dict[int, SplineSpace] = field(default_factory=dict)
+
+    @staticmethod
+    def from_problem(own: Problem) -> FiniteProblem:
+        """The finite problem with the data of `own`."""
+        return FiniteProblem(own.stand, own.motion, own.mechanics, own.norm, own.free, own.tolerance)
+
+    def space(self, degree: int) -> SplineSpace:
+        """Splines of a degree, with breaks at the samples of the motion."""
+        if degree not in self._spaces:
+            course = self.motion.course
+            breaks = course.t if isinstance(course, Sampled) else np.linspace(0.0, self.motion.span, 13)
+            pinned = self.motion.bounds.start_phi is not None
+            self._spaces[degree] = SplineSpace(self.motion.span, breaks, degree, pinned)
+        return self._spaces[degree]
+
+    def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
+        """M uniform times with the first H + 1 modes of the lowest degree, for batches of starts."""
+        key = (M, H, shift)
+        if key not in self._grids:
+            t = self.motion.span * (np.arange(M) + (shift or 0.5)) / M
+            self._grids[key] = Grid(t, self.motion.at(t), self.space(DEGREES[0]).modes(t, H + 1))
+        return self._grids[key]
+
+    def grid_of(self, degree: int, t: Array) -> Grid:
+        """All modes of a degree at given times."""
+        return Grid(t, self.motion.at(t), self.space(degree).modes(t))
+
+    def between(self, degree: int, each: int) -> Grid:
+        """Grid with `each` times in every interval of the samples, none of them a node of the collocation."""
+        breaks = self.space(degree).breaks
+        inside = (np.arange(each) + 0.381966) / each
+        return self.grid_of(degree, (breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel())
+
+
+class SplineBatch(StartBatch):
+    """Many finite motions at once."""
+
+    @staticmethod
+    def degree(n: int) -> int:
+        """Highest mode of n modes."""
+        return n - 1
+
+    def motion(self, k: int) -> SplineMotion:
+        """Motion k."""
+        return SplineMotion(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A finite programme: modes of a degree, its residual between the nodes."""
+
+    motion: Periodic
+    degree: int
+    residual: float
+
+
+def search_finite(
+    problem: FiniteProblem,
+    bias: Array,
+    seed: int,
+    budget: Budget,
+    enough: int = 1,
+    on_progress: OnProgress = lambda _: None,
+) -> Search[Solved]:
+    """Programmes of a finite motion, in the order found; `bias` (6): where starts begin. Ctrl-C ends the search."""
+    rng, state, N = np.random.default_rng(seed), Search[Solved](tried={"finite": 0}), problem.N
+    bounds = problem.motion.bounds
+    speed = np.array(bounds.start_phi_dot or (0.0,) * N) * problem.motion.span / (2.0 * np.pi)
+    try:
+        for _ in range(ROUNDS):
+            if state.found or budget.exhausted:
+                break
+            state.doing = "searching"
+            on_progress(state)
+            waves = np.zeros((DRAWN, N, _SCORED + 1))
+            waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
+            if bounds.start_phi is not None:
+                waves[:, :, 0] = bounds.start_phi
+                waves[1:, :, 1:] = _VARIED * rng.normal(size=waves[1:, :, 1:].shape)
+            batch: StartBatch = SplineBatch(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
+            batch = batch.with_harmonics(np.argsort(batch.scores(), kind="stable")[:CHOSEN], _CROWD)
+            batch.improve(_STEPS, budget)
+            residuals = batch.residuals()
+            state.starts += DRAWN
+            state.tried["finite"] = state.starts
+            state.seen(float(residuals.min()))
+            state.doing = "improving"
+            for k in np.argsort(residuals, kind="stable")[:REFINED]:
+                on_progress(state)
+                if budget.exhausted or len(state.found) >= enough:
+                    break
+                solved = collocate(problem, batch.motion(int(k)), budget)
+                state.seen(solved.residual)
+                if solved.residual < problem.tolerance:
+                    state.found.append(solved)
+    except KeyboardInterrupt:
+        state.interrupted = True
+    state.cut = budget.cut
+    return state
+
+
+def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved:
+    """Collocation at Gauss points in every interval, degree by degree, from modes of the lowest degree."""
+    motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
+    found = Solved(start, DEGREES[0], np.inf)
+    for degree in DEGREES:
+        space = problem.space(degree)
+        if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
+            break
+        motion = replace(motion, waves=space.convert(motion.waves, below))
+        grid = problem.grid_of(degree, space.nodes(max(3, degree - 2), 4)[0])  # each end adds four functions
+        first = degree == DEGREES[0]
+        reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
+        motion, damping, below = reached.motion, reached.damping, space
+        fine = problem.between(degree, 3 * degree)
+        residual = float(np.linalg.norm(problem.rows(fine, motion), axis=1).max())
+        if residual < found.residual:
+            found = Solved(motion, degree, residual)
+        if (
+            residual < 0.1 * problem.tolerance
+            or residual > 0.5 * before
+            or budget.exhausted
+            or (first and residual > 0.3)
+        ):
+            break
+        before = residual
+    return found
+
+
+def table_of(problem: FiniteProblem, solved: Solved) -> Samples:
+    """The motion as a table for quintic Hermite interpolation, so fine that the residual stays accepted.
+
+    Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.
+    """
+    space, each = problem.space(solved.degree), 4
+    between = problem.between(solved.degree, 61)
+    while True:
+        inside = np.arange(each) / each
+        t = (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel()
+        t = np.append(t, space.span)
+        table = Samples(t, *solved.motion.at(space.modes(t)))
+        R = problem.scaled_residual(between, solved.motion.bias, Angles(*table.at(between.t)))
+        if float(np.linalg.norm(R, axis=1).max()) < 0.8 * problem.tolerance or 2 * len(t) > _TABLE:
+            return table
+        each *= 2

@@ -1,0 +1,386 @@
+"""Checks before any search, in less than a second: motions that no programme of these flywheels can make.
+
+Flywheels give no mean wrench over a period, so the surroundings must carry the weight at some mean pose. Wrenches that
+flywheels cannot give: directions out of their span, first moments beyond their unbalance (force is the second
+derivative of sum m_s rho_s(phi_s), so total unbalance bounds the amplitude), and reach inside bounds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from mahovik.core.motion.required import Course
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.problem import Problem, uniform
+from mahovik.use.plan.residual import Prescribed, prescribe
+from mahovik.use.plan.residual.kinematics import in_E1, twists
+
+Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH", "SINGULAR_ATTITUDE"]
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """No programme exists: the message names direction, need, available amount, and what would help."""
+
+    reason: Reason
+    words: str
+
+
+@dataclass
+class Preflight:
+    """The mean pose, a refusal or None, and warnings.
+
+    bias   (6; m, rad): where the surroundings carry the mean wrench
+    reach  used share of the first-moment limit
+    """
+
+    bias: Array
+    refusal: Refusal | None = None
+    warnings: list[str] = field(default_factory=list)
+    reach: float = 0.0
+
+
+AXES = ("x", "y", "z")
+
+
+def direction(u: Array) -> str:
+    """A direction (3) in words: the name of an axis, else its numbers."""
+    u = u / np.linalg.norm(u)
+    k = int(np.argmax(np.abs(u)))
+    if abs(u[k]) > 0.999:
+        return AXES[k]
+    return "(" + ", ".join(f"{x:.2f}" for x in np.round(u * np.sign(u[k]), 2) + 0.0) + ")"
+
+
+_STEPS = 60
+_TIMES = 32
+_DIFFERENCE = 1e-6
+_LONGEST = np.array([0.05] * 3 + [0.2] * 3)  # m, rad: step
+_FREE = 1e-6
+"""Part of the largest singular value below which a direction is free; differences leave 1e-8."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeanPose:
+    """The bias with the least mean wrench, and the remaining wrench.
+
+    left     (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
+    """
+
+    bias: Array
+    left: Array
+
+
+def mean_pose(problem: Problem) -> MeanPose:
+    """Damped Newton over the free components of the bias, with axisymmetric flywheels; free directions stay."""
+    t = uniform(problem.motion.span, _TIMES)
+    course = problem.motion.at(t)
+    free = np.flatnonzero(problem.free)
+    root = np.array([1.0] * 3 + [10.0] * 3)  # a moment counts as at 0.1 m
+    bias = np.zeros(6)
+
+    def remaining_wrench(at: Array) -> Array:
+        return mean_wrench(problem, course, at)
+
+    found = remaining_wrench(bias)
+    for _ in range(_STEPS):
+        if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
+            break
+        J = np.empty((6, len(free)))
+        for k, component in enumerate(free):
+            step = np.zeros(6)
+            step[component] = _DIFFERENCE
+            J[:, k] = root * (remaining_wrench(bias + step) - remaining_wrench(bias - step)) / (2 * _DIFFERENCE)
+        step = np.zeros(6)
+        step[free] = -np.linalg.lstsq(J, root * found, rcond=_FREE)[0]
+        step *= min(1.0, float(np.min(_LONGEST / np.maximum(np.abs(step), 1e-300))))
+        for _ in range(12):
+            there = remaining_wrench(bias + step)
+            if np.linalg.norm(root * there) < np.linalg.norm(root * found):
+                break
+            step = step / 4
+        else:
+            break
+        bias, found = bias + step, there
+    return MeanPose(bias, found)
+
+
+def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
+    """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes."""
+    own = problem.mechanics
+    at = twists(problem.stand, course._replace(q=course.q + bias))
+    F = own.housing.wrench(at)
+    gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
+    F = F + gravity @ own.tables.weight[0].sum(axis=0).T
+    parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]
+    return np.concatenate(parts)
+
+
+def _force_size(problem: Problem) -> float:
+    """Weight of everything, or a force of similar meaning if there is none, N."""
+    mass = float(problem.mechanics.mean_inertia[0, 0])
+    return max(mass * float(np.linalg.norm(problem.stand.gravity)), 1e-6 * mass)
+
+
+COORDINATES = ("x", "y", "z", "psi", "theta", "phi")
+
+
+def _largest_moment(problem: Problem) -> float:
+    """Largest moment that the weights of unbalanced flywheels give, N m."""
+    return float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
+
+
+def _uncarried_part(problem: Problem, pose: MeanPose) -> str | None:
+    """`force` or `moment` that nothing carries at the mean pose; None: all is carried."""
+    force, moment = (np.concatenate(each)[None] for each in ((pose.left[:3], _ZERO), (_ZERO, pose.left[3:])))
+    if problem.norm.relative(force) > problem.tolerance:
+        return "force"
+    turning = float(np.linalg.norm(pose.left[3:]))
+    return (
+        "moment" if turning > _largest_moment(problem) and problem.norm.relative(moment) > problem.tolerance else None
+    )
+
+
+def _advice(problem: Problem) -> str:
+    """Advice if only means that are held are in the way; else empty."""
+    if problem.free.all():
+        return ""
+    everywhere = mean_pose(replace(problem, free=np.ones(6, dtype=bool)))
+    if _uncarried_part(problem, everywhere) is not None:
+        return ""
+    given = np.array(problem.motion.free_mean, dtype=bool)
+    said = []
+    for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
+        names = ", ".join(name for name, is_held in zip(COORDINATES, held, strict=True) if is_held)
+        said += [f"{key} holds the mean of {names}"] if names else []
+    return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"
+
+
+_ZERO = np.zeros(3)
+_TILTED = 0.1
+"""rad: a larger mean tilt causes a warning."""
+_TELLING = 1e-3
+"""rad: angles larger than this are named in the warning."""
+
+
+def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
+    """Refuses a mean force beyond rounding, and a mean moment that weights of unbalance cannot give.
+
+    A remainder counts if it alone would be a relative residual that is not accepted. Flywheels with damping may have a
+    mean wrench: then nothing is refused.
+    """
+    if any(problem.mechanics.tables.damping):
+        return
+    force, moment = pose.left[:3], pose.left[3:]
+    able = _largest_moment(problem)
+    left = _uncarried_part(problem, pose)
+    if left == "force":
+        size = float(np.linalg.norm(force))
+        found.refusal = Refusal(
+            "MEAN_WRENCH",
+            f"a mean force of {size:.4g} N along {direction(force)} has no support: flywheels give no mean "
+            f"force over a period; {_advice(problem) or 'a suspension, legs or buoyancy that balance it would help'}",
+        )
+    elif left == "moment":
+        turning = float(np.linalg.norm(moment))
+        found.refusal = Refusal(
+            "MEAN_WRENCH",
+            f"a mean moment of {turning:.4g} N m along {direction(moment)} has no support: weights of "
+            f"unbalanced flywheels give at most {able:.3g} N m; "
+            f"{_advice(problem) or 'a suspension that is stiff in rotation would help'}",
+        )
+    tilts = dict(zip(("psi", "theta", "phi"), pose.bias[3:].tolist(), strict=True))
+    if max(abs(x) for x in tilts.values()) > _TILTED:
+        words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
+        found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
+
+
+_RANK = 1e-7
+"""Part of the largest singular value: a smaller column of I or dI/dphi counts as zero."""
+_OUTSIDE = 1e-3
+"""Largest accepted part of the required wrench outside the span."""
+
+
+def check_span(problem: Problem, P: Array, found: Preflight) -> None:
+    """Refuses where more than 1e-3 of the required P (M, 6) is outside the span of I_s(phi), dI_s/dphi at all phi.
+
+    All of these are sums of the harmonics of I_s; scaled by K0^-1/2 and to one length each.
+    """
+    if problem.N < 6 and problem.N > 0:
+        found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; 6 or more give any")
+    root = problem.norm.root
+    columns = problem.mechanics.tables.coupling.reshape(-1, 6) @ root.T
+    varying = (P - P.mean(axis=0)) @ root.T
+    size = float(np.linalg.norm(varying, axis=1).max())
+    if size <= 1e-9 * problem.norm.demand:
+        return
+    outside = varying
+    if columns.size:
+        _, sigma, Vt = np.linalg.svd(columns, full_matrices=False)
+        kept = Vt[sigma > _RANK * sigma[0]]
+        outside = varying - (varying @ kept.T) @ kept
+    share = float(np.linalg.norm(outside, axis=1).max()) / size
+    if share <= _OUTSIDE or found.refusal is not None:
+        return
+    found.refusal = Refusal(
+        "SPAN", _span_words(np.linalg.solve(root, outside.T).T, np.linalg.solve(root, varying.T).T, share)
+    )
+
+
+def _span_words(outside: Array, needed: Array, share: float) -> str:
+    """Message: which direction, how much of it, what would help."""
+    parts = []
+    for kind, rows, unit in (("force", slice(0, 3), "N"), ("moment", slice(3, 6), "N m")):
+        part, whole = outside[:, rows], needed[:, rows]
+        peak = float(np.linalg.norm(part, axis=1).max())
+        if peak > _OUTSIDE * float(np.linalg.norm(whole, axis=1).max()) and peak > 0.0:
+            u = np.linalg.svd(part, full_matrices=False)[2][0]
+            parts.append(
+                (peak / max(float(np.linalg.norm(whole, axis=1).max()), 1e-300), kind, direction(u), peak, unit)
+            )
+    parts.sort(reverse=True)
+    _, kind, way, peak, unit = parts[0]
+    helps = {
+        "force": f"unbalanced flywheels whose axes are perpendicular to {way} would help",
+        "moment": f"flywheels with axes along {way}, or unbalanced ones off the axis, would help",
+    }
+    return (
+        f"a {kind} along {way} of {peak:.3g} {unit} is required, which these flywheels cannot give at any angles or "
+        f"speeds ({100 * share:.2g} % of the required wrench is outside their span); {helps[kind]}"
+    )
+
+
+_DIRECTIONS = 400
+_SLACK = 1.01
+"""Margin: the carrier turns a little under the flywheels, and the mean pose may move."""
+_NEAR, _NEAR_OF_SIX = 0.5, 0.15
+"""Shares of the limit beyond which a search often fails, for more flywheels than six and for six."""
+
+
+def check_first_moment(problem: Problem, force: Array, C: Array, found: Preflight) -> None:
+    """Refuses where half the range of u . G exceeds sum mu_s sqrt(1 - (u . e_s)^2) in some direction u.
+
+    force (M, 3; N) in E0 at uniform times: required from the flywheels with centres of mass on their axes; its second
+    integral is G, kg m. C (M, 3, 3): attitude. The condition is necessary, not sufficient.
+    """
+    tables = problem.mechanics.tables
+    varying = np.hstack([force - force.mean(axis=0), np.zeros_like(force)])
+    if problem.norm.relative(varying) <= problem.tolerance:
+        return
+    G = second_integral(force, problem.motion.span)
+    need, have, way = reach(G, C @ tables.axis.T, tables.unbalance)
+    found.reach = need / have if have > 0.0 else np.inf
+    near = _NEAR if problem.N > 6 else _NEAR_OF_SIX
+    if found.reach > _SLACK:
+        where = direction(way)
+        found.refusal = found.refusal or Refusal(
+            "FIRST_MOMENT",
+            f"along {where} the motion needs a first moment of +-{need:.3g} kg m from the flywheels; "
+            f"their total unbalance perpendicular to it is {have:.3g} kg m, at any speed; "
+            f"possible with {100 / found.reach:.2g} % of this amplitude, or with {found.reach:.3g} times the unbalance",
+        )
+    elif found.reach > near:
+        found.warnings.append(
+            f"near the limit of the unbalance: {100 * found.reach:.0f} % of it is needed along {direction(way)}"
+        )
+
+
+def second_integral(force: Array, period: float) -> Array:
+    """Twice integrated by Fourier series (M, ...), its mean and that of `force` removed."""
+    spectrum = np.fft.rfft(force, axis=0)
+    k = np.arange(len(spectrum), dtype=np.float64)
+    k[0] = np.inf
+    spectrum /= -((2.0 * np.pi / period * k) ** 2)[:, None]
+    return np.fft.irfft(spectrum, len(force), axis=0)
+
+
+def reach(G: Array, axes: Array, unbalance: Array) -> tuple[float, float, Array]:
+    """Need and available amount (kg m) in the direction with the largest ratio; axes (M, 3, N) in E0."""
+    rng = np.random.default_rng(0)
+    principal = np.linalg.svd(G, full_matrices=False)[2]
+    candidates = np.vstack([np.eye(3), rng.normal(size=(_DIRECTIONS, 3)), principal, _widest(G)])
+    candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
+    along = G @ candidates.T
+    need = (along.max(axis=0) - along.min(axis=0)) / 2.0
+    some = axes[:: max(1, len(axes) // 16)]
+    across = np.sqrt(np.maximum(1.0 - (candidates @ some) ** 2, 0.0))  # (m, ways, N)
+    have = (across.max(axis=0) * unbalance).sum(axis=1)
+    worst = int(np.argmax(need / np.maximum(have, 1e-300)))
+    return float(need[worst]), float(have[worst]), np.asarray(candidates[worst])
+
+
+def _widest(G: Array) -> Array:
+    """Directions (n, 3) of the largest differences of G."""
+    some = G[:: max(1, len(G) // 64)]
+    apart = (some[:, None] - some[None, :]).reshape(-1, 3)
+    sizes = np.linalg.norm(apart, axis=1)
+    return np.asarray(apart[np.argsort(sizes)[-20:]] + 1e-300)
+
+
+def check_bound_reach(problem: Problem, at: Prescribed, found: Preflight) -> None:
+    """Refuses where y . (P - mean P) exceeds what flywheels can give along a wrench direction y at their bounds.
+
+    Along y a flywheel gives at most |y . I_s| a_s + |y . I'_s| w_s^2 + |y . C_s| w_s + |y . A_s| of (12), each the
+    largest over its angle. The check needs bounds of both speed and acceleration.
+    """
+    bounds = problem.motion.bounds
+    if bounds.speed is None or bounds.acceleration is None or problem.N == 0 or found.refusal is not None:
+        return
+    w, a = np.array(bounds.speed), np.array(bounds.acceleration)
+    P = at.locked()
+    varying = P - P.mean(axis=0)
+    candidates = [np.eye(6)[k] for k in range(6)]
+    candidates += [np.concatenate([u, np.zeros(3)]) for u in np.linalg.svd(varying[:, :3], full_matrices=False)[2]]
+    candidates += [np.concatenate([np.zeros(3), u]) for u in np.linalg.svd(varying[:, 3:], full_matrices=False)[2]]
+    worst, words = 1.0, ""
+    for y in candidates:
+        need = float(np.abs(varying @ y).max())
+        have = float((_largest(problem.mechanics.still, y) * a + _largest(problem.mechanics.spun, y) * w**2).sum())
+        have += float((_largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
+        if need > worst * have and need > 1e-9 * problem.norm.demand:
+            worst, words = need / max(have, 1e-300), _bound_words(y, need, have)
+    if words:
+        found.refusal = Refusal("BOUND_REACH", words)
+
+
+def _largest(harmonics: Array, y: Array) -> Array:
+    """Largest |y . sum_h h(phi) x_h| over angles and times (N), of harmonics (5 or 4, 7, M, N): a bound of it."""
+    along = np.einsum("himn,i->hmn", harmonics[:, :6], y)
+    if len(along) == 4:
+        along = np.concatenate([np.zeros_like(along[:1]), along])
+    first, second = np.hypot(along[1], along[2]), np.hypot(along[3], along[4])
+    return np.asarray((np.abs(along[0]) + first + second).max(axis=0))
+
+
+def _bound_words(y: Array, need: float, have: float) -> str:
+    kind, u, unit = ("force", y[:3], "N") if np.any(y[:3]) else ("moment", y[3:], "N m")
+    return (
+        f"a {kind} along {direction(u)} of {need:.3g} {unit} is required, flywheels inside the bounds of speed and "
+        f"acceleration give at most {have:.3g} {unit}; that is {need / max(have, 1e-300):.2g} times too little: raise "
+        "these bounds, the unbalance or the number of flywheels, or make the motion smaller"
+    )
+
+
+def preflight(problem: Problem) -> Preflight:
+    """Mean wrench, span, first moment, reach inside bounds; the first that fails is the refusal."""
+    motion = problem.motion
+    t = uniform(motion.span, max(128, 16 * problem.highest))
+    course = motion.at(t)
+    found = Preflight(np.zeros(6))
+    pose = mean_pose(problem)
+    found.bias = pose.bias
+    if problem.kinked:
+        found.warnings.append(f"damping by |V| has kinks: a relative residual up to {problem.tolerance:g} is accepted")
+    if motion.periodic:
+        check_mean_wrench(problem, pose, found)
+    at = prescribe(problem.mechanics, course, found.bias)
+    P = at.locked()
+    check_span(problem, P, found)
+    if motion.periodic and not any(problem.mechanics.tables.damping):
+        C = twists(problem.stand, course._replace(q=course.q + found.bias)).C
+        check_first_moment(problem, (C @ P[:, :3, None])[:, :, 0], C, found)
+    check_bound_reach(problem, at, found)
+    return found

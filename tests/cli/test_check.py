@@ -1,0 +1,136 @@
+"""`mahovik check`: its figures, in units that fit, and the numbers of the file as they are written."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+
+import pytest
+
+from cli.run import run
+from mahovik import stands
+from mahovik.out.cli.fitting import fitted, fitting_unit
+
+SAT4 = str(stands.path("sat4"))
+
+
+def table(text: str, head: str) -> dict[str, list[str]]:
+    """Rows of the table whose head begins so, by their first cell; cells are two spaces or more apart."""
+    lines = iter(text.splitlines())
+    next(line for line in lines if line.startswith(f" {head}"))
+    next(lines)
+    found = {}
+    for line in lines:
+        if not line.strip():
+            break
+        first, *cells = re.split(r" {2,}", line.strip())
+        found[first] = cells
+    return found
+
+
+def test_figures_of_a_satellite() -> None:
+    """12 N m s and 0.2 N m along (+-1, +-1, 1)/sqrt 3; 1.5 g mm on 2.4 kg at 6000 rpm is 0.393 mm/s, G 0.4."""
+    text = run("check", SAT4).stdout
+    motors = table(text, "all motors")
+    assert [float(cell) for cell in motors["along x"]] == pytest.approx(
+        [48 / math.sqrt(3), 0.8 / math.sqrt(3)], rel=1e-4
+    )
+    assert [float(cell) for cell in motors["in every direction"]] == pytest.approx(
+        [48 / math.sqrt(6), 0.8 / math.sqrt(6)], rel=1e-4
+    )
+    assert [float(cell) for cell in motors["sum"]] == pytest.approx([48, 0.8], rel=1e-4)
+    speeds = [row for row in text.splitlines() if row.startswith(" rw1  ")]
+    assert re.fullmatch(r" rw1 +190\.99 +1\.5 +0 +220 +90 +220 +-105 +0 *", speeds[1])
+    assert re.fullmatch(r" rw1 +6000 +0\.59218 +86\.853 +0\.3927 +G 0\.4 +12 +0\.2 *", speeds[2])
+    assert "moment, mN m" in text and "principal inertia about the centre of mass, kg m2" in text
+    written = table(text, "written in the file")
+    assert written["unbalance.static"] == ["0.15 g cm", "1.5e-06 kg m", "rw1, rw2, rw3, rw4"]
+    assert written["motor.speed"] == ["6000 rpm", "628.319 rad/s", "rw1, rw2, rw3, rw4"]
+
+
+def test_all_of_it_is_in_json() -> None:
+    found = json.loads(run("check", SAT4, "--json").stdout)
+    assert found["mass"] == pytest.approx(60.0)
+    assert sum(found["principal_inertia"]) == pytest.approx(sum(found["inertia"][i][i] for i in range(3)))
+    row = found["unbalance"][1]
+    assert (row["static_at"], row["dynamic_at"]) == pytest.approx((math.radians(70), math.radians(-20)))
+    assert row["grade"] == 0.4 and row["eccentric_velocity"] == pytest.approx(0.3927, rel=1e-4)
+    assert found["torque"]["each"] == [0.2] * 4
+    assert found["momentum"]["direction"] == pytest.approx(48 / math.sqrt(6), rel=1e-4)
+    first = {"where": "rw1", "key": "unbalance.static", "text": "0.15 g cm", "value": 1.5e-6, "unit": "kg m"}
+    assert found["written"][0] == first
+
+
+@pytest.mark.parametrize(
+    ("values", "quantity", "title", "cells"),
+    [
+        ([1.5e-6, 0.0], "kg m", "x, g mm>", ["1.5", "0"]),
+        ([5e-11], "kg m", "x, mg mm>", ["0.05"]),
+        ([5e-8, 1e-9], "kg m", "x, mg mm>", ["50", "1"]),
+        ([0.0, None], "kg m", "x, g mm>", ["0", "-"]),
+        ([2.0], "kg m", "x, kg mm>", ["2000"]),
+        ([500.0], "kg m", "x, kg m>", ["500"]),
+        ([2.8e-4, 1.6e-4], "kg m2", "x, kg cm2>", ["2.8", "1.6"]),
+        ([-3e-6], "N m", "x, uN m>", ["-3"]),
+        ([0.59], "N", "x, N>", ["0.59"]),
+        ([2e5, 1.0], "N", "x, kN>", ["200", "0.001"]),
+    ],
+)
+def test_figures_are_in_a_unit_that_fits(
+    values: list[float | None], quantity: str, title: str, cells: list[str]
+) -> None:
+    assert fitted("x", values, quantity) == (title, cells)
+
+
+def test_a_figure_beyond_all_units_is_in_the_nearest() -> None:
+    assert fitting_unit([1e-12], "N") == ("uN", 1e-6)
+    assert fitting_unit([1e12], "N") == ("kN", 1e3)
+
+
+CUBE = """schema = 1
+name = "cube"
+[carrier]
+mass = 5
+inertia = [0.02, 0.02, 0.02]
+[[flywheel]]
+name = "w1"
+mass = 1
+"""
+
+
+@pytest.mark.parametrize(
+    ("spelling", "value"),
+    [
+        ("20 g cm^2", 2e-6), ("20 gcm²", 2e-6), ("20 gcm2", 2e-6), ("20 g-cm^2", 2e-6), ("2 kg-m^2", 2.0),
+        ("2 kgm2", 2.0), ("20 g·cm²", 2e-6),
+    ],
+)  # fmt: skip
+def test_data_sheet_spellings_of_inertia(spelling: str, value: float, own_folder: Path) -> None:
+    (own_folder / "a.toml").write_text(
+        f'{CUBE}spin_inertia = "{spelling}"\ntransverse_inertia = {value / 2!r}\n', encoding="utf-8"
+    )
+    assert json.loads(run("check", "a.toml", "--json").stdout)["unbalance"][0]["spin_inertia"] == value
+
+
+@pytest.mark.parametrize(
+    ("key", "spelling", "value"),
+    [
+        ("torque", "20 mN-m", 0.02), ("torque", "20 mNm", 0.02), ("torque", "10 oz-in", 0.0706155),
+        ("speed", "6000 1/min", 628.3185), ("speed", "6000 r/min", 628.3185), ("speed", "6000 min^-1", 628.3185),
+    ],
+)  # fmt: skip
+def test_data_sheet_spellings_of_motors(key: str, spelling: str, value: float, own_folder: Path) -> None:
+    (own_folder / "a.toml").write_text(
+        f'{CUBE}spin_inertia = 0.002\ntransverse_inertia = 0.001\nmotor = {{ {key} = "{spelling}" }}\n',
+        encoding="utf-8",
+    )
+    found = json.loads(run("check", "a.toml", "--json").stdout)
+    (written,) = found["written"]
+    assert written["text"] == spelling and written["value"] == pytest.approx(value, rel=1e-5)
+
+
+def test_the_hint_on_an_inertia_in_gram_centimetres(own_folder: Path) -> None:
+    (own_folder / "a.toml").write_text(f'{CUBE}spin_inertia = "20 gcm"\ntransverse_inertia = 1e-6\n', encoding="utf-8")
+    assert 'unit "gcm", read as "g cm", does not fit, expected a moment of inertia' in run("check", "a.toml").stderr

@@ -1,0 +1,106 @@
+"""One order of arguments: the stand first, then options; another order works too and says how to write it."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+import click
+import pytest
+
+from cli.run import DEMO3, run
+from cli.test_json import commands
+from mahovik import stands
+
+SHAKER2 = str(stands.path("shaker2"))
+SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")
+
+FORMER = {
+    "judge-log": (("log.txt", DEMO3), (DEMO3, "--log", "log.txt")),
+    "judge-log, stand first": ((DEMO3, "log.txt"), (DEMO3, "--log", "log.txt")),
+    "judge-log, log only": (("log.txt",), ("--log", "log.txt")),
+    "replay": (("log.txt", DEMO3), (DEMO3, "--log", "log.txt")),
+    "replay, log only": (("log.txt",), ("--log", "log.txt")),
+    "verify-programme": ((SHAKER2, SPIN, "p.json"), (SHAKER2, "--motion", SPIN, "--programme", "p.json")),
+    "export programme": ((SHAKER2, "p.json"), (SHAKER2, "--programme", "p.json")),
+    "export target": (("m77", DEMO3), (DEMO3, "--target", "m77")),
+    "export target, stand first": ((DEMO3, "m77"), (DEMO3, "--target", "m77")),
+    "plot": (("p.json", "-o", "p.svg"), ("--programme", "p.json", "-o", "p.svg")),
+    "plot, run": (("r.csv", "-o", "p.svg"), ("--run", "r.csv", "-o", "p.svg")),
+    "plot, stand": (
+        ("p.json", "--stand", SHAKER2, "--motion", SPIN, "-o", "p.svg"),
+        (SHAKER2, "--programme", "p.json", "--motion", SPIN, "-o", "p.svg"),
+    ),
+}
+"""Command: arguments in another order, and in the order of all commands."""
+
+
+@pytest.mark.parametrize("case", FORMER)
+def test_another_order_works_and_is_noted(case: str) -> None:
+    Path("log.txt").write_text("")
+    command = case.partition(",")[0].split()
+    other, ours = FORMER[case]
+    expected, found = run(*command, *ours), run(*command, *other)
+    note, _, rest = found.stderr.partition("\n")
+    assert (found.exit_code, found.stdout, rest) == (expected.exit_code, expected.stdout, expected.stderr)
+    assert expected.stderr.startswith("error: ") and "note:" not in expected.stderr
+    told = shlex.split(note.removeprefix("note: arguments have a new order, from now on write: "))
+    words = [each for each in ours if each not in ("-o", "p.svg")]
+    assert told == ["mahovik", *command, *words, "..."]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (("judge-log", DEMO3), "Missing option '--log'; see main judge-log --help"),
+        (("replay",), "Missing option '--log'; see main replay --help"),
+        (("verify-programme", SHAKER2), "Missing option '--motion'; see main verify-programme --help"),
+        (
+            ("verify-programme", SHAKER2, "--motion", SPIN, "p.json"),
+            "Got unexpected extra argument (p.json), expected --programme p.json",
+        ),
+        (("export", "target", DEMO3), "Missing option '--target'"),
+        (("replay", "a", DEMO3, "c"), f"Got unexpected extra argument ({DEMO3} c), expected --log"),
+        (("plot", "-o", "p.svg"), "expected --programme P.json or --run RUN.csv, one of them"),
+    ],
+)
+def test_what_is_missing_or_too_much_is_one_line(given: tuple[str, ...], words: str) -> None:
+    found = run(*given)
+    assert found.exit_code == 2 and found.stdout == ""
+    assert found.stderr.startswith(f"error: {words}") and found.stderr.count("\n") == 1, found.stderr
+
+
+NO_STAND = {"new", "import urdf", "import mjcf", "doctor", "completion"}
+"""Commands without a stand file."""
+
+
+def test_the_stand_is_the_first_argument_and_the_only_one() -> None:
+    for name, command in commands():
+        shown = [piece for p in command.params if isinstance(p, click.Argument) for piece in usage(command, p)]
+        expected = [] if name in NO_STAND else ["STAND.toml"]
+        assert [piece.strip("[]") for piece in shown if "STAND" in piece] == expected, name
+        assert len(shown) <= 1, name
+
+
+def usage(command: click.Command, argument: click.Argument) -> list[str]:
+    return argument.get_usage_pieces(click.Context(command))
+
+
+VERBS = {
+    "Accept", "Add", "Avoid", "Begin", "Bound", "Change", "Check", "Choose", "Compare", "Compile", "Compute",
+    "Derive", "Divide", "Draw", "Drive", "Evaluate", "Export", "Find", "Follow", "Free", "Fuzz", "Hold",
+    "Integrate", "Judge", "Keep", "Leave", "Limit", "Linearise", "List", "Make", "Measure", "Name", "Optimise",
+    "Plan", "Print", "Quiet", "Read", "Replay", "Require", "Run", "Set", "Show", "Simulate", "Start", "Turn",
+    "Use", "Verify", "Write",
+}  # fmt: skip
+"""Words that begin the help of an option."""
+
+
+def test_the_help_of_an_option_is_a_sentence_that_says_what_it_does() -> None:
+    for name, command in commands():
+        for option in command.params:
+            if isinstance(option, click.Option) and option.name != "help":
+                words = (option.help or "").removesuffix("  [required]")
+                assert words.split(" ")[0].rstrip(",") in VERBS, (name, option.opts, words)
+                assert len(words.split()) >= 3, (name, option.opts, words)
+                assert words[-1] in ".)" or words.endswith("..."), (name, option.opts, words)

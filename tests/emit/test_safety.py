@@ -1,0 +1,123 @@
+"""Emitted C that a compiler must refuse: fast math, and a header that is not that of the source."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from emit.stands import float_texts, generated, stand, write
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.names import RESERVED
+from mahovik.core.toolchain.compiler import BITS, FAST
+from toolchain.tools import compile_c, require
+
+LEAVE = "-DBENCH8_ALLOW_FAST_MATH"
+
+
+def complaint(compiler: str, source: Path, *flags: str) -> str:
+    """Complaint of a compiler that must refuse a source, empty if it takes it."""
+    command = [require(compiler, compiler), "-std=c99", "-Wundef", "-fsyntax-only", *flags, str(source)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode != 0) == ("#error" in done.stderr or "error:" in done.stderr)
+    return done.stderr
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """C of bench8 with its batches."""
+    made = tmp_path_factory.mktemp("bench8")
+    write({**generated("bench8").files, **batch_files(stand("bench8"), generated("bench8"))}, made)
+    return made
+
+
+@pytest.mark.parametrize("source", ["bench8.c", "bench8_batch.c"])
+@pytest.mark.parametrize(
+    ("compiler", "flag"),
+    [
+        *((compiler, flag) for compiler in ("gcc", "clang") for flag in ("-ffast-math", "-Ofast")),
+        ("gcc", "-funsafe-math-optimizations"),
+        ("gcc", "-freciprocal-math"),
+    ],
+)
+def test_fast_math_is_refused_without_leave(folder: Path, source: str, compiler: str, flag: str) -> None:
+    assert "wrong results" in complaint(compiler, folder / source, flag)
+    assert complaint(compiler, folder / source, flag, LEAVE) == ""
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_checks_of_numbers_are_not_compiled_away(folder: Path, compiler: str) -> None:
+    assert "NaN would pass" in complaint(compiler, folder / "bench8.c", "-ffinite-math-only")
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("flags", [("-O2", *BITS), FAST, ("-ffast-math", "-fno-fast-math", *BITS)])
+def test_exact_arithmetic_is_taken(folder: Path, compiler: str, flags: tuple[str, ...]) -> None:
+    assert "error" not in complaint(compiler, folder / "bench8.c", *flags)
+
+
+def test_what_clang_does_not_show_fails_in_the_self_test(tmp_path: Path) -> None:
+    """The answers are wrong and the statuses OK: the header says so, and the self-test finds it."""
+    write({**generated("bench8").files, **selftest_files(stand("bench8"), generated("bench8"))}, tmp_path)
+    program = tmp_path / "selftest"
+    sources = [str(tmp_path / name) for name in ("bench8.c", "bench8_selftest.c")]
+    command = [require("clang", "clang"), "-std=c99", "-O2", *BITS, "-funsafe-math-optimizations", *sources]
+    subprocess.run([*command, "-o", str(program)], check=True, capture_output=True)
+    done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 1
+    assert "forward FAIL" in done.stdout
+    for name in ("bench8.h", "bench8_selftest.c"):
+        assert "wrong results with status ok" in (tmp_path / name).read_text().lower()
+
+
+def test_header_and_source_of_different_element_types(tmp_path: Path) -> None:
+    text = generated("bench8").files
+    single = float_texts(stand("bench8"))[3]
+    source = write({"bench8.h": single["bench8.h"], "bench8.c": text["bench8.c"]}, tmp_path)
+    assert "different element types" in complaint("gcc", source)
+
+
+def test_header_and_source_of_different_versions(tmp_path: Path) -> None:
+    text = generated("bench8").files
+    header = re.sub(r"(VERSION_MINOR )\d+", r"\g<1>99", text["bench8.h"])
+    source = write({"bench8.h": header, "bench8.c": text["bench8.c"]}, tmp_path)
+    assert "different versions" in complaint("gcc", source)
+
+
+@pytest.mark.parametrize(("real", "size"), [("double", 8), ("float", 4)])
+def test_the_header_tells_element_type_and_version(real: str, size: int) -> None:
+    text = generate(stand("demo3"), real)["demo3.h"]
+    assert re.search(rf"#define DEMO3_REAL_BYTES {size}\b", text)
+    assert re.findall(r"#define DEMO3_VERSION_(\w+) \d+", text) == ["MAJOR", "MINOR", "PATCH"]
+
+
+def test_no_flywheel_takes_a_name_of_a_header(tmp_path: Path) -> None:
+    """Flywheels named as macros, and `n` beside `N`, compile with everything that is generated for a stand."""
+    names = sorted(name.lower() for name in RESERVED)
+    given = stand("bench8")
+    for number in range(0, len(names), 6):
+        chosen = [*names[number : number + 6], "n", "N", "m1", "m2", "m3", "m4"][:8]
+        flywheels = tuple(replace(f, name=name) for f, name in zip(given.flywheels, chosen, strict=True))
+        odd = replace(given, flywheels=flywheels)
+        made = generate_all(odd)
+        batch = batch_files(odd, made)
+        where = tmp_path / str(number)
+        where.mkdir()
+        source = write({**made.files, **batch}, where)
+        for path in (source, where / "bench8_batch.c"):
+            compile_c("gcc", path, "-fsyntax-only")
+
+
+def test_every_macro_of_the_files_is_reserved(folder: Path) -> None:
+    """Names that a header or source defines with the stand's name, but for limits, counts and the recorder's."""
+    found = set()
+    for path in folder.iterdir():
+        defined = re.findall(r"#(?:define|ifndef|ifdef) BENCH8_(\w+)", path.read_text())
+        found |= {name for name in defined if not name.startswith("MAX_") and name != "LARGEST"}
+    assert found >= {"BATCH_H", "REAL_BYTES", "ALLOW_FAST_MATH"}
+    assert found <= RESERVED

@@ -1,0 +1,164 @@
+"""Steps at their limits: too long for the turning in them, run-away, and too short for a float without a carry."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.stand import load
+from mahovik.core.stand.state import rest_state
+from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.functions.carries import end_of_steps
+
+STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
+COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]
+
+
+@cache
+def compiled(name: str, real: str = "double") -> CBackend:
+    return CBackend(load(STANDS / f"{name}.toml"), real)
+
+
+def good(c: CBackend, **more: Any) -> dict[str, Any]:
+    """Arguments of every step function, at rest."""
+    N = len(c.layout.structure.flywheels)
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.3] * N, "phi_dot": [0.0] * N}
+    given = {"table": c.library.default("default"), "x": x, "tau": [0.0] * N, "locked": [0] * N, "phi_ddot": [0.0] * N}
+    given |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4, "carry": {"rounding": [0.0] * (13 + 2 * N)}}
+    return given | more
+
+
+def moving(c: CBackend, **members: list[float]) -> dict[str, Any]:
+    x: dict[str, Any] = good(c)["x"] | members
+    return x
+
+
+@pytest.mark.parametrize("function", ["step", "step_driven", "step_carried", "step_driven_carried"])
+@pytest.mark.parametrize(("order", "turn"), [(4, 1.0), (2, 0.1)])
+def test_a_step_in_which_something_turns_too_far_says_so_and_is_made(function: str, order: int, turn: float) -> None:
+    c = compiled("sat4")
+    N, speed = len(c.layout.structure.flywheels), 50.0
+    last = [0.0] * (N - 1)
+    for x in (moving(c, phi_dot=[*last, -speed]), moving(c, V=[0.0] * 3 + [0.6 * speed, 0.0, -0.8 * speed])):
+        for part, expected in ((0.99, 0), (1.01, COARSE), (3.0, COARSE)):
+            given = good(c, x=x, order=order, dt=part * turn / speed)
+            status, out = c.call(function, given)
+            assert status == expected
+            assert out["next"] != x
+
+
+def test_the_bound_stands_for_the_error_that_the_header_names() -> None:
+    """At the bound: 3e-4 of a vibration after a turn; with a third of it a hundred and a tenth of that."""
+    c = compiled("bench8")
+    N, speed = len(c.layout.structure.flywheels), 300.0
+    start = good(c)["x"] | {"phi": np.linspace(-3, 3, N).tolist(), "phi_dot": [speed] * N}
+
+    def end(order: int, steps: int) -> np.ndarray:
+        x, way = start, []
+        for _ in range(steps):
+            dt = 2 * np.pi / speed / steps
+            x = c.call("step_driven", good(c, x=x, order=order, dt=dt))[1]["next"]
+            way.append(x["V"])
+        return np.array(way)
+
+    exact = end(4, 600)
+    size = np.abs(exact).max(axis=0)
+    for order, steps in ((4, 6), (2, 60)):
+        error = np.max(np.abs(end(order, steps)[-1] - exact[-1]) / size)
+        assert 3e-5 < error < 1e-3
+
+
+def test_a_step_that_runs_away_is_out_of_range() -> None:
+    """Not "no positive definite matrix": the stand is as it was, only the step is too long for its laws."""
+    c = compiled("demo3", "float")
+    x = moving(c, V=[-4432.0, 2132.0, -9000.0, -2025.0, -1541.0, 5237.0], phi_dot=[13735.0, 22739.0, -41836.0])
+    given = good(c, x=x, dt=3.6136937, tau=[1.517310e8] * 3)
+    for function in ("step", "step_driven", "step_carried"):
+        for order in (2, 4):
+            for dt in (0.1, 1.0, 3.6136937, 10.0):
+                assert c.call(function, given | {"dt": dt, "order": order})[0] == RANGE
+
+
+def speeds(real: str, function: str, dt: float, seconds: float) -> np.ndarray:
+    """Speeds of sat4 after torques of 10 mN m, rad/s."""
+    state = rest_state(load(STANDS / "sat4.toml"))
+    state = replace(state, tau=(0.01,) * len(state.tau))
+    steps = round(seconds / dt)
+    return np.asarray(end_of_steps(compiled("sat4", real), function, state, seconds, steps)["phi_dot"])
+
+
+@pytest.mark.parametrize("dt", [1e-4, 2e-5])
+def test_a_carry_keeps_the_increments_of_short_steps_in_float(dt: float) -> None:
+    """Two seconds: without a carry the speeds are wrong by a tenth of a percent and more."""
+    exact = speeds("double", "step", 1e-3, 2.0)
+    size = np.abs(exact).max()
+    without = np.abs(speeds("float", "step", dt, 2.0) - exact).max() / size
+    carried = np.abs(speeds("float", "step_carried", dt, 2.0) - exact).max() / size
+    assert carried < 2e-6
+    assert without > 100 * carried
+
+
+@pytest.mark.slow
+def test_a_million_steps_in_float() -> None:
+    """Figures of the page on the C: sat4, 200 m from the origin, wheels at 100 rad/s; 100 s."""
+    stand = load(STANDS / "sat4.toml")
+    start = replace(rest_state(stand), position=(200.0, 0.0, 0.0), V=(5e-3, 0.0, 0.0, 1e-3, 0.0, 0.0), tau=(1e-4,) * 4)
+    start = replace(start, phi=(-1.0, -1 / 3, 1 / 3, 1.0), phi_dot=(100.0,) * 4)
+    ends = [
+        end_of_steps(compiled("sat4", real), function, start, 100.0, 1_000_000, 4)
+        for real, function in (("double", "step"), ("float", "step"), ("float", "step_carried"))
+    ]
+    exact, plain, carried = [np.concatenate([end[m] for m in ("position", "V", "phi_dot")]) for end in ends]
+    sizes = np.array([0.5] * 3 + [5e-3] * 3 + [0.01] * 3 + [100.0] * 4)
+    assert np.max(np.abs(plain - exact) / sizes) > 0.9  # it has not moved
+    assert np.max(np.abs(carried - exact) / sizes) < 2e-5
+
+
+def test_a_carry_moves_what_is_far_from_the_origin() -> None:
+    """200 m away and at 5 mm/s, a float's last place is 15 um: three steps of 1 ms."""
+    c = compiled("sat4", "float")
+    far = moving(c, position=[200.0, 0.0, 0.0], V=[5e-3, 0, 0, 0, 0, 0])
+    plain, carried, carry = far, far, good(c)["carry"]
+    for _ in range(1000):
+        plain = c.call("step", good(c, x=plain))[1]["next"]
+        found = c.call("step_carried", good(c, x=carried, carry=carry))[1]
+        carried, carry = found["next"], found["carry"]
+    assert plain["position"][0] == 200.0
+    assert carried["position"][0] + carry["rounding"][0] == pytest.approx(200.005, abs=1e-6)
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_one_step_with_an_empty_carry_is_a_step(real: str) -> None:
+    """The same bits, but for the attitude, which is brought to unit length with fewer roundings."""
+    c = compiled("bench8", real)
+    N = len(c.layout.structure.flywheels)
+    x = moving(c, V=[0.1, -0.2, 0.3, 0.4, 0.5, -0.6], phi=np.linspace(-2, 2, N).tolist(), phi_dot=[100.0] * N)
+    for function in ("step", "step_driven"):
+        for order in (2, 4):
+            one = c.call(function, good(c, x=x, order=order))[1]["next"]
+            other = c.call(f"{function}_carried", good(c, x=x, order=order))[1]["next"]
+            assert {k: v for k, v in one.items() if k != "attitude"} == {k: other[k] for k in one if k != "attitude"}
+            assert one["attitude"] == pytest.approx(
+                other["attitude"], abs=2 * float(np.finfo(c.layout.precision.scalar).eps)
+            )
+
+
+def test_the_interpreter_has_the_bits_of_the_c() -> None:
+    c = compiled("sat4", "float")
+    interpreted = InterpreterBackend(c.generated)
+    rng = np.random.default_rng(4)
+    N = len(c.layout.structure.flywheels)
+    x = moving(c, phi=rng.uniform(-3.14, 3.14, N).tolist(), phi_dot=rng.normal(0, 300, N).tolist(), V=[0.3] * 6)
+    carry = {"rounding": (rng.normal(size=13 + 2 * N) * 1e-8).tolist()}
+    table = interpreted.arguments(rest_state(load(STANDS / "sat4.toml")))["table"]
+    for _ in range(20):
+        given = good(c, x=x, carry=carry)
+        found = c.call("step_carried", given)
+        assert found == interpreted.call("step_carried", given | {"table": table})
+        x, carry = found[1]["next"], found[1]["carry"]

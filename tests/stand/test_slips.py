@@ -1,0 +1,112 @@
+"""Warnings of plausible slips: they come where a unit was missed, and not for the examples."""
+
+from __future__ import annotations
+
+import pytest
+
+from mahovik import stands
+from mahovik.core.stand import load, loads
+from mahovik.core.stand.summary import summarize
+
+GOOD = """schema = 1
+name = "a"
+[carrier]
+mass = 10
+inertia = [0.1, 0.1, 0.1]
+center_of_mass = ["2 mm", 0, 0]
+inertia_about = "center_of_mass"
+[[instrument]]
+name = "camera"
+mass = 1
+inertia = [0.002, 0.002, 0.002]
+position = ["300 mm", 0, 0]
+[[flywheel]]
+name = "w1"
+position = ["120 mm", 0, 0]
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = 1
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+unbalance = { static = "12 g mm" }
+[[flywheel]]
+name = "w2"
+position = ["-120 mm", 0, 0]
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = 1
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+unbalance = { static = "11 g mm" }
+[[point]]
+name = "tip"
+position = ["500 mm", 0, 0]
+"""
+
+
+def warnings(*changes: tuple[str, str]) -> tuple[str, ...]:
+    text = GOOD
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    return summarize(loads(text)).warnings
+
+
+def test_a_stand_without_slips() -> None:
+    assert warnings() == ()
+
+
+@pytest.mark.parametrize("name", stands.names())
+def test_the_examples_have_no_slips(name: str) -> None:
+    assert not any("slip" in line for line in summarize(load(stands.path(name))).warnings)
+
+
+def test_an_unbalance_far_above_g_40() -> None:
+    """1500 g mm on 1 kg is 1.5 mm, at 3000 rpm 471 mm/s: 11.8 times G 40."""
+    (line,) = warnings(("12 g mm", "150 g cm"))
+    assert line == (
+        "flywheel w1: a static unbalance of 1500 g mm on 1 kg is G 630 at 3000 rpm, 11.8 times G 40: "
+        "on purpose, or a slip in its unit?"
+    )
+    assert warnings(("12 g mm", "120 g cm")) == ()  # 377 mm/s
+
+
+def test_flywheels_that_are_all_unbalanced_are_so_on_purpose_unless_their_speed_is_known() -> None:
+    both = (("12 g mm", "150 g cm"), ("11 g mm", "160 g cm"))
+    assert warnings(*both) == ()
+    motor = ('unbalance = { static = "150', 'motor = { speed = "3000 rpm" }\nunbalance = { static = "150')
+    (line,) = warnings(*both, motor)
+    assert line.startswith("flywheel w1: a static unbalance of 1500 g mm")
+    found = GOOD.replace("12 g mm", "150 g cm").replace("11 g mm", "160 g cm")
+    (asked,) = summarize(loads(found), 314.0).warnings
+    assert asked.startswith("flywheel w2 (and 1 more): a static unbalance of 1600 g mm")
+
+
+@pytest.mark.parametrize(
+    ("change", "name", "distance"),
+    [
+        (('["120 mm"', '["120 m"'), "flywheel w1", "120"),
+        (('["300 mm"', "[300"), "instrument camera", "300"),
+        (('["500 mm"', "[500"), "point tip", "500"),
+    ],
+)
+def test_a_place_far_outside(change: tuple[str, str], name: str, distance: str) -> None:
+    (line,) = (line for line in warnings(change) if "position" in line)
+    assert line.startswith(f"{name}: its position is {distance} m from the middle of the bodies, ")
+    assert line.endswith(": a slip in the unit?")
+
+
+def test_a_place_at_ten_times_the_size_is_not_reported_and_one_beyond_is() -> None:
+    """The bodies reach 0.33 m from their middle at x = 0.025 m: the camera's distance and radius of gyration."""
+    assert warnings(('["500 mm"', "[3.3")) == ()
+    assert len(warnings(('["500 mm"', "[3.7"))) == 1
+
+
+def test_a_centre_of_mass_outside_its_body() -> None:
+    """The carrier's radius of gyration is sqrt(0.3/20) = 0.122 m: the origin is outside beyond 0.367 m."""
+    (line,) = warnings(('["2 mm"', '["0.4 m"'))
+    assert line == (
+        "carrier: its centre of mass is 0.4 m from the origin of its frame, 3.27 times its radius of gyration of "
+        "0.122 m, which is outside the body: a slip in the unit?"
+    )
+    assert warnings(('["2 mm"', '["0.36 m"')) == ()

@@ -1,0 +1,83 @@
+"""Render every page of docs/results from the figures that are kept beside it, `docs/results/*.json`.
+
+python tools/results.py [--check | --list]
+
+A second or two; to be run after each change of code, since a page says whether its figures are of the code as it is
+now. `--check`: writes nothing, exit status 1 where a page is not what its figures say. `--list`: which
+results are of older code, and the commands that measure them again.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from importlib import import_module
+
+import campaign
+from kept import Campaign
+
+TOOLS = (
+    "verify_campaign",
+    "float_bounds",
+    "linear_campaign",
+    "plan_campaign",
+    "refusal_campaign",
+    "runup_campaign",
+    "ocp_campaign",
+    "design_campaign",
+    "quiet_campaign",
+    "following_campaign",
+    "control_loop",
+    "pil",
+    "api_speed",
+    "lanes_table",
+    "generation_time",
+    "fuzz_campaign",
+    "static_checks",
+    "targets_table",
+    "proofs",
+    "math_campaign",
+    "explain_campaign",
+    "rounding_campaign",
+    "judges_table",
+    "planted_faults",
+    "traceability_campaign",
+    "bench_campaign",
+)
+"""Modules that hold campaigns."""
+
+
+def campaigns() -> Iterator[Campaign]:
+    """All campaigns, in the order of TOOLS."""
+    for tool in TOOLS:
+        for value in vars(import_module(tool)).values():
+            if isinstance(value, Campaign):
+                yield value
+
+
+def outdated() -> list[str]:
+    """Pages with a part that is not what the kept figures say."""
+    found = []
+    for each in campaigns():
+        parts = [(each.block, each.text()), *((block, page(each.figures())) for block, page in each.also)]
+        found += [block.page for block, text in parts if block.text() != text.strip("\n")]
+    return found
+
+
+def main() -> None:
+    """Render, check or list."""
+    asked = campaign.parser(__doc__, check=False, list=False).parse_args()
+    if asked.list:
+        for each in campaigns():
+            result = each.result()
+            print(f"{'now' if each.is_current(result) else 'older':5}  {each.name:20}  {result.command}")
+        return
+    if asked.check:
+        print(*outdated(), sep="\n")
+        sys.exit(1 if outdated() else 0)
+    for each in campaigns():
+        each.render()
+
+
+if __name__ == "__main__":
+    main()
