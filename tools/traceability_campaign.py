@@ -34,6 +34,7 @@ def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     programs = mutants.judged_by()
     small = [name for name, f in found["functions"].items() if 0 < f["mutants"] <= 6 and name in programs]
     name = rng.choice(small)
+    mutants.without_mutant_all_agree(name)
     count = sites(programs[name][1].program.function(name))
     yield Measured(f"{name}, places", found["functions"][name]["sites"], count)
     noticed = mutants.compared(name, chosen(count, MUTANTS))

@@ -141,22 +141,39 @@ def judged_by() -> dict[str, tuple[Any, Any]]:
     return found
 
 
-def compared(name: str, numbers: Sequence[int]) -> list[list[str] | None]:
-    """Quantities that the comparison with the reference finds wrong, for each mutant; None if it could not run."""
+Change = Callable[[tuple[Function, ...]], tuple[Function, ...]]
+
+
+def without_mutant_all_agree(name: str, change: Change = lambda functions: functions) -> None:
+    """Raises AssertionError where the comparison finds the unchanged program wrong: it would notice every mutant.
+
+    `change` is for a test of this check alone.
+    """
     stand, made = judged_by()[name]
-    states = draw(stand, 5, 4, wrenches=stand == with_all_inputs(stand))[1:3]
-    return [_quantities(stand, made, states, name, number) for number in numbers]
+    wrong = _differing(stand, made, replace(made.program, functions=change(made.program.functions)))
+    if wrong:
+        raise AssertionError(f"{name}: the program without a mutant differs in {', '.join(wrong)}")
 
 
-def _quantities(stand: Any, made: Any, states: Any, name: str, number: int) -> list[str] | None:
+def compared(name: str, numbers: Sequence[int]) -> list[list[str]]:
+    """Quantities that the comparison with the reference finds wrong, for each mutant."""
+    stand, made = judged_by()[name]
+    return [_quantities(stand, made, name, number) for number in numbers]
+
+
+def _quantities(stand: Any, made: Any, name: str, number: int) -> list[str]:
     try:
         with TimeLimit(30):
-            program = _with(made.program, name, number)
-            values = Values(stand, made.layout, program)
-            backend = InterpreterBackend(Generated(made.layout, program, values, {}))
-            return sorted({r.quantity for r in judge(stand, backend, states, backend.wants) if r.failed})
+            return _differing(stand, made, _with(made.program, name, number))
     except Exception as error:  # a mutant may do anything: that it cannot run is a way to be noticed
         return [f"{type(error).__name__}"]
+
+
+def _differing(stand: Any, made: Any, program: Program) -> list[str]:
+    """Quantities of a program that differ from the reference: at four states, of which each want has one compared."""
+    states = draw(stand, 5, 4, wrenches=stand == with_all_inputs(stand))
+    backend = InterpreterBackend(Generated(made.layout, program, Values(stand, made.layout, program), {}))
+    return sorted({r.quantity for r in judge(stand, backend, states, backend.wants) if r.failed})
 
 
 class TimeLimit:
@@ -245,6 +262,7 @@ def examined(function: Function) -> Found:
     numbers = chosen(count, MUTANTS)
     if not numbers:
         return found
+    without_mutant_all_agree(function.name)
     quantities = in_a_fork(lambda: compared(function.name, numbers), 400, [["(does not end)"]] * len(numbers))
     through = []
     for number, wrong in zip(numbers, quantities, strict=True):
