@@ -37,9 +37,10 @@ def test_numbers_with_units_are_listed_as_they_are_written(tmp_path: Path) -> No
     load(tmp_path / "a.toml")
     found = {(each.where, each.key): each for each in written_numbers(tmp_path / "a.toml")}
     assert found["w1", "unbalance.static"] == Written("w1", "unbalance.static", "0.05 g mm", 5e-8, "kg m")
-    assert {key: (each.text, f"{each.value:.6g} {each.unit}") for key, each in found.items()} == {
+    assert {key: (each.text, each.in_si) for key, each in found.items()} == {
         ("carrier", "mass"): ("12000 g", "12 kg"),
         ("carrier", "buoyancy.displaced_mass"): ("900 g", "0.9 kg"),
+        ("carrier", "buoyancy.center"): ("[1 mm, 0, 0]", "[0.001, 0, 0] m"),
         ("leg[0]", "length"): ("250 mm", "0.25 m"),
         ("leg[0]", "stiffness"): ("40 N/mm", "40000 N/m"),
         ("w1", "spin_inertia"): ("20 kg cm^2", "0.002 kg m^2"),
@@ -51,10 +52,97 @@ def test_numbers_with_units_are_listed_as_they_are_written(tmp_path: Path) -> No
     }
 
 
+LISTS = """schema = 1
+name = "b"
+gravity = { value = [0, 0, -981], unit = "cm/s^2" }
+magnetic_field = ["20 uT", 0, 0.00001]
+[carrier]
+mass = 12
+inertia = [1, 1, "10000 kg cm^2"]
+center_of_mass = [1.50, "-2 mm", { value = 3, unit = "cm" }]
+inertia_about = "center_of_mass"
+added_mass = ["1000 g", 1, 1, 0.1, 0.1, "1000 kg cm^2"]
+[[flywheel]]
+name = "w1"
+mass = 1
+inertia = { value = [[20, 0, 0], [0, 11, 0.5], [0, 0.5, 11]], unit = "kg cm^2" }
+[[flywheel]]
+name = "w2"
+mass = 1
+angles = ["90 deg", 0]
+inertia = [[0.002, 0, 0], { value = [0, 11, 0], unit = "kg cm^2" }, [0, 0, "0.0011 kg m^2"]]
+[[flywheel]]
+name = "w3"
+mass = 1
+spin_inertia = 0.002
+transverse_inertia = ["11 kg cm^2", 0.0012]
+[[torquer]]
+name = "m1"
+dipole = [0, "3 A m^2", 0]
+[[point]]
+name = "p"
+position = [0, "3 mm", 0]
+"""
+
+
+def test_numbers_with_units_inside_lists_are_listed_as_they_are_written(tmp_path: Path) -> None:
+    (tmp_path / "b.toml").write_text(LISTS, encoding="utf-8")
+    load(tmp_path / "b.toml")
+    listed = written_numbers(tmp_path / "b.toml")
+    assert {(each.where, each.key): (each.text, each.in_si) for each in listed} == {
+        ("stand", "gravity"): ("[0, 0, -981] cm/s^2", "[0, 0, -9.81] m/s^2"),
+        ("stand", "magnetic_field"): ("[20 uT, 0, 0.00001]", "[2e-05, 0, 1e-05] T"),
+        ("carrier", "inertia"): ("[1, 1, 10000 kg cm^2]", "[1, 1, 1] kg m^2"),
+        ("carrier", "center_of_mass"): ("[1.50, -2 mm, 3 cm]", "[1.5, -0.002, 0.03] m"),
+        ("carrier", "added_mass[0]"): ("1000 g", "1 kg"),
+        ("carrier", "added_mass[5]"): ("1000 kg cm^2", "0.1 kg m^2"),
+        ("w1", "inertia[0]"): ("[20, 0, 0] kg cm^2", "[0.002, 0, 0] kg m^2"),
+        ("w1", "inertia[1]"): ("[0, 11, 0.5] kg cm^2", "[0, 0.0011, 5e-05] kg m^2"),
+        ("w1", "inertia[2]"): ("[0, 0.5, 11] kg cm^2", "[0, 5e-05, 0.0011] kg m^2"),
+        ("w2", "angles"): ("[90 deg, 0]", "[1.5708, 0] rad"),
+        ("w2", "inertia[1]"): ("[0, 11, 0] kg cm^2", "[0, 0.0011, 0] kg m^2"),
+        ("w2", "inertia[2]"): ("[0, 0, 0.0011 kg m^2]", "[0, 0, 0.0011] kg m^2"),
+        ("w3", "transverse_inertia"): ("[11 kg cm^2, 0.0012]", "[0.0011, 0.0012] kg m^2"),
+        ("m1", "dipole"): ("[0, 3 A m^2, 0]", "[0, 3, 0] A m^2"),
+        ("p", "position"): ("[0, 3 mm, 0]", "[0, 0.003, 0] m"),
+    }
+    assert listed[0].value == (0.0, 0.0, -9.81)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('"11 kg cm^2", 0.0012', '0.0012, "-11 kg cm^2"', "inertia[1]: -11 kg cm^2 (-0.0011 kg m^2) is negative"),
+        (
+            "[0, 0.5, 11]",
+            "[0, 0.4, 11]",
+            'flywheel "w1", inertia: not symmetric, [1][2] = 0.5 kg cm^2 (5e-05 kg m^2) but '
+            "[2][1] = 0.4 kg cm^2 (4e-05 kg m^2)",
+        ),
+        (
+            '[0, 0, "0.0011',
+            '[0, "3 g cm^2", "0.0011',
+            "[1][2] = 0 kg cm^2 (0 kg m^2) but [2][1] = 3 g cm^2 (3e-07 kg m^2)",
+        ),
+        (
+            'added_mass = ["1000 g", 1, 1, 0.1, 0.1, "1000 kg cm^2"]',
+            'added_mass = [[1, 0, 0, 0, 0, "2 g m"], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], '
+            "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]",
+            "[0][5] = 2 g m (0.002 kg m) but [5][0] = 0",
+        ),
+    ],
+)
+def test_a_refused_number_of_a_list_is_shown_as_it_is_written(old: str, new: str, words: str) -> None:
+    assert old in LISTS
+    with pytest.raises(StandError) as found:
+        loads(LISTS.replace(old, new))
+    assert words in str(found.value)
+
+
 @pytest.mark.parametrize("name", stands.names())
 def test_the_examples_are_listed(name: str) -> None:
     units = [each.text for each in written_numbers(stands.path(name))]
-    assert len(units) == {"remus6": 29, "sat4": 23}.get(name, 0)
+    assert len(units) == {"remus6": 45, "sat4": 30}.get(name, 0)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from traceability.equations import DERIVED, EQUATIONS, OTHERS, REFERENCE, SECOND
 from traceability.lines import spans
 from traceability.mutants import MUTANTS, chosen
 
+
 def text(found: dict[str, dict[str, Any]]) -> str:
     """The tables; `found`: findings by function."""
     places, planted, compared, tested = (

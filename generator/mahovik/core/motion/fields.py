@@ -12,6 +12,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, BeforeValidator, PlainValidator, ValidationInfo
 
+from mahovik.core.stand.echoes import list_item
 from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import SPEED, TIME, Dimension, QuantityError, number, show
@@ -35,18 +36,29 @@ def context_validator(read: Callable[[Any, dict[str, Any]], Any]) -> PlainValida
     return PlainValidator(validate)
 
 
-def per_flywheel(dimension: Dimension, check: Callable[[float], object] = bool) -> PlainValidator:
-    """A validator of one number for all flywheels, or a list with one for each. `check` raises QuantityError."""
+def _accept(value: float, raw: Any) -> None:
+    """Any number is in order."""
+
+
+def per_flywheel(dimension: Dimension, check: Callable[[float, Any], object] = _accept) -> PlainValidator:
+    """A validator of one number for all flywheels, or a list with one for each.
+
+    `check` takes a number in SI and as it stands in the file, and raises QuantityError.
+    """
 
     def read(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
         N = context["flywheels"]
         if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
             found = vector(raw, (N,), dimension)
-        else:
-            found = (number(raw, dimension),) * N
-        for value in found:
-            check(value)
-        return found
+            for i, each in enumerate(found):
+                try:
+                    check(each, list_item(raw, i))
+                except QuantityError as error:
+                    raise QuantityError(f"[{i}]: {error}") from None
+            return found
+        value = number(raw, dimension)
+        check(value, raw)
+        return (value,) * int(N)
 
     return context_validator(read)
 

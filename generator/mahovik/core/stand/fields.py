@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from decimal import Decimal
 from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, PlainValidator
 from pydantic_core import PydanticCustomError
 
 from mahovik.core.stand import units
+from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.model import Mat3, Mat6, Vec3
 from mahovik.core.stand.names import name_problem, stand_name_problem
 from mahovik.core.stand.shapes import Blocks, direction, matrix6, symmetric3, vec3
@@ -42,12 +42,12 @@ def refuse(error: str, key: str = "") -> PydanticCustomError:
 
 @dataclass(frozen=True)
 class QuantityValidator(PlainValidator):
-    """A validator that knows the dimension of the numbers that it reads; None where they have none in common."""
+    """A validator that knows the dimension of the numbers that it reads, of a 6x6 by blocks; None where it has none."""
 
-    dimension: Dimension | None = None
+    dimension: Dimension | Blocks | None = None
 
 
-def validator(read: Callable[[Any], T], dimension: Dimension | None = None) -> QuantityValidator:
+def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = None) -> QuantityValidator:
     """A validator that reads a raw value by `read`, which raises QuantityError."""
 
     def validate(raw: Any) -> T:
@@ -86,19 +86,6 @@ def scalar(
     """A validator of a number within bounds."""
     si = dimension.si
     return validator(lambda raw: require_bounds(number(raw, dimension), si, least, above, most, raw), dimension)
-
-
-def written(raw: Any) -> str | None:
-    """The text of a number that has a unit in the file: "1.5 g mm"; None without a unit."""
-    if isinstance(raw, dict) and set(raw) == {"value", "unit"} and isinstance(raw["value"], int | Decimal):
-        return f"{raw['value']} {raw['unit']}"
-    return " ".join(raw.split()) if isinstance(raw, str) else None
-
-
-def echo(raw: Any, value: float, unit: str) -> str | None:
-    """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
-    own = written(raw)
-    return None if own is None else f"{own} ({value:.6g} {unit})"
 
 
 def integer(raw: Any) -> int:
@@ -140,14 +127,14 @@ Name = Annotated[str, validator(_name)]
 StandName = Annotated[str, validator(_stand_name)]
 Text = Annotated[str, validator(text)]
 Flag = Annotated[bool, validator(flag)]
-Length3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.LENGTH))]
-Angle3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.ANGLE))]
+Length3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.LENGTH), units.LENGTH)]
+Angle3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.ANGLE), units.ANGLE)]
 Direction = Annotated[Vec3, validator(direction)]
 Mass = Annotated[float, scalar(units.MASS, least=0.0)]
-Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA))]
-AddedMass = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, ADDED_MASS, symmetric=True))]
-LinearDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, LINEAR))]
-QuadraticDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, QUADRATIC))]
+Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA), units.INERTIA)]
+AddedMass = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, ADDED_MASS, symmetric=True), ADDED_MASS)]
+LinearDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, LINEAR), LINEAR)]
+QuadraticDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, QUADRATIC), QUADRATIC)]
 ZERO3: Vec3 = (0.0, 0.0, 0.0)
 
 

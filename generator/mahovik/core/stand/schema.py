@@ -13,6 +13,7 @@ from pydantic import Field
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
+from mahovik.core.stand.echoes import list_item
 from mahovik.core.stand.fields import (
     ZERO3,
     AddedMass,
@@ -85,8 +86,8 @@ class Header(Table):
     schema_: Annotated[int, validator(_schema)] = Field(alias="schema")
     name: StandName
     angles: Annotated[AngleSequence, validator(_sequence)] = "ship"
-    gravity: Annotated[Vec3, validator(_gravity)] = ZERO3
-    stream: Annotated[Vec3, validator(lambda raw: vec3(raw, units.VELOCITY))] | None = None
+    gravity: Annotated[Vec3, validator(_gravity, units.ACCELERATION)] = ZERO3
+    stream: Annotated[Vec3, validator(lambda raw: vec3(raw, units.VELOCITY), units.VELOCITY)] | None = None
     phase_input: Annotated[PhaseInput, validator(_phase_input)] = "angle"
 
 
@@ -160,11 +161,13 @@ def _spin_angles(raw: Any) -> tuple[float, ...]:
 def _transverse(raw: Any) -> tuple[float, ...]:
     if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
         pair = vector(raw, (2,), units.INERTIA)
-    else:
-        pair = (number(raw, units.INERTIA),) * 2
-    for value in pair:
-        require_bounds(value, units.INERTIA.si, least=0.0, raw=raw)
-    return pair
+        for i, value in enumerate(pair):
+            try:
+                require_bounds(value, units.INERTIA.si, least=0.0, raw=list_item(raw, i))
+            except QuantityError as error:
+                raise QuantityError(f"[{i}]: {error}") from None
+        return pair
+    return (require_bounds(number(raw, units.INERTIA), units.INERTIA.si, least=0.0, raw=raw),) * 2
 
 
 class FlywheelTable(BodyTable):
@@ -173,7 +176,7 @@ class FlywheelTable(BodyTable):
     name: Name
     mount: Text = "carrier"
     position: Length3 = ZERO3
-    angles: Annotated[tuple[float, ...], validator(_spin_angles)] | None = None
+    angles: Annotated[tuple[float, ...], validator(_spin_angles, units.ANGLE)] | None = None
     axis: Direction | None = None
     zero: Direction | None = None
     mass: Mass

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, cast
 
+from mahovik.core.stand.echoes import echo, list_item
 from mahovik.core.stand.model import Mat3, Mat6, Vec3
 from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show, split_value_unit
 
@@ -48,7 +49,7 @@ def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
     if not any(isinstance(item, list) for item in raw):
         return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
     rows = tuple(_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
-    _check_symmetric(rows)
+    _check_symmetric(rows, raw if unit is None else {"value": raw, "unit": unit}, ((dimension,) * 2,) * 2)
     return cast(Mat3, rows)
 
 
@@ -70,7 +71,7 @@ def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None
             _row(row, 6, tuple(blocks[i // 3][j // 3] for j in range(6)), None, i) for i, row in enumerate(raw)
         )
     if symmetric:
-        _check_symmetric(rows)
+        _check_symmetric(rows, raw, blocks)
     return cast(Mat6, rows) if any(any(row) for row in rows) else None
 
 
@@ -97,8 +98,14 @@ def _diagonal(numbers: tuple[float, ...]) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(x if i == j else 0.0 for j in range(len(numbers))) for i, x in enumerate(numbers))
 
 
-def _check_symmetric(rows: tuple[tuple[float, ...], ...]) -> None:
+def _check_symmetric(rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Blocks) -> None:
+    """Refuse the first pair of elements that differ, each shown as it is written in `raw`."""
+
+    def shown(i: int, j: int) -> str:
+        si = blocks[i // 3][j // 3].si
+        return f"[{i}][{j}] = " + (echo(list_item(list_item(raw, i), j), rows[i][j], si) or f"{rows[i][j]:.17g}")
+
     for i, row in enumerate(rows):
         for j in range(i):
             if rows[j][i] != row[j]:
-                raise QuantityError(f"not symmetric, [{j}][{i}] = {rows[j][i]:.17g} but [{i}][{j}] = {row[j]:.17g}")
+                raise QuantityError(f"not symmetric, {shown(j, i)} but {shown(i, j)}")

@@ -11,36 +11,56 @@ from typing import Any
 from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.fields import QuantityValidator, Table, written
+from mahovik.core.stand.echoes import list_item, written
+from mahovik.core.stand.fields import QuantityValidator, Table
 from mahovik.core.stand.law import with_laws
-from mahovik.core.stand.schema import CarrierTable, FlywheelTable, InstrumentTable
+from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
+from mahovik.core.stand.shapes import Blocks, vector
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import Dimension, number
 
 
 @dataclass(frozen=True)
 class Written:
-    """One number with a unit: `where` is the body's name or the table, `key` the path in it, `value` in `unit`, SI."""
+    """A number, or a list of them, with a unit: `where` is the body's name or the table, `key` the path in it.
+
+    `value` is in `unit`, SI: a number, or a tuple of the numbers of a list.
+    """
 
     where: str
     key: str
     text: str
-    value: float
+    value: float | tuple[float, ...]
     unit: str
+
+    @property
+    def in_si(self) -> str:
+        """The value as text with its unit: "5e-08 kg m", "[0.001, 0, 0] m"."""
+        if isinstance(self.value, tuple):
+            return f"[{', '.join(f'{x:.6g}' for x in self.value)}] {self.unit}"
+        return f"{self.value:.6g} {self.unit}"
 
 
 def written_numbers(path: str | Path) -> list[Written]:
-    """All numbers with units of a valid stand file, outside lists, in its order."""
+    """All numbers with units of a valid stand file, in its order.
+
+    A list of which some numbers have units is one item, a matrix an item for each row. In the 6x6 matrices, whose
+    numbers differ in dimension, each number with a unit is an item.
+    """
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
     laws = [part.SCHEMA for part in parts("schema")]
     tables: dict[str, type[Table]] = {
         "carrier": with_laws(CarrierTable),
         "instrument": with_laws(InstrumentTable),
         "flywheel": with_laws(FlywheelTable),
+        "point": PointTable,
     }
     for law in laws:
         tables |= {**law.tables, **law.arrays}
     found: list[Written] = []
+    for header in (Header, *(law.header for law in laws)):
+        if header is not None:
+            found += _of_table(document, header, "stand")
     for key, table in tables.items():
         items = document.get(key, [])
         for k, item in enumerate(items if isinstance(items, list) else [items]):
@@ -55,14 +75,44 @@ def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str
         if field is None:
             continue
         dimension, inner = _parts_of((field.annotation, *field.metadata))
-        text = written(value)
-        if text is not None and dimension is not None:
-            yield Written(where, path + key, text, number(value, dimension), dimension.si)
+        if isinstance(dimension, tuple):
+            yield from _of_matrix6(value, dimension, where, path + key)
+        elif dimension is not None:
+            yield from _of_value(value, dimension, where, path + key)
         elif inner is not None and isinstance(value, dict):
             yield from _of_table(value, inner, where, f"{path}{key}.")
 
 
-def _parts_of(annotations: tuple[Any, ...]) -> tuple[Dimension | None, type[BaseModel] | None]:
+def _of_matrix6(raw: list[Any], blocks: Blocks, where: str, key: str) -> Iterator[Written]:
+    """The numbers with units of a 6x6, or of its diagonal."""
+    for i, row in enumerate(raw):
+        if isinstance(row, list):
+            for j, item in enumerate(row):
+                yield from _of_value(item, blocks[i // 3][j // 3], where, f"{key}[{i}][{j}]")
+        else:
+            yield from _of_value(row, blocks[i // 3][i // 3], where, f"{key}[{i}]")
+
+
+def _of_value(raw: Any, dimension: Dimension, where: str, key: str) -> Iterator[Written]:
+    """A number, a list, or the rows of a matrix, as far as they have units."""
+    items = raw["value"] if isinstance(raw, dict) else raw
+    text = written(raw)
+    if text is None:
+        return
+    if isinstance(items, list) and any(_is_row(item) for item in items):
+        for i in range(len(items)):
+            yield from _of_value(list_item(raw, i), dimension, where, f"{key}[{i}]")
+    elif isinstance(items, list):
+        yield Written(where, key, text, vector(raw, (len(items),), dimension), dimension.si)
+    else:
+        yield Written(where, key, text, number(raw, dimension), dimension.si)
+
+
+def _is_row(raw: Any) -> bool:
+    return isinstance(raw["value"] if isinstance(raw, dict) else raw, list)
+
+
+def _parts_of(annotations: tuple[Any, ...]) -> tuple[Dimension | Blocks | None, type[BaseModel] | None]:
     """Dimension and table in the annotation of a field, each None where it has none."""
     for each in annotations:
         if isinstance(each, QuantityValidator) and each.dimension is not None:

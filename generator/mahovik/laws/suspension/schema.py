@@ -23,7 +23,7 @@ _ZERO6: Mat6 = ((0.0,) * 6,) * 6
 class SuspensionTable(Table):
     """`[suspension]`."""
 
-    stiffness: Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, STIFFNESS))] = None
+    stiffness: Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, STIFFNESS), STIFFNESS)] = None
     damping: LinearDamping6 = None
     position: Length3 = ZERO3
     angles: Angle3 = ZERO3

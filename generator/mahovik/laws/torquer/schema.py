@@ -20,7 +20,7 @@ DIPOLE = Dimension("a magnetic dipole moment", "A m^2")
 class FieldHeader(Table):
     """The key outside any table."""
 
-    magnetic_field: Annotated[Vec3, validator(lambda raw: vec3(raw, FIELD))] = ZERO3
+    magnetic_field: Annotated[Vec3, validator(lambda raw: vec3(raw, FIELD), FIELD)] = ZERO3
 
 
 class TorquerTable(Table):
@@ -28,7 +28,7 @@ class TorquerTable(Table):
 
     name: Name
     mount: Text = "carrier"
-    dipole: Annotated[Vec3, validator(lambda raw: vec3(raw, DIPOLE))] = ZERO3
+    dipole: Annotated[Vec3, validator(lambda raw: vec3(raw, DIPOLE), DIPOLE)] = ZERO3
 
 
 def read(header: FieldHeader | None, given: Given) -> Torquers | None:

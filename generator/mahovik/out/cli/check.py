@@ -151,7 +151,7 @@ def _print_written(written: list[Written]) -> None:
     bodies: dict[tuple[str, str, str], list[str]] = {}
     for each in written:
         if each.unit != "rad":
-            bodies.setdefault((each.key, each.text, f"{each.value:.6g} {each.unit}"), []).append(each.where)
+            bodies.setdefault((each.key, each.text, each.in_si), []).append(each.where)
     if bodies:
         print_table(("written in the file", "value", "SI", "of"), ((*row, ", ".join(of)) for row, of in bodies.items()))
 

@@ -22,6 +22,7 @@ from mahovik.core.motion.required import limits, reach, samples
 from mahovik.core.motion.required.course import Harmonics, Sampled
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
@@ -117,14 +118,16 @@ def _winding(raw: Any, context: dict[str, Any]) -> Any:
 
 
 def _magnitude(dimension: Dimension, zero: bool = False) -> Any:
-    def check(value: float) -> None:
+    def check(value: float, raw: Any) -> None:
         if value < 0.0 or (value == 0.0 and not zero):
-            raise QuantityError(f"{value:g} is not above 0: a bound is a magnitude")
+            raise QuantityError(
+                f"{echo(raw, value, dimension.si) or f'{value:g}'} is not above 0: a bound is a magnitude"
+            )
 
     return per_flywheel(dimension, check)
 
 
-def _weight(value: float) -> None:
+def _weight(value: float, raw: Any) -> None:
     if value < 0.0:
         raise QuantityError(f"{value:g} is negative, expected a weight")
 

@@ -36,7 +36,9 @@ def _speed_or_false(raw: Any) -> float | None:
 
 def _limits(dimension: Dimension) -> Any:
     """A validator of limits above 0, one for all flywheels or one for each."""
-    return per_flywheel(dimension, lambda value: require_bounds(value, dimension.si, above=0.0, most=MAX_WRENCH))
+    return per_flywheel(
+        dimension, lambda value, raw: require_bounds(value, dimension.si, above=0.0, most=MAX_WRENCH, raw=raw)
+    )
 
 
 class TrimTable(Table):

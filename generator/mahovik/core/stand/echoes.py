@@ -1,0 +1,32 @@
+"""Numbers of a stand file as a reader wrote them: "1.5 g mm", alone or within a list."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any
+
+
+def written(raw: Any) -> str | None:
+    """The text of a number or a list that has a unit in the file: "1.5 g mm", "[1, 2, 3 mm]"; None without a unit."""
+    if isinstance(raw, dict) and set(raw) == {"value", "unit"} and isinstance(raw["value"], int | Decimal | list):
+        return f"{_text(raw['value'])} {raw['unit']}"
+    if isinstance(raw, list):
+        return _text(raw) if any(map(written, raw)) else None
+    return " ".join(raw.split()) if isinstance(raw, str) else None
+
+
+def echo(raw: Any, value: float, unit: str) -> str | None:
+    """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
+    own = written(raw)
+    return None if own is None else f"{own} ({value:.6g} {unit})"
+
+
+def list_item(raw: Any, index: int) -> Any:
+    """An item of a list as it would stand alone: with the unit of the whole list, where that has one."""
+    if isinstance(raw, dict):
+        return {"value": raw["value"][index], "unit": raw["unit"]}
+    return raw[index]
+
+
+def _text(raw: Any) -> str:
+    return f"[{', '.join(written(item) or _text(item) for item in raw)}]" if isinstance(raw, list) else str(raw)
