@@ -45,7 +45,11 @@ LIMIT = 400
 
 LATE = ["(does not end)"]
 
-HARNESS = ("tests/verify/test_harness.py::test_a_stand_with_everything_passes_as_c",)
+HARNESS = (
+    "tests/verify/test_harness.py::test_a_stand_with_everything_passes_as_c",
+    "tests/lower/test_undefined.py::test_nothing_is_read_before_it_is_written[everything6]",
+)
+STEPS = ("tests/lower/test_steps.py",)
 MOTION = ("tests/lower/test_motion.py",)
 PHASES = ("tests/lower/test_phases.py",)
 INVERSE = (
@@ -93,7 +97,7 @@ BY_NAME = {
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
     "quaternion": TARGET, "state_from_coordinates": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
-    "coupled": MOTION, "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
+    "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS), "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
 }  # fmt: skip
 BY_SUBJECT = {
     "(12)": INVERSE, "motion in time": MOTION, "whole system": MOTION, "checks of inputs": PARAMETERS,
@@ -104,6 +108,8 @@ def tests_of(function: Function) -> tuple[str, ...]:
     """The tests that are run on mutants of a function."""
     if function.name in BY_NAME:
         return BY_NAME[function.name]
+    if function.name.endswith("_carried"):
+        return STEPS
     if function.name.endswith(("_slope", "_jacobian")):
         return JACOBIAN
     for subject in subjects(function):
