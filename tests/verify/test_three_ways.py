@@ -47,18 +47,22 @@ class Judged(NumpyBackend):
 class Other(Second):
     """The second derivation, likewise."""
 
-    def __init__(self, by: float = 0.0) -> None:
+    def __init__(self, by: float = 0.0, refuses_after: int = 0) -> None:
         super().__init__(DEMO)
-        self._by = by
+        self._by, self._answers = by, refuses_after
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        self._answers -= 1
         if math.isnan(self._by):
-            raise StateError("no such sum")
+            if self._answers < 0:
+                raise StateError("no such sum")
+            return super().evaluate(state, want)
         return wrong_by(super().evaluate(state, want), self._by)
 
 
-def rows(judged: float = 0.0, second: float = 0.0) -> dict[str, Row]:
-    found = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=Other(second))
+def rows(judged: float = 0.0, second: float = 0.0, refuses_after: int = 0) -> dict[str, Row]:
+    other = Other(second, refuses_after)
+    found = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=other)
     return {row.quantity: row for row in found}
 
 
@@ -102,9 +106,13 @@ def test_no_two_agree() -> None:
 def test_refusals_of_one_or_two() -> None:
     row = rows(judged=math.nan)["V_dot"]
     assert (row.disagreement, row.reason) == ("reference and second agree, C differs", "refused: too fast")
-    row = rows(second=math.nan)["V_dot"]
-    assert row.disagreement == "C and reference agree, second differs"
-    assert row.reason == "second derivation refused: no such sum"
+    refusal = "second derivation refused: no such sum"
+    some = rows(second=math.nan, refuses_after=3)["V_dot"]
+    assert (some.verdict, some.disagreement, some.reason) == (
+        "FAILED",
+        "C and reference agree, second differs",
+        refusal,
+    )
     row = rows(judged=math.nan, second=math.nan)["V_dot"]
     assert row.disagreement == "C and second agree, reference differs"
     assert "too fast" in row.reason
@@ -127,3 +135,26 @@ def test_the_verdict_is_in_every_report() -> None:
     failure = next(ET.fromstring(as_junit(found)).iter("failure"))
     assert "second differs" in (failure.get("message") or "")
     assert read_line(DEMO, worst_lines(found).splitlines()[0]).want == ("forward",)
+
+
+def test_a_stand_that_the_second_derivation_refuses_is_compared_without_it() -> None:
+    found = judge(DEMO, Judged(), draw(DEMO, 1, 9), ("forward", "mounts"), second=Other(math.nan))
+    (skipped,) = (row for row in found if row.verdict == "not compared")
+    assert (skipped.want, skipped.quantity) == ("forward", "second derivation")
+    assert skipped.reason == "second derivation refused: no such sum; so at every state"
+    compared = next(row for row in found if row.quantity == "V_dot")
+    assert (compared.verdict, compared.states, compared.second) == ("ok", 9, None)
+    assert report(DEMO, "generated C", 1, 9, 1e-12, found).passed
+    wrong = judge(DEMO, Judged(1e-6), draw(DEMO, 1, 9), ("forward",), second=Other(math.nan))
+    assert [row.quantity for row in wrong if row.failed] == ["V_dot"]
+
+
+def test_what_casadi_refuses_is_a_refusal_of_the_state() -> None:
+    other = Second(DEMO)
+
+    def refuse(*_: Any, **__: Any) -> Any:
+        raise RuntimeError(".../casadi/core/function.cpp:1:\nno such sum")
+
+    other._functions["forward"] = refuse
+    with pytest.raises(StateError, match=r"forward: .* no such sum"):
+        other.evaluate(draw(DEMO, 1, 1)[0][1], ("forward",))

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import casadi as ca
+import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.errors import StateError
 from mahovik.proof.second.evaluate import PROBLEMS, Second
 from mahovik.proof.second.problems import coupled
 from mahovik.proof.second.rotation import Array
@@ -37,4 +39,8 @@ class Derivatives:
     def evaluate(self, state: State) -> dict[str, Array]:
         """Matrices by name: `V_dot_phi` is that of V_dot by phi. Raises StateError."""
         found = self._function(**self._second.arguments(state))
-        return {name: found[name].full() for name in (f"{value}_{by}" for value, by in self._names)}
+        matrices = {name: found[name].full() for name in (f"{value}_{by}" for value, by in self._names)}
+        for name, matrix in matrices.items():
+            if not np.isfinite(matrix).all():
+                raise StateError(f"{name}: not finite at this state")
+        return matrices

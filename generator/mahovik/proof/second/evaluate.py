@@ -66,7 +66,7 @@ class Second:
         """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
 
         Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
-        stand or the want, one where a law is undefined, and results that are not finite.
+        stand or the want, one where a law is undefined, what CasADi refuses, and results that are not finite.
         """
         check_want(want)
         self._check_state(state)
@@ -74,7 +74,10 @@ class Second:
             inputs = self.arguments(state)
             found: Values = {}
             for each in want:
-                found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
+                try:
+                    found |= self._generalized(state, inputs) if each == "generalized" else self._solve(each, inputs)
+                except RuntimeError as error:  # as CasADi raises them
+                    raise StateError(f"{each}: {' '.join(str(error).split())[:200]}") from None
         for name, value in found.items():
             if not _finite(value):
                 raise StateError(f"{name}: not finite at this state")

@@ -114,6 +114,8 @@ class Judge:
     A state that the reference refuses tests nothing, and `expected` is None there. Where the rank or status of
     `inverse` depends on the last digits of a singular value, the rank of the judged program is taken if it is one of
     those that rounding allows, and its answer is compared with that of the reference for this rank.
+    Where the second derivation refuses a want at every state, the others are compared without it, and a row says why;
+    where it refuses some states only, the want fails.
     """
 
     def __init__(self, stand: Stand, bounds: Bounds, second: Second | None = None, judged: str = "C") -> None:
@@ -125,6 +127,8 @@ class Judge:
         self._last: tuple[State | None, str, dict[str, Any] | None] = (None, "", None)
         self._pieces: tuple[State | None, reference.Pieces | None] = (None, None)
         self._undecided = False
+        self._answered: set[str] = set()
+        self._one_sided: dict[str, list[tuple[Row, float, Request, str]]] = {}
 
     def expected(self, state: State, want: str) -> dict[str, Any] | None:
         """Answer of the reference, or None."""
@@ -168,8 +172,9 @@ class Judge:
             if refusal and found is None:
                 row.note(Differences(off, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif refusal:
-                row.note(Differences(off, math.inf, math.inf), request, refusal)
+                self._one_sided.setdefault(want, []).append((row, off, request, refusal))
             elif quantity in second:
+                self._answered.add(want)
                 other, more = difference(second[quantity], value, natural[quantity], floor)
                 if found is not None:
                     between = difference(found.get(quantity), second[quantity], natural[quantity], floor)[0]
@@ -227,12 +232,26 @@ class Judge:
 
     def rows(self) -> list[Row]:
         """All rows with their verdicts, in the order in which the quantities came."""
+        skipped = [self._settle(want) for want in self._one_sided]
+        self._one_sided = {}
         for row in self._rows.values():
             row.verdict = "ok" if row.states and row.excess <= 1 else "FAILED"
             if row.failed and row.at_state is not None and row.second is not None:
                 tolerance = self._bounds.of(row.want, row.quantity)
                 row.disagreement = row.at_state.odd_one(tolerance, self._bounds.derivations, self._judged)
-        return list(self._rows.values())
+        return [*self._rows.values(), *(row for row in skipped if row is not None)]
+
+    def _settle(self, want: str) -> Row | None:
+        """Count the states of a want that the second derivation refused; a row of its own where it refused them all."""
+        refused = self._one_sided[want]
+        for row, off, request, refusal in refused:
+            if want in self._answered:
+                row.note(Differences(off, math.inf, math.inf), request, refusal)
+            else:
+                row.note(Differences(off), request)
+        if want in self._answered:
+            return None
+        return Row(want, "second derivation", verdict="not compared", reason=f"{refused[0][-1]}; so at every state")
 
     def _scales(self, state: State, want: str) -> dict[str, Any]:
         with np.errstate(all="ignore"):

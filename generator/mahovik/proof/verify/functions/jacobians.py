@@ -41,7 +41,11 @@ def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
         except StateError as error:
             row.note_refusal(error, name)
             continue
-        expected, scale = derivatives.evaluate(state), derivative_scales(case, state, want, by)
+        try:
+            expected, scale = derivatives.evaluate(state), derivative_scales(case, state, want, by)
+        except StateError as error:
+            row.note_absence(error, name)
+            continue
         for quantity in names:
             row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
     yield row.finished()
@@ -73,7 +77,11 @@ def _row_with_locks(case: Case, names: Sequence[str], by: Sequence[str]) -> Row:
         except StateError as error:
             row.note_refusal(error, name)
             continue
-        expected = Derivatives(case.second, "coupled", by, list(locked)).evaluate(state)
+        try:
+            expected = Derivatives(case.second, "coupled", by, list(locked)).evaluate(state)
+        except StateError as error:
+            row.note_absence(error, name)
+            continue
         scale = derivative_scales(case, state, "coupled", by)
         for quantity in names:
             row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")

@@ -42,15 +42,22 @@ def mount_rows(case: Case) -> Iterator[Row]:
             moving = replace(state, V_dot=tuple(V_dot))
             found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
             wrenches = np.array(found, dtype=np.float64).reshape(-1, 6)
-            tau = case.second.evaluate(moving, ("torque",))["tau"]
         except StateError as error:
             torque.note_refusal(error, name)
             continue
         at = case.at(moving)
         natural = {want: scales(case.stand, moving, at, want, case.bounds.cuts) for want in ("torque", "mounts")}
-        torque.note(wrenches[:, 3], tau, natural["torque"]["tau"], name)
-        if case.stand.carrier.mass:
+        try:
+            tau = case.second.evaluate(moving, ("torque",))["tau"]
+            torque.note(wrenches[:, 3], tau, natural["torque"]["tau"], name)
+        except StateError as error:
+            torque.note_absence(error, name)
+        if not case.stand.carrier.mass:
+            continue
+        try:
             _note_motion(motion, case, bare, moving, at, wrenches, np.array(natural["mounts"]["mount_wrench"]), name)
+        except StateError as error:  # such as that of a carrier without inertia
+            motion.note_absence(error, name)
     yield torque.finished()
     yield motion.finished()
 
@@ -85,5 +92,7 @@ def _note_motion(
         wrench=MappingProxyType(own),
     )
     pieces = reference.pieces(bare.stand, alone)
+    if np.linalg.eigvalsh(pieces.K)[0] <= 0.0:
+        raise StateError("the mass matrix of the stand without flywheels is not positive definite")
     scale = scales(bare.stand, alone, pieces, "forward", case.bounds.cuts)["V_dot"] + inverse_magnitude(pieces.K) @ size
     row.note(state.V_dot, bare.evaluate(alone, ("forward",))["V_dot"], scale, name)

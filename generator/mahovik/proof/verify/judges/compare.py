@@ -10,7 +10,9 @@ from typing import Any, cast
 
 import numpy as np
 
+from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import UsageError
@@ -218,6 +220,11 @@ def verify_judges(
     report names it. `until`: s, of the free motion.
     """
     if bare:
+        if (absent_parts := missing(stand)) and least_eigenvalue(stripped(stand))[0] < LEAST_EIGENVALUE:
+            lost = ", ".join(absent_parts)
+            raise JudgeError(
+                f"--bare: the stand without {lost} has no positive definite mass matrix, so none can judge it"
+            )
         found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until, progress=progress)
         return replace(found, left_out=tuple(missing(stand)))
     judges, absent = [], []

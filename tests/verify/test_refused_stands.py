@@ -1,0 +1,85 @@
+"""Stands that one of the judges refuses: its rows say why, the other judges still judge."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik.core.stand import loads
+from mahovik.errors import StateError
+from mahovik.proof.evidence.piece import Subject, Verdict
+from mahovik.proof.evidence.pieces import agreement
+from mahovik.proof.second import Second
+from mahovik.proof.verify.bounds import DOUBLE
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.reactions import mount_rows
+from mahovik.proof.verify.judges.compare import verify_judges
+from mahovik.proof.verify.judges.rigid import JudgeError
+
+FLYWHEELS = """
+[[flywheel]]
+name = "w1"
+mass = 1
+position = [0.2, 0, 0]
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+[[flywheel]]
+name = "w2"
+mass = 1
+position = [0, 0.2, 0]
+spin_inertia = 0.002
+transverse_inertia = 0.0011
+"""
+ONE_WHEEL = FLYWHEELS.rpartition("[[flywheel]]")[0]
+POINT = loads(f'schema = 1\nname = "point"\n[carrier]\nmass = 5\ninertia = [0, 0, 0]\n{FLYWHEELS}')
+"""A carrier that is a point: without its flywheels nothing resists a turn."""
+
+HELD = loads(
+    f'schema = 1\nname = "held"\n[carrier]\nmass = 0\ninertia = [0, 0, 0]\nadded_mass = [1, 1, 1, 1, 1, 1]\n{ONE_WHEEL}'
+)
+"""One wheel, and else added mass alone: without fluid its mass matrix is singular."""
+
+
+def test_reactions_on_a_carrier_without_inertia_are_skipped_with_the_reason() -> None:
+    states = [(name, replace(state, wrench={})) for name, state in draw(POINT, 1, 6)]
+    case = Case(POINT, CBackend(POINT), states[:3], DOUBLE, Second(POINT), 1)
+    torque, motion = mount_rows(case)
+    assert (torque.verdict, torque.states) == ("ok", 3)
+    assert motion.verdict == "not compared" and not motion.failed
+    assert motion.reason == (
+        "its judge refused: the mass matrix of the stand without flywheels is not positive definite"
+    )
+
+
+def test_a_judge_that_refuses_some_cases_only_fails() -> None:
+    row = Comparison("mounts", "something", 1e-12)
+    row.note(np.ones(2), np.ones(2), np.ones(2), "random 1")
+    row.note_absence(StateError("no such sum"), "random 2")
+    assert (row.finished().verdict, row.row.state) == ("FAILED", "random 2")
+    assert row.row.reason == "its judge refused: no such sum"
+
+
+def test_a_stand_that_is_none_without_fluid_is_refused_by_name() -> None:
+    with pytest.raises(JudgeError, match="without carrier: added_mass has no positive definite mass matrix"):
+        verify_judges(HELD, count=2, bare=True)
+
+
+def subject(folder: Path) -> Subject:
+    return Subject(HELD, "double", folder, folder)
+
+
+def test_evidence_says_that_there_is_nothing_to_judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert found.verdict is Verdict.NOTHING
+    assert "no positive definite mass matrix" in found.figure
+    refused = [Row(name, "all quantities", verdict="not compared", reason=f"{name}: too light") for name in "ab"]
+    report = replace(verify_judges(POINT, count=1, names=(), until=0.0), rows=tuple(refused))
+    monkeypatch.setattr(agreement, "verify_judges", lambda *_, **__: report)
+    found = agreement._ask_judges(subject(tmp_path), lambda _: None)
+    assert (found.verdict, found.figure) == (Verdict.NOTHING, "a: too light; b: too light")
