@@ -43,8 +43,13 @@ def test_figures_of_a_satellite() -> None:
     assert [float(cell) for cell in motors["sum"]] == pytest.approx([48, 0.8], rel=1e-4)
     speeds = [row for row in text.splitlines() if row.startswith(" rw1  ")]
     assert re.fullmatch(r" rw1 +190\.99 +1\.5 +0 +220 +90 +220 +-105 +0 *", speeds[1])
-    assert re.fullmatch(r" rw1 +6000 +0\.59218 +86\.853 +0\.3927 +G 0\.4 +12 +0\.2 *", speeds[2])
-    assert "moment, mN m" in text and "principal inertia about the centre of mass, kg m2" in text
+    assert re.fullmatch(r" rw1 +6000 +0\.59218 +86\.853 +86\.853 +0\.3927 +G 0\.4 +12 +0\.2 *", speeds[2])
+    assert (
+        "moment, mN m" in text
+        and "couple, mN m" in text
+        and "grade there" not in text
+        and "principal inertia about the centre of mass, kg m2" in text
+    )
     written = table(text, "written in the file")
     assert written["unbalance.static"] == ["0.15 g cm", "1.5e-06 kg m", "rw1, rw2, rw3, rw4"]
     assert written["center_of_mass"] == ["[4, -3, 12] mm", "[0.004, -0.003, 0.012] m", "carrier"]
@@ -137,3 +142,34 @@ def test_data_sheet_spellings_of_motors(key: str, spelling: str, value: float, o
 def test_the_hint_on_an_inertia_in_gram_centimetres(own_folder: Path) -> None:
     (own_folder / "a.toml").write_text(f'{CUBE}spin_inertia = "20 gcm"\ntransverse_inertia = 1e-6\n', encoding="utf-8")
     assert 'unit "gcm", read as "g cm", does not fit, expected a moment of inertia' in run("check", "a.toml").stderr
+
+
+TWO_PLANES = f"""{CUBE}spin_inertia = 0.002
+transverse_inertia = 0.0011
+unbalance = {{ static = "1 g mm", dynamic = "30 g mm^2", dynamic_at = "ANGLE" }}
+"""
+
+
+@pytest.mark.parametrize(("angle", "residual"), [("0 deg", 1.25), ("180 deg", 1.25), ("90 deg", math.hypot(0.5, 0.75))])
+def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
+    angle: str, residual: float, own_folder: Path
+) -> None:
+    """Half of 1 g mm at each of two planes 40 mm apart, and 30 g mm2 over 40 mm: 0.75 g mm; on 1 kg at 1000 rad/s."""
+    (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
+    (row,) = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)["unbalance"]
+    assert row["eccentric_velocity"] == pytest.approx(1.0)
+    assert row["plane_velocity"] == pytest.approx(2 * residual)
+    assert (row["grade"], row["plane_grade"]) == (1.0, 2.5)
+    assert row["couple"] == pytest.approx(30e-9 * 1e6)
+    cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "flywheel   at")["w1"]
+    assert cells[-1] == "G 2.5" and "G 1" in cells
+
+
+def test_planes_far_apart_leave_the_grade_of_the_static_part(own_folder: Path) -> None:
+    (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", "0 deg"), encoding="utf-8")
+    (row,) = json.loads(run("check", "a.toml", "--planes", "1000 m", "--json").stdout)["unbalance"]
+    assert row["plane_velocity"] == pytest.approx(row["eccentric_velocity"], rel=1e-4)
+    (row,) = json.loads(run("check", "a.toml", "--json").stdout)["unbalance"]
+    assert row["plane_velocity"] is None and row["plane_grade"] is None
+    for wrong in ("0", "-1 mm", "3 kg", "nan"):
+        assert "--planes: " in run("check", "a.toml", "--planes", wrong).stderr

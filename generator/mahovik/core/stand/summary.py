@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from mahovik.contract.laws import body_parts, parts
-from mahovik.core.stand.balance import eccentric_velocity, grade
+from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
@@ -47,6 +47,9 @@ class UnbalanceRow:
     grade           the finest grade G of ISO 21940-11 that admits it, mm/s; None above the coarsest
     force           static unbalance times speed^2, N
     moment          dynamic unbalance about the origin times speed^2, N m
+    couple          dynamic unbalance about the centre of mass times speed^2, N m: no grade bounds it
+    plane_velocity  twice the larger residual at two planes over the mass, times speed, mm/s; None without planes, mass
+    plane_grade     the finest grade that admits the residuals at both planes, mm/s; None also above the coarsest
     """
 
     name: str
@@ -63,6 +66,9 @@ class UnbalanceRow:
     grade: float | None
     force: float
     moment: float
+    couple: float
+    plane_velocity: float | None
+    plane_grade: float | None
 
 
 @dataclass(frozen=True)
@@ -93,8 +99,11 @@ class Summary:
         return asdict(self)
 
 
-def summarize(stand: Stand, speed: float | None = None) -> Summary:
-    """Figures of `stand`; `speed` (rad/s) of all flywheels, default each motor's no-load speed, else 3000 rpm."""
+def summarize(stand: Stand, speed: float | None = None, planes: float | None = None) -> Summary:
+    """Figures of `stand`; `speed` (rad/s) of all flywheels, default each motor's no-load speed, else 3000 rpm.
+
+    `planes`: distance of the two tolerance planes of each flywheel, m; its mass centre is in the middle.
+    """
     bodies = []
     for each in placed_bodies(stand):
         body = each.body
@@ -102,7 +111,7 @@ def summarize(stand: Stand, speed: float | None = None) -> Summary:
         mount = body.mount if isinstance(body, Flywheel) else "carrier" if isinstance(body, Instrument) else ""
         bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(each.center_of_mass)))
     whole = mass_properties(stand)
-    unbalance = tuple(_unbalance(flywheel, speed) for flywheel in stand.flywheels)
+    unbalance = tuple(_unbalance(flywheel, speed, planes) for flywheel in stand.flywheels)
     known = [speed is not None or bool(s.motor and s.motor.speed) for s in stand.flywheels]
     return Summary(
         name=stand.name,
@@ -120,20 +129,22 @@ def summarize(stand: Stand, speed: float | None = None) -> Summary:
     )
 
 
-def _unbalance(flywheel: Flywheel, asked: float | None) -> UnbalanceRow:
+def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
     motor = flywheel.motor
     speed = asked if asked is not None else motor.speed if motor and motor.speed else DEFAULT_SPEED
     static = flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     J, central = inertia_about_origin(flywheel), inertia_about_center(flywheel)
     dynamic = math.hypot(J[0, 1], J[0, 2])
     velocity = eccentric_velocity(flywheel, speed)
+    couple = math.hypot(central[0, 1], central[0, 2])
+    at_planes = None if planes is None else plane_velocity(flywheel, speed, planes)
     return UnbalanceRow(
         name=flywheel.name,
         static=static * 1e6,
         static_at=_angle(flywheel.center_of_mass[1], flywheel.center_of_mass[2]),
         dynamic=dynamic * 1e9,
         dynamic_at=_angle(-float(J[0, 1]), -float(J[0, 2])),
-        dynamic_center=math.hypot(central[0, 1], central[0, 2]) * 1e9,
+        dynamic_center=couple * 1e9,
         asymmetry=float(J[1, 1] - J[2, 2]) * 1e9,
         product=float(J[1, 2]) * 1e9,
         spin_inertia=float(J[0, 0]),
@@ -142,6 +153,9 @@ def _unbalance(flywheel: Flywheel, asked: float | None) -> UnbalanceRow:
         grade=grade(velocity),
         force=static * speed**2,
         moment=dynamic * speed**2,
+        couple=couple * speed**2,
+        plane_velocity=at_planes,
+        plane_grade=None if at_planes is None else grade(at_planes),
     )
 
 

@@ -15,7 +15,8 @@ from mahovik.out.cli.output import console, print_json, print_line, print_table
 if TYPE_CHECKING:
     from mahovik.core.stand.capacity import Capacity
     from mahovik.core.stand.identity import Identities
-    from mahovik.core.stand.summary import Summary
+    from mahovik.core.stand.summary import Summary, UnbalanceRow
+    from mahovik.core.stand.units import Dimension
     from mahovik.core.stand.written import Written
 
 RPM = 30 / math.pi
@@ -32,16 +33,23 @@ def check(
         'Turn all flywheels at this speed, "3000 rpm" or rad/s; default: each motor\'s no-load speed.',
         metavar="SPEED",
     ),
+    planes: str | None = option(
+        "--planes",
+        'Grade the residuals at two planes this far apart, "40 mm" or m, the mass centre in the middle.',
+        metavar="DISTANCE",
+    ),
     as_json: bool = json_option("Print JSON instead of tables."),
 ) -> None:
     """Validate a stand; print its figures.
 
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
-    ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. Warns of
-    plausible slips, and if float would not resolve an unbalance.
+    ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
+    is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
+    float would not resolve an unbalance.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
+    apart = None if planes is None else read_distance(planes)
     if asked is not None:
         warn_beyond_motors(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
@@ -49,7 +57,7 @@ def check(
     from mahovik.core.stand.written import written_numbers
     from mahovik.use.study.resolution import shortfalls
 
-    summary, names = summarize(stand, asked), identities(stand)
+    summary, names = summarize(stand, asked, apart), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     written = written_numbers(stand_file)
     if as_json:
@@ -67,17 +75,34 @@ def check(
     _print(summary, names, [str(each) for each in short], written)
 
 
-def read_speed(text: str) -> float:
-    """A speed in rad/s: a plain number, or one with a unit. Raises UsageError."""
-    from mahovik.core.stand.units import SPEED, QuantityError, number
+def read_distance(text: str) -> float:
+    """A distance above 0 in m: a plain number, or one with a unit. Raises UsageError."""
+    from mahovik.core.stand.units import LENGTH
+
+    found = _read_quantity(text, LENGTH, "--planes")
+    if not 1e-6 <= found <= 1e6:
+        raise UsageError(f"--planes: {text} is out of range, expected 1e-06 to 1e+06 m")
+    return found
+
+
+def _read_quantity(text: str, dimension: Dimension, name: str) -> float:
+    """A plain number in SI, or one with a unit."""
+    from mahovik.core.stand.units import QuantityError, number
 
     try:
-        found = float(text)
+        return float(text)
     except ValueError:
         try:
-            found = number(text, SPEED)
+            return number(text, dimension)
         except QuantityError as error:
-            raise UsageError(f"--speed: {error}") from None
+            raise UsageError(f"{name}: {error}") from None
+
+
+def read_speed(text: str) -> float:
+    """A speed in rad/s: a plain number, or one with a unit. Raises UsageError."""
+    from mahovik.core.stand.units import SPEED
+
+    found = _read_quantity(text, SPEED, "--speed")
     if not (math.isfinite(found) and abs(found) <= 1e9):
         raise UsageError(f"--speed: {text} is out of range")
     return abs(found)
@@ -123,8 +148,10 @@ def _print_flywheels(summary: Summary) -> None:
         ("at, rpm>", [f"{row.speed * RPM:.5g}" for row in rows]),
         fitted("force", [row.force for row in rows], "N"),
         fitted("moment", [row.moment for row in rows], "N m"),
+        fitted("couple", [row.couple for row in rows], "N m"),
         fitted("e omega", [row.eccentric_velocity for row in rows], "mm/s"),
         ("ISO 21940-11", [grade_words(row.eccentric_velocity) for row in rows]),
+        *_at_planes(rows),
         *_capacities(summary, lambda capacity: capacity.each),
     )
     _print_columns(names, effects)
@@ -133,6 +160,17 @@ def _print_flywheels(summary: Summary) -> None:
     whole = _capacities(summary, lambda capacity: (*capacity.axes, capacity.direction, capacity.total))
     if whole:
         _print_columns(("along x", "along y", "along z", "in every direction", "sum"), whole, "all motors")
+
+
+def _at_planes(rows: Sequence[UnbalanceRow]) -> tuple[Column, ...]:
+    """Columns of the residuals at two planes, where these are given."""
+    from mahovik.core.stand.balance import grade_words
+
+    velocities = [row.plane_velocity for row in rows]
+    if all(velocity is None for velocity in velocities):
+        return ()
+    grades = ["-" if velocity is None else grade_words(velocity) for velocity in velocities]
+    return fitted("at two planes", velocities, "mm/s"), ("grade there", grades)
 
 
 def _capacities(summary: Summary, values: Callable[[Capacity], Sequence[float | None]]) -> tuple[Column, ...]:
