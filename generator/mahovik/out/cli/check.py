@@ -33,6 +33,11 @@ def check(
         'Turn all flywheels at this speed, "3000 rpm" or rad/s; default: each motor\'s no-load speed.',
         metavar="SPEED",
     ),
+    dt: str | None = option(
+        "--dt",
+        'Warn if float steps of this length, "0.1 ms" or s, lose what they should add to the speeds.',
+        metavar="TIME",
+    ),
     planes: str | None = option(
         "--planes",
         'Grade the residuals at two planes this far apart, "40 mm" or m, the mass centre in the middle.',
@@ -45,7 +50,7 @@ def check(
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
     is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance.
+    float would not resolve an unbalance, or with --dt would lose what short steps add.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
@@ -55,10 +60,13 @@ def check(
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
+    from mahovik.use.study.increments import lost_increments
     from mahovik.use.study.resolution import shortfalls
 
     summary, names = summarize(stand, asked, apart), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
+    step = None if dt is None else read_step(dt)
+    lost = [] if step is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
     written = written_numbers(stand_file)
     if as_json:
         from dataclasses import asdict
@@ -68,11 +76,12 @@ def check(
             "structure": names.structure,
             "physics": names.physics,
             "float": [asdict(each) for each in short],
+            "increments": [asdict(each) | {"part": each.part} for each in lost],
             "written": [asdict(each) for each in written],
         }
         print_json(found)
         return
-    _print(summary, names, [str(each) for each in short], written)
+    _print(summary, names, [str(each) for each in (*short, *lost)], written)
 
 
 def read_distance(text: str) -> float:
@@ -82,6 +91,16 @@ def read_distance(text: str) -> float:
     found = _read_quantity(text, LENGTH, "--planes")
     if not 1e-6 <= found <= 1e6:
         raise UsageError(f"--planes: {text} is out of range, expected 1e-06 to 1e+06 m")
+    return found
+
+
+def read_step(text: str) -> float:
+    """A step of time above 0 in s: a plain number, or one with a unit. Raises UsageError."""
+    from mahovik.core.stand.units import TIME
+
+    found = _read_quantity(text, TIME, "--dt")
+    if not 1e-9 <= found <= 1e3:
+        raise UsageError(f"--dt: {text} is out of range, expected 1e-09 to 1000 s")
     return found
 
 
