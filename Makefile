@@ -7,6 +7,12 @@ READY := $(VENV)/.ready
 TEST_READY := $(VENV)/.ready-test
 EXAMPLES := $(basename $(notdir $(wildcard generator/mahovik/stands/*.toml)))
 
+# Python keeps the modules that it has compiled, in the tests' folder where it shall leave none beside the sources.
+ifneq ($(PYTHONDONTWRITEBYTECODE),)
+unexport PYTHONDONTWRITEBYTECODE
+export PYTHONPYCACHEPREFIX := $(CURDIR)/.pytest_cache/bytecode
+endif
+
 BENCH := .venv-bench
 BENCH_READY := $(BENCH)/.ready
 

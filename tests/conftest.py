@@ -1,6 +1,7 @@
 """Hypothesis draws the same examples in every run of CI; elsewhere new ones, so that daily work searches on.
 
-Commands keep their formulas here, not in the folder of the user; equal C is compiled once for all tests.
+Commands keep their formulas here, not in the folder of the user; equal C is compiled once for all tests, and
+generated once in each process.
 Linear algebra has one thread, as in the command.
 Ctrl-C acts on commands that tests start, also where a shell runs the tests beside itself and has it ignored.
 """
@@ -14,15 +15,20 @@ import pytest
 from hypothesis import settings
 
 from mahovik.__main__ import ONE_THREAD
-from toolchain import build_cache
+from toolchain import build_cache, generated_once
 
 CACHE = Path(__file__).resolve().parents[1] / ".pytest_cache"
 TOOLS = Path(__file__).resolve().parents[1] / "tools"
+
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # commands that tests start need not compile their modules again
+    sys.dont_write_bytecode, sys.pycache_prefix = False, str(CACHE / "bytecode")
+    os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(CACHE / "formulas")
 build_cache.install(CACHE / "libraries")
+GENERATOR = generated_once.install(os.environ["MAHOVIK_CACHE"])
 
 sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 
@@ -32,6 +38,12 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
 settings.load_profile("ci" if os.environ.get("CI") else "daily")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup() -> None:
+    """Before fixtures replace anything."""
+    GENERATOR.look()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

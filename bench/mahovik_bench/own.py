@@ -49,16 +49,18 @@ def lanes(build: Build, N: int) -> int:
 
 def peers(case: Case) -> list[Peer]:
     """A contestant a build."""
+    return [*(peer(case, build) for build in BUILDS), _batch(case)]
+
+
+def peer(case: Case, build: Build) -> Peer:
+    """One state in a call."""
     name = case.stand.name
-    adapter = (NATIVE / "own_peer.c").read_text(encoding="utf-8")
-    found = []
-    for build in BUILDS:
-        folder, effort = generated("write_own", str(case.N), str(lanes(build, case.N)))
-        files = {path.name: path.read_text(encoding="ascii") for path in sorted(folder.glob(f"{name}.[ch]"))}
-        flags = ("-std=c99", f"-DSTAND={name}", f'-DHEADER="{name}.h"', f"-DFLYWHEELS={case.N}", *build.flags)
-        recipe = Recipe("gcc", flags, {**files, "own_peer.c": adapter}, (f"{name}.c",))
-        found.append(Peer("mahovik", build.name, WORKS, recipe, "", effort, counted=build.counted))
-    return [*found, _batch(case)]
+    folder, effort = generated("write_own", str(case.N), str(lanes(build, case.N)))
+    files = {path.name: path.read_text(encoding="ascii") for path in sorted(folder.glob(f"{name}.[ch]"))}
+    files["own_peer.c"] = (NATIVE / "own_peer.c").read_text(encoding="utf-8")
+    flags = ("-std=c99", f"-DSTAND={name}", f'-DHEADER="{name}.h"', f"-DFLYWHEELS={case.N}", *build.flags)
+    recipe = Recipe("gcc", flags, files, (f"{name}.c",))
+    return Peer("mahovik", build.name, WORKS, recipe, "", effort, counted=build.counted)
 
 
 def _batch(case: Case) -> Peer:

@@ -11,6 +11,7 @@ from mahovik_bench.agree import ACCEPTED, differences, failures
 from mahovik_bench.cases import case
 from mahovik_bench.counting import instructions
 from mahovik_bench.loaded import Contestant
+from mahovik_bench.own import SCALAR, peer
 from mahovik_bench.peer import Peer
 from mahovik_bench.roster import Roster
 from mahovik_bench.timing import Times, ratio
@@ -28,10 +29,16 @@ def gcc() -> None:
 SLOW_TO_COMPILE = ("jacobian", "-O3")
 
 
+def own_scalar() -> Contestant:
+    """The C that firmware is built with, whose instructions are counted."""
+    found = peer(case(2), SCALAR)
+    return Contestant(found, found.recipe.build(), case(2))
+
+
 def contestants(program: str) -> list[Contestant]:
     module = import_module(f"mahovik_bench.{program}")
     peers: list[Peer] = [p for p in module.peers(case(2)) if not any(word in p.build for word in SLOW_TO_COMPILE)]
-    return [Contestant(peer, peer.recipe.build(), case(2)) for peer in peers]
+    return [Contestant(each, each.recipe.build(), case(2)) for each in peers]
 
 
 @pytest.mark.parametrize("program", [pytest.param("own", marks=pytest.mark.slow), "casadi_peer", "mujoco_peer"])
@@ -44,7 +51,7 @@ def test_results_agree(program: str) -> None:
 
 
 def test_own_slopes_are_finite() -> None:
-    own = contestants("own")[0]
+    own = own_scalar()
     for name in ("step", "inverse_fast", "forward_jacobian", "coupled_jacobian"):
         assert np.all(np.isfinite(own.results(WORKS[name]))), name
 
@@ -67,7 +74,8 @@ def test_paired_ratio_is_the_median_of_ratios() -> None:
 
 def test_counts_are_exact() -> None:
     require("valgrind", "valgrind")
-    own = next(each for each in contestants("own") if each.peer.counted)
+    own = own_scalar()
+    assert own.peer.counted
     first, second = (instructions(own.peer, own.built, own.case) for _ in range(2))
     assert first == second
     assert 0 < first["torque"] < first["forward"] < first["coupled"] < first["step"]

@@ -18,7 +18,11 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.verify import selftest_log
 
 SWEEP = 20
-FUNCTIONS = [f.name for f in generate_with_selftest("demo3")[0].program.functions if f.public]
+
+
+def functions() -> list[str]:
+    """Public functions of demo3."""
+    return [f.name for f in generate_with_selftest("demo3")[0].program.functions if f.public]
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -74,7 +78,7 @@ def test_a_good_log(log: Path) -> None:
     found = identities(load(DEMO3))
     head = f"PASS   demo3 double, structure {found.structure}, physics {found.physics}"
     assert result.exit_code == 0
-    assert result.output.startswith(f"{head}: {len(FUNCTIONS)} functions, {SWEEP} states\nchecked: identities; ")
+    assert result.output.startswith(f"{head}: {len(functions())} functions, {SWEEP} states\nchecked: identities; ")
     assert f"sweep of {SWEEP} states, double, by gcc" in result.output
     assert "not checked" not in result.output
 
@@ -198,7 +202,7 @@ def test_what_is_no_log(tmp_path: Path) -> None:
 def test_the_verdict_as_json(printed: str) -> None:
     Path("board.log").write_text(printed)
     found = json.loads(run("judge-log", DEMO3, "--log", "board.log", "--json").stdout)
-    assert [each["functions"] for each in found["runs"]] == [sorted(FUNCTIONS)]
+    assert [each["functions"] for each in found["runs"]] == [sorted(functions())]
     assert found["problems"] == []
     Path("board.log").write_text(printed.replace("PASS", "FAIL", 1))
     result = run("judge-log", DEMO3, "--log", "board.log", "--json")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 import sympy as sp
 
@@ -33,13 +35,13 @@ def test_only_polynomials() -> None:
         remainders([sp.Float(0.5) * c])
 
 
-WRONG_K_DOT = {
-    "order of the commutator": Ls * (OWN * e - e * OWN) * Ls.T * W.phi_dot,
-    "one half of the commutator": Ls * (e * OWN) * Ls.T * W.phi_dot,
-    "speed left out": Ls * (e * OWN - OWN * e) * Ls.T,
-    "phase of the wrong sign": (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.phi, -W.phi),
-    "asymmetry dropped": (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.J[2, 2], W.J[1, 1]),
-    "product of inertia dropped": (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.J[1, 2], 0),
+WRONG_K_DOT: dict[str, Callable[[], sp.Matrix]] = {
+    "order of the commutator": lambda: Ls * (OWN * e - e * OWN) * Ls.T * W.phi_dot,
+    "one half of the commutator": lambda: Ls * (e * OWN) * Ls.T * W.phi_dot,
+    "speed left out": lambda: Ls * (e * OWN - OWN * e) * Ls.T,
+    "phase of the wrong sign": lambda: (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.phi, -W.phi),
+    "asymmetry dropped": lambda: (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.J[2, 2], W.J[1, 1]),
+    "product of inertia dropped": lambda: (Ls * (e * OWN - OWN * e) * Ls.T * W.phi_dot).subs(W.J[1, 2], 0),
 }
 
 
@@ -48,14 +50,14 @@ def test_a_wrong_K_dot_leaves_a_remainder(fault: str) -> None:
     """Each fault of (6) is seen by the proof."""
     raw = table.sums(W)
     found = carrier.mass_matrix_rate().xreplace(table.bind("mu_dot", raw.mu_dot) | table.bind("J_dot", raw.J_dot))
-    assert remainders(trigonometric(WRONG_K_DOT[fault], W.phi) - found, SO3) != []
+    assert remainders(trigonometric(WRONG_K_DOT[fault](), W.phi) - found, SO3) != []
 
 
-WRONG_J = {
-    "no Phi": Ls * e * OWN * f * W.phi_dot,
-    "no [<e>]": Phi(carrier.V) * Ls * OWN * f,
-    "[<e>] on the other side": (Phi(carrier.V) * Ls + e * Ls * W.phi_dot) * OWN * f,
-    "Phi transposed": (Phi(carrier.V).T * Ls + Ls * e * W.phi_dot) * OWN * f,
+WRONG_J: dict[str, Callable[[], sp.Matrix]] = {
+    "no Phi": lambda: Ls * e * OWN * f * W.phi_dot,
+    "no [<e>]": lambda: Phi(carrier.V) * Ls * OWN * f,
+    "[<e>] on the other side": lambda: (Phi(carrier.V) * Ls + e * Ls * W.phi_dot) * OWN * f,
+    "Phi transposed": lambda: (Phi(carrier.V).T * Ls + Ls * e * W.phi_dot) * OWN * f,
 }
 
 
@@ -64,4 +66,4 @@ def test_a_wrong_J_leaves_a_remainder(fault: str) -> None:
     """Each fault of J_s in (9) is seen by the proof."""
     columns = table.columns(W)
     found = Phi(carrier.V) * columns.I + columns.I_prime * W.phi_dot
-    assert remainders(trigonometric(WRONG_J[fault], W.phi) - found, SO3) != []
+    assert remainders(trigonometric(WRONG_J[fault](), W.phi) - found, SO3) != []

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, read_or_refuse
@@ -21,7 +23,6 @@ from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[2]
 DEMO3 = load(path("demo3"))
-FILES = generate(DEMO3)
 GENERATED = ROOT / "generated" / "demo3"
 FIGURES_TEXT: dict[str, Any] = json.loads((GENERATED / FIGURES).read_text(encoding="utf-8"))
 FEW = {**FIGURES_TEXT, "targets": FIGURES_TEXT["targets"][:1]}
@@ -30,31 +31,40 @@ FEW = {**FIGURES_TEXT, "targets": FIGURES_TEXT["targets"][:1]}
 pytestmark = READERS
 
 
+@cache
+def files() -> dict[str, str]:
+    return generate(DEMO3)
+
+
+MANIFESTS = st.deferred(lambda: spoiled_json([json.loads(manifest(DEMO3, "double", files()))]))
+MANIFEST_BYTES = st.deferred(lambda: spoiled_bytes([manifest(DEMO3, "double", files()).encode()]))
+
+
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    deliver(tmp_path, DEMO3, "double", FILES)
+    deliver(tmp_path, DEMO3, "double", files())
     return tmp_path
 
 
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
-    read_or_refuse(lambda: differences(folder, DEMO3, "double", FILES))
+    read_or_refuse(lambda: differences(folder, DEMO3, "double", files()))
     read_or_refuse(lambda: accepted_figures(folder, DEMO3))
-    read_or_refuse(lambda: deliver(folder, DEMO3, "double", FILES))
-    for name, text in FILES.items():
+    read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
+    for name, text in files().items():
         there = folder / name
         assert not there.is_file() or there.read_text(encoding="utf-8") == text
 
 
 @fuzzed(40)
-@given(text=spoiled_json([json.loads(manifest(DEMO3, "double", FILES))]))
+@given(text=MANIFESTS)
 def test_manifest(text: str, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
     visit(folder)
 
 
 @fuzzed(40)
-@given(data=spoiled_bytes([manifest(DEMO3, "double", FILES).encode()]))
+@given(data=MANIFEST_BYTES)
 def test_manifest_of_any_bytes(data: bytes, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(data)
     visit(folder)
@@ -67,11 +77,11 @@ def test_accepted_figures(text: str, folder: Path) -> None:
     found = read_or_refuse(lambda: accepted_figures(folder, DEMO3))
     if found is not None:
         read_or_refuse(lambda: read_accepted(found, FIGURES))
-    read_or_refuse(lambda: deliver(folder, DEMO3, "double", FILES))
+    read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
 
 
 @fuzzed(4)
-@given(text=spoiled_json([json.loads(manifest(DEMO3, "double", FILES))]))
+@given(text=MANIFESTS)
 def test_a_place_for_cost(text: str, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(text.encode("utf-8", "surrogatepass"))
     read_or_refuse(lambda: require_place_for_cost(folder, DEMO3))

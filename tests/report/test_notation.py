@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from functools import cache
 
 import pytest
 import sympy as sp
 
-from mahovik.core.derive.document import Formula, Table, Text, sections
+from mahovik.core.derive.document import Block, Formula, Table, Text, sections
 from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,
@@ -21,19 +22,23 @@ from mahovik.out.report.derivation.notation import (
 )
 from mahovik.out.report.derivation.parse import NotationError, notation, parse, symbol
 
-EVERY = [
-    section
-    for sequence in ("ship", "aircraft", "euler")
-    for added in (False, True)
-    for section in sections(sequence, added_mass=added, weight=True, displaces=added)
-]
-BLOCKS = [block for section in EVERY for block in section.blocks]
+
+@cache
+def blocks() -> list[Block]:
+    """Blocks of the documents of every sequence, without and with added mass."""
+    return [
+        block
+        for sequence in ("ship", "aircraft", "euler")
+        for added in (False, True)
+        for section in sections(sequence, added_mass=added, weight=True, displaces=added)
+        for block in section.blocks
+    ]
 
 
 def expressions() -> list[sp.Expr]:
     """Every SymPy expression of the documents, matrices element by element."""
-    parts = [p for b in BLOCKS if isinstance(b, Formula) for p in b.parts]
-    parts += [p for b in BLOCKS if isinstance(b, Table) for cells in b.rows for p in cells]
+    parts = [p for b in blocks() if isinstance(b, Formula) for p in b.parts]
+    parts += [p for b in blocks() if isinstance(b, Table) for cells in b.rows for p in cells]
     found: list[sp.Expr] = []
     for part in parts:
         if not isinstance(part, str):
@@ -91,14 +96,14 @@ def test_what_is_printed_is_the_expression() -> None:
 
 def test_all_notation_of_the_documents_is_read_and_printed() -> None:
     """Each text between backticks, part and head is notation; MathML is well-formed, LaTeX is ASCII."""
-    texts = [p for b in BLOCKS if isinstance(b, Formula) for p in b.parts if isinstance(p, str)]
-    texts += [piece for b in BLOCKS if isinstance(b, Text) for piece in b.text.split("`")[1::2]]
+    texts = [p for b in blocks() if isinstance(b, Formula) for p in b.parts if isinstance(p, str)]
+    texts += [piece for b in blocks() if isinstance(b, Text) for piece in b.text.split("`")[1::2]]
     assert len(texts) > 100
     for text in set(texts):
         node = parse(text)
         ET.fromstring(node.math(display=True))
         assert node.tex().isascii()
-    assert all(b.text.count("`") % 2 == 0 for b in BLOCKS if isinstance(b, Text))
+    assert all(b.text.count("`") % 2 == 0 for b in blocks() if isinstance(b, Text))
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import shutil
 import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Protocol
 
@@ -62,9 +63,16 @@ def caching(build: Build, folder: Path) -> Build:
 
 
 def install(folder: Path) -> None:
-    """Keep what this process builds from now on."""
+    """Keep what this process builds from now on; a library for this process is built without optimisation.
+
+    The bits do not depend on it, and gcc takes a quarter of the time. tests/emit/test_bits.py holds all optimisations
+    to the same bits, and commands in processes of their own build as for users.
+    """
+    from mahovik.core.toolchain import library
+
     folder.mkdir(parents=True, exist_ok=True)
     compiler._build = caching(compiler._build, folder)
+    vars(library)["build_shared"] = partial(compiler.build_shared, optimisation="-O0")
 
 
 def tidy(folder: Path) -> None:

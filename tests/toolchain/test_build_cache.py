@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
+from mahovik.core.toolchain import library
 from mahovik.errors import ToolchainError
 from toolchain.build_cache import KEPT, Build, caching, tidy
 
@@ -81,3 +83,11 @@ def test_the_least_used_go(tmp_path: Path) -> None:
         (tmp_path / f"{number}.so").touch()
     tidy(tmp_path)
     assert len(list(tmp_path.iterdir())) == KEPT
+
+
+def test_libraries_of_this_process_are_built_without_optimisation() -> None:
+    assert vars(library)["build_shared"].keywords == {"optimisation": "-O0"}
+
+
+def test_commands_that_tests_start_keep_their_compiled_modules() -> None:
+    assert "PYTHONDONTWRITEBYTECODE" not in os.environ

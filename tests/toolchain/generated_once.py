@@ -1,0 +1,99 @@
+"""C of a stand, generated once a process for equal arguments, as long as the generator is as it was.
+
+Tests plant faults in the derivation and in the lowering. So nothing is remembered, and nothing that is remembered is
+given, while a name of the generator's modules, of their classes or of their tables is bound to anything else than at
+the beginning of the test, or while the formulas have a cache of their own.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial, wraps
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+GENERATOR = ("mahovik.core.", "mahovik.laws.", "mahovik.contract.")
+DERIVATION = ("mahovik.core.derive.", "mahovik.core.formula.", "mahovik.laws.")
+
+
+class Unchanged:
+    """What the names of modules are bound to when they are first seen."""
+
+    def __init__(self, packages: tuple[str, ...] = GENERATOR) -> None:
+        self._packages = packages
+        self._seen: dict[str, list[tuple[Any, dict[Any, Any]]]] = {}
+
+    def look(self) -> None:
+        """Takes the modules that are new as they are: to be called while nothing is replaced."""
+        for name, module in _modules(self._packages):
+            if name not in self._seen:
+                self._seen[name] = [(names, _bound(names)) for names in _namespaces(module)]
+
+    def holds(self, packages: tuple[str, ...] = GENERATOR) -> bool:
+        """Whether all modules of the packages have been seen, and every name in them is bound to what it was."""
+        missing = object()
+        return all(
+            name in self._seen
+            and all(names.get(key, missing) is was for names, before in self._seen[name] for key, was in before.items())
+            for name, _ in _modules(packages)
+        )
+
+
+def _modules(packages: tuple[str, ...]) -> list[tuple[str, ModuleType]]:
+    return [(name, module) for name, module in list(sys.modules.items()) if name.startswith(packages)]
+
+
+def _namespaces(module: ModuleType) -> Iterator[Any]:
+    """The names of a module, and of the classes and tables that it has."""
+    yield vars(module)
+    for each in list(vars(module).values()):
+        if isinstance(each, type) and each.__module__ == module.__name__:
+            yield vars(each)
+        elif type(each) is dict:
+            yield each
+
+
+def _bound(names: Any) -> dict[Any, Any]:
+    """Without what Pydantic builds when a class is first used."""
+    return {key: value for key, value in names.items() if not str(key).startswith("__pydantic")}
+
+
+def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., Any]:
+    """`make`, whose results are remembered by their arguments; files of C are the caller's own."""
+    known: dict[bytes, Any] = {}
+
+    @wraps(make)
+    def found(*arguments: Any, **named: Any) -> Any:
+        if not usable():
+            return make(*arguments, **named)
+        key = repr(named).encode() + pickle.dumps(arguments)
+        if key not in known:
+            known[key] = make(*arguments, **named)
+        result = known[key]
+        return replace(result, files=dict(result.files)) if hasattr(result, "files") else result
+
+    return found
+
+
+def install(formulas: str) -> Unchanged:
+    """Generate and derive once from now on; the caller looks at the modules before each test.
+
+    Imported here, as the generator loads NumPy.
+    """
+    unchanged = Unchanged()
+
+    def usable(packages: tuple[str, ...]) -> bool:
+        return os.environ.get("MAHOVIK_CACHE") == formulas and unchanged.holds(packages)
+
+    for module, name, packages in (
+        ("core.emit.generate", "generate_all", GENERATOR),
+        ("core.formula.derived", "_derived", DERIVATION),
+    ):
+        place = import_module(f"mahovik.{module}")
+        setattr(place, name, once(getattr(place, name), partial(usable, packages)))
+    return unchanged
