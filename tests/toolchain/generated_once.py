@@ -22,7 +22,7 @@ DERIVATION = ("mahovik.core.derive.", "mahovik.core.formula.", "mahovik.laws.")
 
 
 class Unchanged:
-    """What the names of modules are bound to when they are first seen."""
+    """Modules as they are when they are first seen: objects by name."""
 
     def __init__(self, packages: tuple[str, ...] = GENERATOR) -> None:
         self._packages = packages

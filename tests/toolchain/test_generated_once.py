@@ -1,4 +1,4 @@
-"""What was generated is given again only while the generator is as it was."""
+"""A result of the generator is given again only while the generator is as it was."""
 
 from __future__ import annotations
 
