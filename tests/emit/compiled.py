@@ -72,6 +72,10 @@ class Compiled:
         angles = list(state.angles or (0.1, 1.0, -0.2))
         return {"x": x, "phi_ddot": list(given["phi_ddot"]), "wrench": given["wrench"], "angles": angles}
 
+    def arguments(self, state: State) -> dict[str, Any]:
+        """Inputs of every public function at a state, with the default table; times and orders of steps are not here."""
+        return {**self._backend.arguments(state), **self.inputs(state), "table": self.values.table}
+
     def c(self, function: str, inputs: Mapping[str, Any], fill: float | None = None) -> tuple[int, dict[str, Any]]:
         """Status and outputs of the compiled function."""
         return self.library.run(self.program.function(function), self._taken(function, inputs, self.default), fill)

@@ -6,7 +6,7 @@ REASONS: dict[tuple[str, str], str] = {
     ("sincos_each", "number times 1.5: const _real r_tail"): "the third part of pi/2 acts below what these tests "
     "resolve; `sincos`, the same text, is held to 0.9 ulp in `tests/routines/test_sincos.py`",
     ("rotation_vector", "number times 1.5: _real ratio = 2.0"): "no change: of a quaternion of unit length one of the "
-    "two branches sets it anew",
+    "two branches sets it again",
     ("orthogonalise", "loop one turn short: for (int sweep"): "the last sweep is a reserve: these matrices are "
     "orthogonal to rounding before it",
     (
