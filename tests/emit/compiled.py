@@ -36,7 +36,7 @@ class Compiled:
         program: Program,
         values: Values,
         files: dict[str, str],
-        optimisation: str = "-O2",
+        optimisation: str = "-O0",
         compiler: str = "gcc",
     ) -> None:
         self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
@@ -101,14 +101,14 @@ def interpreter_of(program: Program) -> Interpreter:
 
 
 @cache
-def compiled(name: str, optimisation: str = "-O2", compiler: str = "gcc") -> Compiled:
+def compiled(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Compiled:
     """The C of a stand of `emit.stands`, with double as element type."""
     g = generated(name)
     return Compiled(stand(name), g.layout, g.program, g.values, g.files, optimisation, compiler)
 
 
 @cache
-def compiled_float(name: str, optimisation: str = "-O2", compiler: str = "gcc") -> Compiled:
+def compiled_float(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Compiled:
     """The same with float."""
     return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 

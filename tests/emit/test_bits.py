@@ -18,6 +18,8 @@ Call = Callable[[str, dict[str, Any]], tuple[int, dict[str, Any]]]
 """Status and outputs of a function, for its inputs by name."""
 
 NAME = "everything6"
+SHIPPED = "-O2"
+"""Optimisation of the libraries that commands build."""
 NAMES = (NAME, "everything0", "bare5", "hung5", "stream1", "auv6")
 
 
@@ -40,14 +42,14 @@ def all_bits(call: Call, c: Compiled, chosen: list[State]) -> dict[tuple[int, st
 
 @pytest.mark.parametrize("name", NAMES)
 def test_interpreter_is_c(name: str) -> None:
-    c = compiled(name)
+    c = compiled(name, SHIPPED)
     chosen = states(c.stand, 2)
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
 
 @pytest.mark.parametrize("name", (NAME, "bare5", "hung5"))
 def test_interpreter_is_c_in_float(name: str) -> None:
-    c = compiled_float(name)
+    c = compiled_float(name, SHIPPED)
     chosen = states(c.stand, 2, FLOAT.max_phase)
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
@@ -58,7 +60,7 @@ def test_interpreter_is_c_in_float(name: str) -> None:
 )
 def test_compilers_agree(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)
-    reference, other = compiled(NAME), compiled(NAME, optimisation, compiler)
+    reference, other = compiled(NAME, SHIPPED), compiled(NAME, optimisation, compiler)
     chosen = states(reference.stand)
     assert all_bits(reference.c, reference, chosen) == all_bits(other.c, other, chosen)
     assert bits(reference.table()) == bits(other.table())
@@ -70,7 +72,7 @@ def test_compilers_agree(compiler: str, optimisation: str) -> None:
 )
 def test_compilers_agree_in_float(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)
-    reference, other = compiled_float(NAME), compiled_float(NAME, optimisation, compiler)
+    reference, other = compiled_float(NAME, SHIPPED), compiled_float(NAME, optimisation, compiler)
     chosen = states(reference.stand, phase_limit=FLOAT.max_phase)
     assert all_bits(reference.c, reference, chosen) == all_bits(other.c, other, chosen)
     assert bits(reference.table()) == bits(other.table())
@@ -78,7 +80,7 @@ def test_compilers_agree_in_float(compiler: str, optimisation: str) -> None:
 
 def test_ordinary_states_are_evaluated() -> None:
     """Guard of the tests above: agreement on refusals alone would prove nothing."""
-    c = compiled(NAME)
+    c = compiled(NAME, SHIPPED)
     found = all_bits(c.c, c, states(c.stand))
     good = [key for key, (status, _) in found.items() if status == 0]
     assert len(good) > 0.9 * len(found)
@@ -86,7 +88,7 @@ def test_ordinary_states_are_evaluated() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_compiled_tables_are_those_of_the_generator(name: str) -> None:
-    c = compiled(name)
+    c = compiled(name, SHIPPED)
     assert bits(c.table()) == bits(c.values.table)
     prepare = c.program.function("prepare")
     status, outputs = c.library.run(
@@ -98,7 +100,7 @@ def test_the_compiled_tables_are_those_of_the_generator(name: str) -> None:
 
 def test_float_follows_double() -> None:
     """Float results are those of double but for its rounding; tests/verify/test_float.py has the bounds."""
-    double, single = compiled(NAME), compiled_float(NAME)
+    double, single = compiled(NAME, SHIPPED), compiled_float(NAME, SHIPPED)
     rng = np.random.default_rng(3)
     for _ in range(5):
         state = random_state(double.stand, rng)

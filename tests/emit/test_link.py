@@ -30,13 +30,20 @@ FLAGS = ("-O2", "-ffunction-sections", "-fdata-sections")
 
 def objects(folder: Path, files: dict[str, str], compiler: str, *flags: str) -> tuple[Path, Path]:
     """Object files of the C and of a caller that includes its header."""
-    folder.mkdir()
-    source = write(files, folder)
-    caller, made, called = folder / "caller.c", folder / "stand.o", folder / "caller.o"
-    caller.write_text(CALLER)
-    compile_c(compiler, source, "-c", *FLAGS, *flags, "-o", made)
-    compile_c(compiler, caller, "-c", *FLAGS, *flags, f"-I{folder}", "-o", called)
+    called = caller_of(folder, files, compiler, *flags)
+    made = folder / "stand.o"
+    compile_c(compiler, folder / "shaker2.c", "-c", *FLAGS, *flags, "-o", made)
     return made, called
+
+
+def caller_of(folder: Path, files: dict[str, str], compiler: str, *flags: str) -> Path:
+    """Object file of a caller that includes the header."""
+    folder.mkdir()
+    write(files, folder)
+    caller, called = folder / "caller.c", folder / "caller.o"
+    caller.write_text(CALLER)
+    compile_c(compiler, caller, "-c", *FLAGS, *flags, f"-I{folder}", "-o", called)
+    return called
 
 
 def linked(compiler: str, *given: Path | str) -> str:
@@ -54,7 +61,7 @@ def test_a_caller_with_another_header_does_not_link(compiler: str, lto: tuple[st
     assert linked(compiler, source, caller, *lto) == ""
     others = {"float": generate(plain, "float"), "lanes2": generate(plain, "double", 2), "stand": generate(heavier)}
     for what, files in others.items():
-        _, other = objects(tmp_path / what, files, compiler, *lto)
+        other = caller_of(tmp_path / what, files, compiler, *lto)
         said = linked(compiler, source, other, *lto)
         assert re.search(r"undefined (reference|symbol).*shaker2_link_(double|float)_lanes", said), (what, said)
     assert "shaker2_link_float_lanes1" in linked(compiler, source, tmp_path / "float" / "caller.o", *lto)
@@ -91,5 +98,5 @@ def test_the_check_takes_no_memory_and_can_be_left_out(tmp_path: Path) -> None:
     ]
     figures = [[line.split()[:4] for line in done.stdout.splitlines()] for done in sizes]
     assert figures[0] == figures[1]
-    _, wide = objects(tmp_path / "float", generate(stand("shaker2"), "float"), compiler, "-DSHAKER2_NO_LINK_CHECK")
+    wide = caller_of(tmp_path / "float", generate(stand("shaker2"), "float"), compiler, "-DSHAKER2_NO_LINK_CHECK")
     assert linked(compiler, checked[0], wide) == ""

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ import pytest
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
+from mahovik.core.toolchain import library
+from mahovik.core.toolchain.compiler import build_shared
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
 
@@ -22,7 +25,8 @@ COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]
 
 @cache
 def compiled(name: str, real: str = "double") -> CBackend:
-    return CBackend(load(STANDS / f"{name}.toml"), real)
+    with patch.object(library, "build_shared", build_shared):  # optimised: many steps are made
+        return CBackend(load(STANDS / f"{name}.toml"), real)
 
 
 def good(c: CBackend, **more: Any) -> dict[str, Any]:
