@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from mahovik import __version__
+from mahovik.core.lower.golden import fnv1a
 from mahovik.core.stand.identity import Identities
 
 _SECTION = ".debug_mahovik"
@@ -13,9 +15,14 @@ _SECTION = ".debug_mahovik"
 
 @dataclass(frozen=True)
 class Link:
-    """Statements of C that refer to the symbol, by the width of an address, and the one that defines it."""
+    """Statements of C that refer to the symbol, by the width of an address, and the one that defines it.
+
+    `macros`: prefix of the macros of the check; `noticed`: what callers and source must have in common, in words.
+    """
 
     symbol: str
+    macros: str
+    noticed: str
 
     @property
     def of_64_bits(self) -> str:
@@ -40,8 +47,19 @@ class Link:
 
 def link(name: str, found: Identities, real: str, lanes: int) -> Link:
     """The symbol of C: its name says element type, lanes, version and stand, so that an error message tells both."""
+    return _link(name, found, real, f"lanes{lanes}", "number of lanes")
+
+
+def part_link(name: str, part: str, found: Identities, real: str, declared: Iterable[object]) -> Link:
+    """The same of a file beside the C, such as `servo`; its declarations stand in the place of the lanes, as a hash."""
+    shape = fnv1a("\n".join(map(str, declared)).encode("utf-8"))
+    return _link(f"{name}_{part}", found, real, f"{shape:08x}", "declarations")
+
+
+def _link(name: str, found: Identities, real: str, shape: str, words: str) -> Link:
     version = "_".join(__version__.split("."))
-    return Link(f"{name}_link_{real}_lanes{lanes}_v{version}_{found.physics}")
+    symbol = f"{name}_link_{real}_{shape}_v{version}_{found.physics}"
+    return Link(symbol, name.upper(), f"element type, {words}, version or stand")
 
 
 def _asm(*lines: str) -> str:

@@ -22,7 +22,7 @@ RESERVED = frozenset(
             "SERVO_TEST_NO_MAIN",
             "FUZZ_MAIN",
         ),
-        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS"),
+        *("SERVO_PERIOD", "SERVO_PERIODS", "SERVO_TICKS", "SERVO_NO_LINK_CHECK", "SERVO_LINK_CHECKED"),
     )
 )
 """Names of the files beside a recorder's and a programme's, that no flywheel may have."""

@@ -11,6 +11,7 @@ from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrapped
+from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.lower.programme.clock import CLOCK
 from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
@@ -59,8 +60,14 @@ def programme_files(
 
 
 def renamed(files: dict[str, str], stand_name: str, called: str) -> dict[str, str]:
-    """The files of a programme with its name in the place of `programme`, in the names of files as well."""
-    names = {f"{stand_name}_programme": f"{stand_name}_{called}"}
+    """Files of a programme, or of its servo, with the programme's name in the place of `programme`.
+
+    Names of files are replaced as well; the names of a servo and its trim come after that of its programme.
+    """
+    if called == "programme":
+        return files
+    words = {"programme": called, "servo": f"{called}_servo", "trim": f"{called}_trim"}
+    names = {f"{stand_name}_{old}": f"{stand_name}_{new}" for old, new in words.items()}
     names |= {old.upper(): new.upper() for old, new in names.items()}
     pattern = re.compile(rf"\b({'|'.join(map(re.escape, names))})(?=_|\b)")
 
@@ -92,15 +99,22 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
+        return self._code.render("programme.h.j2", **self._known, **self._declared(), link=self._link())
+
+    def _declared(self) -> dict[str, list[Any]]:
+        """What the header declares."""
         sizes = [c.form.size for c in self._made.courses]
-        return self._code.render(
-            "programme.h.j2",
-            **self._known,
-            spans=self._spans(),
-            counts=[(self._names.constant(size.name), int(size), size.comment) for size in sizes],
-            clock=struct_lines(CLOCK, self._names),
-            functions=self._code.declared(self._made.public),
-        )
+        return {
+            "spans": self._spans(),
+            "counts": [(self._names.constant(size.name), int(size), size.comment) for size in sizes],
+            "clock": struct_lines(CLOCK, self._names),
+            "functions": self._code.declared(self._made.public),
+        }
+
+    def _link(self) -> Link:
+        """The symbol that header and source share."""
+        declared = self._declared().values()
+        return part_link(self._stand.name, "programme", identities(self._stand), self._code.precision.name, declared)
 
     def source(self) -> str:
         """The source: tables, then functions."""
@@ -109,6 +123,7 @@ class _Printer:
         return self._code.render(
             "programme.c.j2",
             **self._known,
+            link=self._link(),
             facts=[text for line in self._facts.lines for text in paragraph(line, " *   ", " *     ")],
             structs=self._code.structs(s for s in self._made.program.structs if s is not CLOCK),
             tables=[self._code.table(f"{table.name}_values", table, value) for table, value in tables],

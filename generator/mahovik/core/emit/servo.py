@@ -8,7 +8,9 @@ from typing import Any
 
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrapped
+from mahovik.core.emit.link import Link, part_link
 from mahovik.core.emit.manifest import manifest_with
+from mahovik.core.emit.programme import renamed
 from mahovik.core.lower.servo import golden as expected
 from mahovik.core.lower.servo.form import ServoForm
 from mahovik.core.lower.servo.golden import Golden
@@ -47,11 +49,17 @@ def servo_code(stand: Stand, program: Program, form: ServoForm, tables: ServoTab
 
 
 def servo_files(
-    stand: Stand, program: Program, form: ServoForm, tables: ServoTables, golden: Golden, what: str
+    stand: Stand,
+    program: Program,
+    form: ServoForm,
+    tables: ServoTables,
+    golden: Golden,
+    what: str,
+    called: str = "programme",
 ) -> dict[str, str]:
     """Text by file name, with an example beside the tables of a programme; the manifest, last, has the hashes.
 
-    `what`: the name of the servo.
+    `what`: the name of the servo; `called`: that of its programme in C, which names of the servo then have as well.
     """
     printer = _Printer(stand, program, form, tables)
     name = f"{stand.name}_servo"
@@ -60,7 +68,9 @@ def servo_files(
         f"{name}_test.c": printer.test(golden),
         f"{name}.md": printer.page(),
     }
-    return files | {f"{name}.json": printer.manifest(files, what)}
+    files = renamed(files, stand.name, called)
+    (manifest,) = renamed({f"{name}.json": ""}, stand.name, called)
+    return files | {manifest: printer.manifest(files, what)}
 
 
 def servo_program_text(
@@ -79,13 +89,22 @@ class _Printer:
 
     def header(self) -> str:
         """The header: the manual."""
+        return self.rendered("servo.h.j2", **self._declared(), link=self._link())
+
+    def _declared(self) -> dict[str, list[Any]]:
+        """What the header declares."""
         program, names = self._code.program, self._code.names
-        return self.rendered(
-            "servo.h.j2",
-            counts=[(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
-            structs=self._code.structs(program.structs),
-            functions=self._code.declared(self._code.public),
-        )
+        return {
+            "counts": [(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
+            "structs": self._code.structs(program.structs),
+            "functions": self._code.declared(self._code.public),
+        }
+
+    def _link(self) -> Link:
+        """The symbol that header and source share."""
+        tables = self._tables
+        declared = (*self._declared().values(), tables.period, tables.ticks, tables.periods)
+        return part_link(self._stand.name, "servo", identities(self._stand), self._code.precision.name, declared)
 
     def source(self) -> str:
         """The source: tables, then functions."""
@@ -96,6 +115,7 @@ class _Printer:
             constants.append(self._code.table("trim_default", form.design, tables.design))
         return self.rendered(
             "servo.c.j2",
+            link=self._link(),
             uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
             uses_bits_of=Kind.WORD in self._code.casts,
             uses_real_of=Kind.REAL in self._code.casts,

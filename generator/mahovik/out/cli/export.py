@@ -27,6 +27,7 @@ from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_fir
 
 FOLDER = file_option("-o", "DIR", "Write into this folder; default ./NAME of the stand.")
 TABLE = choice("--table", ["quintic", "fourier"], "Choose the kind of table.", default="quintic")
+NAME = option("--name", "Use this name in C, so that several lie in one image.", metavar="NAME", default="programme")
 REAL_OF_FOLDER = choice("--real", ["double", "float"], "Choose the element type; default: that of the C in the folder.")
 
 
@@ -141,12 +142,13 @@ def servo(
     output: str | None = FOLDER,
     kind: str = TABLE,
     real: str | None = REAL_OF_FOLDER,
+    name: str = NAME,
 ) -> None:
     """Write a programme and the servos that follow it as C.
 
     The files of `export programme`, and NAME_servo.h and .c: gains for the wanted bandwidth, limits, trim; an example,
-    a self-test, a page. Exit status 1 if the sampled, delayed loop is not stable with enough margin; the message names
-    a bandwidth that is.
+    a self-test, a page. With --name lap the files, and all names in C, begin with NAME_lap and NAME_lap_servo. Exit
+    status 1 if the sampled, delayed loop is not stable with enough margin; the message names a bandwidth that is.
     """
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
@@ -162,8 +164,8 @@ def servo(
     chosen = element_type(folder, stand, real)
     names = Path(programme_file).name, Path(servo_file).name
     with progress(f"servos of {stand.name}"):
-        made = export_servo(stand, found, motion, wanted, chosen, kind, names)
-    paths = write_servo(folder, stand, made.programme.files, made.servo)
+        made = export_servo(stand, found, motion, wanted, chosen, kind, names, name)
+    paths = write_servo(folder, stand, made.programme.files, made.servo, name)
     print_paths(paths, (*made.programme.lines, *made.lines))
 
 
@@ -187,9 +189,7 @@ def programme(
     limit: float | None = option(
         "--limit", "Accept this relative residual of a table; default 1e-6, float 1e-3.", type=float
     ),
-    name: str = option(
-        "--name", "Use this name in C, so that several lie in one image.", metavar="NAME", default="programme"
-    ),
+    name: str = NAME,
 ) -> None:
     """Write a flywheel programme as const tables in C.
 

@@ -53,8 +53,11 @@ def export_servo(
     real: str = "double",
     kind: str = "quintic",
     sources: tuple[str, str] = ("programme", "servo"),
+    called: str = "programme",
 ) -> ExportedServo:
-    """C of a programme and of the servos that follow it. `sources` name programme and servo in messages.
+    """C of a programme and of the servos that follow it.
+
+    `sources` name programme and servo in messages; `called` names the programme in C, and so its servo.
 
     CheckError: the sampled loop is not stable with enough margin, the programme is not accurate enough, or stand,
     programme and motion do not belong together. UsageError: torques or a trim without the motion.
@@ -74,12 +77,13 @@ def export_servo(
         trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics)
         design = trim_members(made, motion, programme, servo.period)
         lines = (*lines, trim_message(made))
-    tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0])
+    tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0], called=called)
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
     values = gains(stand, servo, programme.span)
     tables = ServoTables(values, design, servo.period, ticks, periods, lines, _loop(layout, programme, motion, servo))
-    files = servo_files(stand, program, form, tables, golden(program, form, values, design), servo.name)
+    answers = golden(program, form, values, design)
+    files = servo_files(stand, program, form, tables, answers, servo.name, called)
     return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
 
 

@@ -238,10 +238,12 @@ def write_programme(
     return write_all(folder, files)
 
 
-def write_servo(folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str]) -> tuple[Path, ...]:
+def write_servo(
+    folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str], called: str = "programme"
+) -> tuple[Path, ...]:
     """Write the files of a programme and of its servo, all or none. Raises UsageError."""
-    refuse_foreign(folder, stand, "programme", programme)
-    refuse_foreign(folder, stand, "servo", servo)
+    refuse_foreign(folder, stand, "programme", programme, called)
+    refuse_foreign(folder, stand, "servo", servo, "" if called == "programme" else f"{called}_servo")
     return write_all(folder, {**programme, **servo})
 
 
