@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -31,7 +32,11 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
     found = list(FUNCTIONS)
 
     def measure(
-        stand: Stand, pairs: Sequence[tuple[Target, str]], progress: Callable[[int, int], None], lanes: int = 1
+        stand: Stand,
+        pairs: Sequence[tuple[Target, str]],
+        progress: Callable[[int, int], None],
+        lanes: int = 1,
+        only: tuple[str, ...] = (),
     ) -> Costs:
         targets = [
             TargetCost(
@@ -56,7 +61,8 @@ def generated_files(name: str, real: str) -> dict[str, str]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
-    monkeypatch.setattr(delivery, "generate", lambda stand, real, lanes=1: generated_files(stand.name, real))
+    made = lambda stand, real, lanes=1, only=(): SimpleNamespace(files=generated_files(stand.name, real))  # noqa: E731
+    monkeypatch.setattr(delivery, "generate_all", made)
     delivery.deliver(tmp_path / "out", load(DEMO3), "double", generated_files("demo3", "double"))
     return tmp_path / "out"
 

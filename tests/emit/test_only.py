@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
 import pytest
 
 from cli.run import refused
+from cli.run import run as cli
 from emit.stands import generated, stand, write
 from mahovik.core.emit.delivery import delivery
+from mahovik.core.toolchain.targets import TARGETS
+from mahovik.proof.cost.measure import measure
+from mahovik.proof.verify.delivery import delivered_only, require_place_for_cost
 from mahovik.stands import path
 from toolchain.tools import compile_c, require, run
+
+
+def _sources(folder: Path) -> list[Path]:
+    """C to compile: not the drivers of Frama-C."""
+    return [each for each in sorted(folder.glob("*.c")) if not each.stem.endswith("_eva")]
 
 
 @pytest.mark.parametrize("only", ["forward,torque", "step", "mounts", "quaternion", "accumulate", "inverse,prepare"])
@@ -23,7 +33,7 @@ def test_a_part_compiles_and_passes_its_self_test(only: str, tmp_path: Path) -> 
     public = re.findall(r"^sat4_status sat4_(\w+)\(|^sat4_real sat4_(\w+)\(", header, re.MULTILINE)
     assert {a or b for a, b in public} == {*names, *(["prepare_mounts"] if "mounts" in names else [])}
     program = tmp_path / "program"
-    compile_c(require("gcc", "gcc"), *sorted(tmp_path.glob("*.c")), "-O1", "-ffp-contract=off", "-o", program)
+    compile_c(require("gcc", "gcc"), *_sources(tmp_path), "-O1", "-ffp-contract=off", "-o", program)
     log = run(program)
     assert log.splitlines()[-1] == "failures 0"
     assert all(name in log for name in names)
@@ -41,4 +51,50 @@ def test_a_part_is_text_of_the_whole_and_smaller() -> None:
 def test_an_unknown_function_is_refused() -> None:
     message = refused("generate", str(path("sat4")), "--only", "forward,torqe")
     assert '--only torqe: the C of sat4 has no such function, did you mean "torque"?' in message
-    assert "--only: not with --batch" in refused("generate", str(path("sat4")), "--only", "forward", "--batch")
+    assert "no function of --only accumulate has a batch, expected one of " in refused(
+        "generate", str(path("sat4")), "--only", "accumulate", "--batch"
+    )
+
+
+def test_a_part_has_lanes_and_batches(tmp_path: Path) -> None:
+    """With lanes it passes its self-test; batches are those of the chosen functions, not of what these call."""
+    for name, files in (
+        ("lanes", delivery(stand("sat4"), lanes=4, only=("forward",))),
+        ("batch", delivery(stand("sat4"), batch=True, only=("step", "torque"))),
+    ):
+        folder = tmp_path / name
+        folder.mkdir()
+        write(files, folder)
+        compile_c(require("gcc", "gcc"), *_sources(folder), "-O1", "-ffp-contract=off", "-o", folder / "program")
+        assert run(folder / "program").splitlines()[-1] == "failures 0"
+    header = (tmp_path / "batch" / "sat4_batch.h").read_text()
+    found = set(re.findall(r"\bsat4_(\w+)_batch(?:_of)?\(", header))
+    assert found == {"step", "torque"}
+
+
+def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path) -> None:
+    folder, given = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
+    assert cli("generate", *given, "-o", folder).exit_code == 0
+    assert json.loads((tmp_path / "part" / "manifest.json").read_text())["only"] == ["torque", "forward"]
+    assert delivered_only(tmp_path / "part") == ("torque", "forward")
+    assert cli("generate", *given, "-o", folder, "--check").exit_code == 0
+    require_place_for_cost(tmp_path / "part", stand("sat4"))  # knows the C as that of a part
+    message = refused("verify", str(path("sat4")), "--against", folder)
+    assert "holds the C of --only torque,forward, expected all functions: run its self-test" in message
+    assert "manifest.json: does not list these files" in refused(
+        "generate", str(path("sat4")), "--only", "forward,torque", "-o", folder, "--check", status=1
+    )
+
+
+def test_a_part_is_measured() -> None:
+    """Its public functions alone, on this machine."""
+    require("valgrind", "valgrind")
+    (target,) = measure(stand("sat4"), [(TARGETS["host"], "double")], only=("torque",)).targets
+    assert [f.function for f in target.functions] == ["torque"]
+
+
+def test_drivers_of_frama_c_are_those_of_the_part() -> None:
+    files = delivery(stand("sat4"), only=("forward", "torque"))
+    drivers = re.findall(r"^void sat4_eva_\w+?_(\w+)\(void\)", files["sat4_eva.c"], re.MULTILINE)
+    assert set(drivers) == {"forward", "torque"}
+    assert "any_forward" in files["sat4_eva.sh"] and "momentum" not in files["sat4_eva.sh"].partition("split=")[0]

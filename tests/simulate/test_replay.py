@@ -239,7 +239,7 @@ def test_damage_is_jumped_over_to_the_next_start(bench8: Recorder) -> None:
 def test_another_format_is_named(bench8: Recorder) -> None:
     data = bytearray(bench8.log)
     data[len(MAGIC)] = 9
-    assert "format 9, this mahovik reads 1" in damages(bytes(data))[0]
+    assert "format 9, this mahovik reads 1 and 2" in damages(bytes(data))[0]
 
 
 # ---- files ----

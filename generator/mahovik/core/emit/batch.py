@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.calls import call, nested_loops, over_members
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import given_zeros, pointed, zeros
@@ -27,6 +28,11 @@ def batch_files(stand: Stand, generated: Generated) -> dict[str, str]:
     if generated.layout.lanes > 1 or generated.fast:
         raise UsageError("--batch: not with --lanes, --fast: it has lanes of its own, and the bits of single calls")
     made = batches(generated.program)
+    if not made.batches:
+        names = ", ".join(name for name in BATCHED)
+        raise UsageError(
+            f"--batch: no function of --only {','.join(generated.only)} has a batch, expected one of {names}"
+        )
     printer = _Printer(generated, made, Code(made.program, identities(stand)))
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}
 

@@ -9,6 +9,7 @@ from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
 from mahovik.core.program.function import Function, Program
+from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.types import Struct
 
 
@@ -50,7 +51,7 @@ def _argument(a: Argument, names: Names, restrictable: bool) -> str:
 
 
 def contract(function: Function, names: Names, program: Program) -> list[str]:
-    """The comment above a public prototype: purpose, equation, arguments, statuses, cost."""
+    """The comment above a public prototype: purpose, equation, arguments, statuses, cost, stack."""
     lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
     width = max((len(_shaped(a)) for a in function.arguments), default=0)
     for a in function.arguments:
@@ -68,7 +69,8 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
         if any(a.direction != "in" for a in function.arguments):
             text += " Nothing is written when the status is negative."
         lines += paragraph(text, " * ", " * ")
-    lines += paragraph(counted(function, program), " * ", " * ")
+    text = f"{counted(function, program)} Stack: at most {stack_bound(function, program)} bytes."
+    lines += paragraph(text, " * ", " * ")
     lines[-1] += " */"
     return lines
 

@@ -16,7 +16,12 @@ from mahovik.core.program.types import Field, Kind, Struct, leaves
 MAGIC = b"\x89MHVK\r\n\x1a"
 """First bytes of a start record. They show whether a transfer as text has damaged a log."""
 
-FORMAT = 1
+FORMAT = 2
+"""Version of a log that recorders write. In version 1 the hash of a state was made byte by byte."""
+
+READ = (1, FORMAT)
+"""Versions that `replay` reads."""
+
 STEP = 0x53
 """First byte of the record of a step."""
 
@@ -33,7 +38,7 @@ _MEMBERS = ("POSITION", "ATTITUDE", "V", "PHI", "PHI_DOT")
 
 RESERVED = frozenset(
     (
-        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORD_BYTES", "RECORD_MEMBERS"),
+        *("RECORDER_H", "RECORDER_FORMAT", "RECORDER_SOURCE", "RECORD_BYTES"),
         *(
             "RECORD_STEP",
             "RECORD_REAL_BYTES",
@@ -48,9 +53,18 @@ RESERVED = frozenset(
 """Names of the recorder's header and source, that no flywheel may have."""
 
 
-def state_hash(members: Sequence[bytes]) -> int:
-    """Hash of a state from the bytes of its members: over their hashes, a word at a time."""
-    return fnv1a_words(map(fnv1a, members))
+def state_hash(members: Sequence[bytes], version: int = FORMAT) -> int:
+    """Hash of a state from the bytes of its members, as a log of that version has it.
+
+    A word that differs always gives another hash. The turn makes each bit of a word move between two words, so that
+    changes of sign of two numbers do not cancel.
+    """
+    if version == 1:
+        return fnv1a_words(map(fnv1a, members))
+    data, found = b"".join(members), fnv1a(b"")
+    for (word,) in struct.iter_unpack("<I", data):
+        found = fnv1a_words([word], (found << 5 | found >> 27) & 0xFFFFFFFF)
+    return found
 
 
 def logged(layout: Layout) -> tuple[Field, ...]:

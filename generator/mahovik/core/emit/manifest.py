@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from mahovik import __version__
@@ -24,10 +24,22 @@ def digest(content: str | bytes) -> str:
 
 
 def manifest(
-    stand: Stand, real: str, files: Mapping[str, str], project: str = "", lanes: int = 1, fast: bool = False
+    stand: Stand,
+    real: str,
+    files: Mapping[str, str],
+    project: str = "",
+    lanes: int = 1,
+    fast: bool = False,
+    only: Sequence[str] = (),
 ) -> str:
-    """Text of the manifest of files, name to content; `project`: the target whose exported project they are."""
-    more = {"lanes": lanes, **({"fast": True} if fast else {}), **({"project": project} if project else {})}
+    """Text of the manifest of files, name to content.
+
+    `project`: the target whose exported project they are; `only`: public functions that were asked for, else all.
+    """
+    more: dict[str, Any] = {"lanes": lanes}
+    more |= {"fast": True} if fast else {}
+    more |= {"only": list(only)} if only else {}
+    more |= {"project": project} if project else {}
     return manifest_with(stand, real, files, more)
 
 

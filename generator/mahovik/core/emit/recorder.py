@@ -9,7 +9,7 @@ from typing import Any
 
 from mahovik.core.emit.calls import nested_loops, over_rows
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import prototype
+from mahovik.core.emit.declaration import pointed, prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged, table_bytes
@@ -17,7 +17,8 @@ from mahovik.core.emit.names import Names
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.call import Argument
-from mahovik.core.program.function import Function
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -30,9 +31,11 @@ def source_hash(files: dict[str, str], name: str) -> int:
 
 def recorded(generated: Generated) -> bool:
     """Whether there are steps whose logs can be repeated."""
-    return not generated.fast and any(
-        f.name in ("step", "step_driven") for f in generated.program.functions if f.public
-    )
+    return not generated.fast and bool(logging(generated.program))
+
+
+_FRAMES = 320
+"""Bytes of stack that the recorder's own functions take at most, one within another, besides the record."""
 
 
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:
@@ -51,13 +54,14 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
     fixed = 7 + 9 + count * size
     state = sum(int(f.shape[0]) for f in layout.state.fields) * size
     changing = size + 4 + state + 3 * size * layout.stream + (count + 7) // 8
+    longest = fixed + changing + 6 * wrenches * size
     flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
     flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
     return {
         "lanes": layout.lanes,
         "source": f"{source_hash(generated.files, name):08x}",
         "table_bytes": len(table),
-        "longest": fixed + changing + 6 * wrenches * size,
+        "longest": longest,
         "shortest": fixed,
         "format": FORMAT,
         "magic": [f"0x{byte:02x}" for byte in MAGIC],
@@ -73,7 +77,8 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
             for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).held()
         ],
         "start_prototype": prototype(_start(layout), names),
-        "functions": [_step(f, names) for f in program.functions if f.name in ("step", "step_driven")],
+        "start_stack": _rounded(longest + _FRAMES),
+        "functions": [_step(f, names) | {"stack": _rounded(_stack(f, program) + longest)} for f in logging(program)],
     }
 
 
@@ -86,19 +91,33 @@ def _start(layout: Layout) -> Function:
     return Function("recorder_start", "", arguments, (), returns=Kind.STATUS, public=True)
 
 
+def logging(program: Program) -> list[Function]:
+    """The steps with a log, without bodies: the result of each replaces its state."""
+    return [_logging(f) for f in program.functions if f.public and f.name in ("step", "step_driven")]
+
+
+def _logging(f: Function) -> Function:
+    arguments = [Argument("x", a.type, (), "inout") if a.name == "x" else a for a in f.arguments if a.name != "next"]
+    return Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
+
+
+def _stack(logged: Function, program: Program) -> int:
+    """Bound of the stack of a step with a log, without the record."""
+    return stack_bound(program.function(logged.name.removeprefix("recorder_")), program) + _FRAMES
+
+
+def _rounded(stack: int) -> int:
+    return -(-stack // 16) * 16
+
+
 def _step(f: Function, names: Names) -> dict[str, Any]:
-    """A step function with a log: its result replaces its state."""
-    state = next(a for a in f.arguments if a.name == "x")
-    arguments = [a for a in f.arguments if a.name != "next"]
-    arguments[arguments.index(state)] = Argument("x", state.type, (), "inout")
-    taken = [a.name for a in arguments]
-    pointers = [a.name for a in arguments if (a.shape or a.variable.pointer) and not a.optional]
-    condition = " || ".join(f"{p} == NULL" for p in ["log", *pointers])
+    """Values of the template for a step with a log."""
+    taken = [a.name for a in f.arguments[1:]]
+    condition = " || ".join(f"{a.name} == NULL" for a in pointed(f))
     text = f"if ({condition} || log->write == NULL) {{ return {names.constant('BAD_ARGUMENT')}; }}"
-    logging = Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
     return {
-        "name": f.name,
-        "prototype": prototype(logging, names),
+        "name": f.name.removeprefix("recorder_"),
+        "prototype": prototype(f, names),
         "null_check": wrapped(text, "    "),
         "drive": next((n for n in ("tau", "phi_ddot") if n in taken), ""),
         "driven": "phi_ddot" in taken,

@@ -16,6 +16,9 @@ STACK_FLAGS = ("-fstack-usage", "-fcallgraph-info=su")
 
 _NODE = re.compile(r'node: \{ title: "([^"]+)" label: "([^"]+)"')
 _EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
+_POINTER = "__indirect_call"
+"""What gcc's graph calls a function that is known by its address alone, such as the one that takes a log."""
+
 _FRAME = re.compile(r"\\n(\d+) bytes \(([^)]*)\)")
 
 
@@ -52,7 +55,18 @@ class Footprint:
 
     def routines(self, function: str) -> list[str]:
         """Functions of the compiler's library that it calls."""
-        return sorted(name for name in self.reached(function) if name not in self.frames)
+        return sorted(name for name in self.reached(function) if name not in self.frames and name != _POINTER)
+
+    def beside(self, other: Footprint) -> Footprint:
+        """Both objects as one, so that calls of one lead into the other."""
+        return Footprint(
+            {**self.code, **other.code},
+            {**self.constants, **other.constants},
+            {**self.frames, **other.frames},
+            {**self.calls, **other.calls},
+            self.text + other.text,
+            self.data + other.data,
+        )
 
     def stack_of(self, function: str) -> int:
         """Bytes of stack along the deepest chain of calls. Raises ToolchainError where a chain has no end."""

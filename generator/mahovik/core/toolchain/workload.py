@@ -9,6 +9,7 @@ from typing import Any
 from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.calls import address, argument_text, call, declaration, initialiser_of
 from mahovik.core.emit.names import Names
+from mahovik.core.emit.recorder import logging
 from mahovik.core.emit.templates import template
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -35,10 +36,11 @@ class Line:
     stack: int
 
 
-def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
+def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bool = False) -> str:
     """C that calls each public function with the arguments of each state, by argument name.
 
     `x` and what has no constant in the emitted C comes from `states`; a function with `order` is called with 4 and 2.
+    `recorder`: the steps of the recorder as well.
     """
     names = Names(program.name)
     public = [f for f in program.functions if f.public]
@@ -52,10 +54,10 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
                 taken.setdefault(a.name, a)
     calls = []
     for f in public:
-        orders = (4, 2) if any(a.name == "order" for a in f.arguments) else (0,)
-        for order in orders:
-            label = f.name if order in (0, 4) else f"{f.name}(order=2)"
-            calls.append({"label": label, "text": _call(f, names, order)})
+        for order in (4, 2) if any(a.name == "order" for a in f.arguments) else (0,):
+            calls.append({"label": _label(f, order), "text": _call(f, names, order)})
+    steps = [(f, order) for f in (logging(program) if recorder else ()) for order in (4, 2)]
+    calls += [{"label": _label(f, order), "text": f"{f.name}_{order}(s)"} for f, order in steps]
     return template("workload.c.j2").render(
         name=program.name,
         states=len(states),
@@ -64,6 +66,8 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]]) -> str:
         constants=[_constant(a, states, names, program.precision) for a in taken.values()],
         outputs=[declaration(names, a, key) for key, a in written.items()],
         preparation=list(_preparation(public, names)),
+        recorder=recorder,
+        steps=[{"name": f"{f.name}_{order}", "text": _logged(f, names, order)} for f, order in steps],
         calls=calls,
     )
 
@@ -89,6 +93,16 @@ def _preparation(public: Sequence[Function], names: Names) -> list[str]:
         if f.name == "prepare_mounts":
             lines.append(f"(void){_call(f, names, 0)};")
     return lines
+
+
+def _label(f: Function, order: int) -> str:
+    return f"{f.name}(order=2)" if order == 2 else f.name
+
+
+def _logged(f: Function, names: Names, order: int) -> str:
+    """The call of a step with a log; the state and the log are those of the program."""
+    own = {"log": "&log", "x": "&logged", "table": f"&{names.function('default')}", "order": str(order)}
+    return call(names, f, lambda a: own.get(a.name) or argument_text(a, f"{a.name}[s]"))
 
 
 def _call(f: Function, names: Names, order: int) -> str:

@@ -33,7 +33,7 @@ def cost(
     accept: bool = flag("--accept", "Accept the figures for later comparison."),
     as_json: bool = json_option("Print the figures as JSON."),
 ) -> None:
-    """Measure the C of a stand on processors, with as many lanes as the C in the folder has.
+    """Measure the C of a stand on processors, with the lanes and functions that the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
@@ -52,6 +52,7 @@ def cost(
         accepted_figures,
         add_to_delivery,
         delivered_lanes,
+        delivered_only,
         require_place_for_cost,
     )
 
@@ -71,7 +72,7 @@ def cost(
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     lanes = delivered_lanes(folder)
     before = read_accepted(text, str(folder / FIGURES), lanes) if text is not None else None
-    found = _measured(stand, pairs, lanes)
+    found = _measured(stand, pairs, lanes, delivered_only(folder))
     if as_json:
         print_json_text(json_text(found))
     elif not usual and not check:
@@ -103,8 +104,8 @@ def _compare(
     click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}", err=quiet)
 
 
-def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int) -> Costs:
+def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int, only: tuple[str, ...]) -> Costs:
     from mahovik.proof.cost.measure import measure
 
     with progress(f"cost of {stand.name}", len(pairs)) as stage:
-        return measure(stand, pairs, stage.at, lanes)
+        return measure(stand, pairs, stage.at, lanes, only)

@@ -53,8 +53,6 @@ def generate(
     from mahovik.proof.verify.delivery import deliver, differences
 
     chosen = tuple(dict.fromkeys(name.strip() for name in only.split(","))) if only is not None else ()
-    if chosen and batch:
-        raise UsageError("--only: not with --batch")
     if lanes is None:
         lanes = host_lanes(len(stand.flywheels)) if fast else 1
     if lanes > 1 and not stand.flywheels:
@@ -63,14 +61,14 @@ def generate(
         files = delivery(stand, real, lanes, fast, batch, chosen)
     folder = Path(output if output is not None else stand.name)
     if check:
-        found = differences(folder, stand, real, files, lanes, fast)
+        found = differences(folder, stand, real, files, lanes, fast, chosen)
         if found:
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
         return
     if real == "float":
         _warn(stand)
-    done = deliver(folder, stand, real, files, lanes=lanes, fast=fast)
+    done = deliver(folder, stand, real, files, lanes=lanes, fast=fast, only=chosen)
     for path in done.paths:
         click.echo(f"{click.format_filename(path)}   {path.read_text(encoding='utf-8').count(chr(10))} lines")
     print_paths((), done.notes)

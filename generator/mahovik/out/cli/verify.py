@@ -96,6 +96,10 @@ def verify(
         return
     wants = read_wants(want)
     stand, folder = load_stand(stand_file), None if against is None else Path(against)
+    if folder is not None:
+        from mahovik.proof.verify.delivery import refuse_part
+
+        refuse_part(folder)
     if rigorous:
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return

@@ -11,6 +11,7 @@ from typing import Any
 from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
+from mahovik.core.emit.recorder import recorded, recorder_files
 from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Struct
@@ -137,14 +138,15 @@ def measure(
     pairs: Sequence[tuple[Target, str]],
     progress: Callable[[int, int], None] | None = None,
     lanes: int = 1,
+    only: tuple[str, ...] = (),
 ) -> Costs:
-    """Builds and runs the measuring program on each target.
+    """Builds and runs the measuring program on each target; `only`: of C that has these public functions alone.
 
     Raises ToolchainError where a tool is missing.
     """
     for target, _ in pairs:
         require(target)
-    made = {real: generate_all(stand, real, lanes) for real in dict.fromkeys(real for _, real in pairs)}
+    made = {real: generate_all(stand, real, lanes, only=only) for real in dict.fromkeys(real for _, real in pairs)}
     names = identities(stand)
     found = []
     with side_by_side() as pool:
@@ -160,15 +162,20 @@ def _measure_target(stand: Stand, made: Generated, target: Target, real: str) ->
     states = measuring_states(made.program)
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
         scratch = Path(folder)
-        files = {**made.files, "workload.c": workload(made.program, states)}
-        program = build(target, files, scratch, extra=STACK_FLAGS)
+        log = recorded(made)
+        files = {**made.files, **(recorder_files(stand, made) if log else {})}
+        program = build(
+            target, {**files, "workload.c": workload(made.program, states, log)}, scratch, extra=STACK_FLAGS
+        )
         if target.name in NATIVE:
-            programs = (workload(made.program, [state]) for state in states)
-            lines = [line for text in programs for line in instructions_of_host(target, made.files, text, scratch)]
+            programs = (workload(made.program, [state], log) for state in states)
+            lines = [line for text in programs for line in instructions_of_host(target, files, text, scratch)]
         else:
             lines = read(run(target, program, _TIMEOUT))
-        found = footprint(target.compiler[0], scratch / f"{stand.name}.o")
-    functions = [_function(stand, found, lines, name) for name in dict.fromkeys(line.function for line in lines)]
+        found = whole = footprint(target.compiler[0], scratch / f"{stand.name}.o")
+        if log:
+            whole = found.beside(footprint(target.compiler[0], scratch / f"{stand.name}_recorder.o"))
+    functions = [_function(stand, whole, lines, name) for name in dict.fromkeys(line.function for line in lines)]
     named = sum(found.constants.values())
     return TargetCost(
         target=target.name,

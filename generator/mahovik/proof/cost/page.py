@@ -29,6 +29,8 @@ def page(costs: Costs) -> str:
         "What `inverse` costs depends on the state, by limits and damping: its count is of these states, others cost "
         "more.\nThe bytes of a flywheel are those of the table; parameters and options come on top, and "
         "`--gc-sections` drops them\nwhere the program does not name them.\n\n"
+        "A step of the recorder (`recorder_step`) is one whose state nothing but steps has written to; taking the "
+        "record is not\ncounted. Its painted stack has a frame of the measuring program in it.\n\n"
         f"SHA-256 of the measured `{costs.stand}.c`, by element type:\n\n```text{sources}\n```\n"
     )
     for target in costs.targets:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.core.emit.generate import LANES, PRECISIONS, generate
+from mahovik.core.emit.generate import LANES, PRECISIONS, generate_all
 from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
 from mahovik.core.emit.reading import read_header
 from mahovik.core.stand.content import content
@@ -66,6 +66,7 @@ def deliver(
     project: str = "",
     lanes: int = 1,
     fast: bool = False,
+    only: Sequence[str] = (),
 ) -> Delivered:
     """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
 
@@ -84,7 +85,7 @@ def deliver(
     stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST)
-    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast)})
+    paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
     notes = []
     for name in stale:
         (folder / name).unlink(missing_ok=True)
@@ -94,7 +95,13 @@ def deliver(
 
 
 def differences(
-    folder: Path, stand: Stand, real: str, files: Mapping[str, str], lanes: int = 1, fast: bool = False
+    folder: Path,
+    stand: Stand,
+    real: str,
+    files: Mapping[str, str],
+    lanes: int = 1,
+    fast: bool = False,
+    only: Sequence[str] = (),
 ) -> list[str]:
     """Differences of the folder from what `deliver` would leave, a line each; none if it is as the stand file gives it.
 
@@ -127,7 +134,7 @@ def differences(
     if not path.is_file():
         found.append(f"{path}: is missing")
     elif (listed := path.read_text(encoding="utf-8", errors="replace")) != manifest(
-        stand, real, {**files, **kept}, lanes=lanes, fast=fast
+        stand, real, {**files, **kept}, lanes=lanes, fast=fast, only=only
     ):
         unlisted = [name for name, text in kept.items() if f'"{name}": "{digest(text)}"' not in listed]
         found += [f"{folder / name}: is not what {NAME} lists" for name in unlisted]
@@ -158,7 +165,8 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
                 f"{folder}: holds C of --fast, for the host alone: `mahovik generate` without it first, "
                 "nothing was written"
             )
-        if _text(folder, f"{stand.name}.c") != generate(stand, old["real"], manifest_lanes(old))[f"{stand.name}.c"]:
+        made = generate_all(stand, old["real"], manifest_lanes(old), only=_manifest_only(old)).files
+        if _text(folder, f"{stand.name}.c") != made[f"{stand.name}.c"]:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
             )
@@ -194,6 +202,26 @@ def delivered_lanes(folder: Path) -> int:
     return 1 if found is None else manifest_lanes(found)
 
 
+def delivered_only(folder: Path) -> tuple[str, ...]:
+    """The public functions that the C in a folder was made for, by its manifest; empty: all. Raises UsageError."""
+    found = _manifest(folder)
+    return () if found is None else _manifest_only(found)
+
+
+def refuse_part(folder: Path) -> None:
+    """Raises UsageError for a folder of `generate --only`: what compares every function needs them all."""
+    only = delivered_only(folder)
+    if only:
+        raise UsageError(
+            f"{folder}: holds the C of --only {','.join(only)}, expected all functions: run its self-test, "
+            "whose answers are those of the whole, or generate the whole"
+        )
+
+
+def _manifest_only(found: Mapping[str, Any]) -> tuple[str, ...]:
+    return tuple(found.get("only", ()))
+
+
 def manifest_lanes(found: Mapping[str, Any]) -> int:
     """Lanes in a manifest; 1 in one that was written before there were any."""
     return int(found.get("lanes", 1))
@@ -209,6 +237,8 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
         known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
         known = known and found.get("lanes", 1) in LANES
+        only = found.get("only", [])
+        known = known and isinstance(only, list) and all(isinstance(name, str) for name in only)
         if known and isinstance(found["files"], dict):
             return dict(found)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP
+from mahovik.core.emit.log_format import CHANGING, MAGIC, READ, STEP
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.stand.content import FLIGHT, content
 from mahovik.errors import UsageError
@@ -26,9 +26,13 @@ FLAGS = {name: bit for name, (bit, _) in CHANGING.items()}
 
 @dataclass(frozen=True)
 class Start:
-    """A start record: identity of the log's stand, and the state before step `count`. `real` is "double" or "float"."""
+    """A start record: identity of the log's stand, and the state before step `count`.
+
+    `real` is "double" or "float"; `version`: of the log's format.
+    """
 
     offset: int
+    version: int
     stand: str
     real: str
     structure: str
@@ -47,10 +51,11 @@ class Step:
     """The record of one step: all inputs and the result.
 
     `written` are members of the state set since the previous step; `drive` is tau, or phi_ddot if `driven`; `hash` is
-    of the state after the step.
+    of the state after the step, made as the `version` of the format says.
     """
 
     offset: int
+    version: int
     count: int
     written: Mapping[str, Reals]
     dt: float
@@ -223,8 +228,9 @@ class _Reader:
         read = _Bytes(self._data, at)
         read.take(len(MAGIC))
         version, size = read.number("B"), read.number("B")
-        if version != FORMAT:
-            return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {FORMAT}"), at
+        if version not in READ:
+            known = " and ".join(map(str, READ))
+            return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {known}"), at
         if size not in (4, 8):
             return self._damaged(at), at
         real = "double" if size == 8 else "float"
@@ -238,7 +244,7 @@ class _Reader:
         if not read.checked():
             return self._damaged(at), at
         self._start = Start(
-            *(at, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
+            *(at, version, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
             *(table_hash, count, state, table),
         )
         self._next = count
@@ -293,7 +299,7 @@ class _Reader:
         if not read.checked():
             return None
         driven = bool(flags & FLAGS["DRIVEN"])
-        step = Step(at, count, written, dt, order, drive, driven, locked, wrench, stream, status, after)
+        step = Step(at, start.version, count, written, dt, order, drive, driven, locked, wrench, stream, status, after)
         return step, read.at
 
 

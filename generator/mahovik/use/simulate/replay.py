@@ -44,7 +44,7 @@ class Outcome:
         """How the step differs from the log."""
         if self.status != self.step.status:
             return f"status {status_words(self.step.status)} in the log, {status_words(self.status)} here"
-        here = state_hash([m.tobytes() for m in self.after.values()])
+        here = _hash(self.after, self.step)
         return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
 
 
@@ -184,10 +184,15 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
         before = machine.state()
         status = machine.step(record)
         after = machine.state()
-        equal = status == record.status and state_hash([m.tobytes() for m in after.values()]) == record.hash
+        equal = status == record.status and _hash(after, record) == record.hash
         yield Outcome(record, before, after, status, equal, table)
         if not equal:
             return
+
+
+def _hash(state: Members, step: Step) -> int:
+    """Hash of a state as the log of a step has it."""
+    return state_hash([m.tobytes() for m in state.values()], step.version)
 
 
 def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:

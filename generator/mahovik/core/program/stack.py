@@ -1,0 +1,65 @@
+"""Bounds of the stack that a function of a program takes: from its own tree, without a compiler.
+
+What a compiler makes of a function is not known here, so a bound is generous: measured frames of gcc and clang, at -O1
+to -O3 and -Os, 32 and 64 bits, stay below it; tests/emit/test_stack.py compares.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from mahovik.core.program.cost import cost
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.statement import Declare, Let, Loop
+from mahovik.core.program.types import Struct, numbers
+from mahovik.core.program.walk import called, statements
+
+FRAME = 48
+"""Bytes of a call: return address and saved registers."""
+
+SCALAR = 8
+"""Bytes of a scalar local, an argument or an index, each of which may be spilled."""
+
+SHARE = 1.25
+"""Factor on both and on arrays: copies that a compiler makes where it inlines, unrolls and forms vectors."""
+
+START = 128
+"""Bytes besides: a function may save all registers of a processor, once."""
+
+TEMPORARIES = 56
+"""Results of operations without a name that a compiler keeps at once, where it unrolls a loop; each as a scalar."""
+
+_STEP = 16
+"""A bound is a multiple of this, to which compilers align frames."""
+
+
+def stack_bound(function: Function, program: Program) -> int:
+    """Bytes of stack of a call, with all that it calls."""
+    deepest = SHARE * _deepest(function, program.precision.width // 8, _depths(program)) + START
+    deepest += SCALAR * min(cost(function, program.functions).total, TEMPORARIES)
+    return -int(-deepest // _STEP) * _STEP
+
+
+@lru_cache(maxsize=8)
+def _depths(program: Program) -> dict[str, int]:
+    """Bytes along the deepest chain of calls from each function: a program has each after those that it calls."""
+    found: dict[str, int] = {}
+    for function in program.functions:
+        found[function.name] = _deepest(function, program.precision.width // 8, found)
+    return found
+
+
+def _deepest(function: Function, width: int, below: dict[str, int]) -> int:
+    return _frame(function, width) + max((below[name] for name in called(function.body)), default=0)
+
+
+def _frame(function: Function, width: int) -> int:
+    """Arrays and structs in full, side by side, and all else."""
+    large, scalars = 0, len(function.arguments)
+    for s in statements(function.body):
+        match s:
+            case Let(variable) | Declare(variable) if variable.shape or isinstance(variable.type, Struct):
+                large += numbers(variable.type, variable.shape) * width
+            case Let() | Declare() | Loop():
+                scalars += 1
+    return large + SCALAR * scalars + FRAME

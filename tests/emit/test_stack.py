@@ -1,0 +1,120 @@
+"""The stack that headers state: above what compilers take, and not far above."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from emit.stands import stand, write
+from export.programmes import exported as programme
+from export.servos import exported as servos
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.program.function import Program
+from mahovik.core.program.stack import stack_bound
+from mahovik.core.program.walk import called
+from mahovik.stands import names
+from toolchain.tools import compile_c, require
+
+GENERATED = Path(__file__).resolve().parents[2] / "generated"
+
+ROOM = 1104
+"""Bytes above three times the measured stack that a bound may be: small functions on a processor with large registers
+in mind, and `prepare_mounts` in float, whose deep chain of small functions gcc compiles into one."""
+
+LEVELS = ("-O1", "-O2", "-O3", "-Os")
+
+
+def stated(header: str) -> dict[str, int]:
+    """Bytes that a header states, by function."""
+    found = re.findall(r"/\* (\w+): (?:(?!\*/).)*?Stack: at most (\d+) bytes\. \*/", header, re.DOTALL)
+    return {name: int(size) for name, size in found}
+
+
+def frames(listing: Path, prefix: str) -> Mapping[str, int]:
+    """Frames by function without the stand's prefix; of clones of a function the largest, of its parts the sum."""
+    found: dict[str, int] = {}
+    for line in listing.read_text().splitlines():
+        place, size, kind = line.split("\t")
+        assert kind in ("static", "dynamic,bounded"), line
+        symbol, _, suffix = place.rpartition(":")[2].removeprefix(f"{prefix}_").partition(".")
+        before = found.get(symbol, 0)
+        found[symbol] = before + int(size) if "part" in suffix else max(before, int(size))
+    return found
+
+
+def chains(program: Program, taken: Mapping[str, int]) -> dict[str, int]:
+    """Bytes along the deepest chain of calls, by function; what was compiled into its callers has no frame."""
+    found: dict[str, int] = {}
+    for f in program.functions:
+        found[f.name] = taken.get(f.name, 0) + max((found[name] for name in called(f.body)), default=0)
+    return found
+
+
+def measured(program: Program, source: Path, compiler: str, level: str) -> dict[str, int]:
+    """Stack of all functions of a source, by the compiler's frames."""
+    made = source.parent / f"{source.stem}.o"
+    compile_c(compiler, source, level, "-fstack-usage", "-c", "-o", made)
+    return chains(program, frames(made.with_suffix(".su"), program.name))
+
+
+def check(bounds: Mapping[str, int], found: Mapping[str, int], room: int) -> None:
+    """Each bound against what was measured."""
+    for name, bound in bounds.items():
+        assert found[name] <= bound <= 3 * found[name] + room, (name, found[name], bound)
+
+
+@cache
+def generated(name: str, real: str) -> Generated:
+    """Program and C of a stand."""
+    return generate_all(stand(name), real)
+
+
+@pytest.mark.parametrize("name", names())
+def test_bounds_hold_for_the_cost_tables(name: str) -> None:
+    """Every function on every target whose stack was measured; the routines of a recorder have a test of their own."""
+    tables = json.loads((GENERATED / name / "cost.json").read_text())["targets"]
+    assert len(tables) >= 4
+    for table in tables:
+        found = generated(name, table["real"]).program
+        bounds = {f.name: stack_bound(f, found) for f in found.functions if f.public}
+        rows = {row["function"]: row["stack"] for row in table["functions"]}
+        taken = {function: size for function, size in rows.items() if function in bounds}
+        assert taken.keys() == bounds.keys()
+        check(bounds, taken, ROOM)
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize(("name", "real"), [("demo3", "double"), ("everything6", "float"), ("wet7", "double")])
+def test_bounds_hold_for_every_optimisation(name: str, real: str, compiler: str, tmp_path: Path) -> None:
+    found = generated(name, real).program
+    source = write(generated(name, real).files, tmp_path)
+    bounds = stated(source.with_suffix(".h").read_text())
+    assert bounds.keys() == {f.name for f in found.functions if f.public}
+    for level in LEVELS:
+        taken = measured(found, source, require(compiler, compiler), level)
+        for function, bound in bounds.items():
+            assert taken[function] <= bound, (level, function, taken[function])
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_headers_of_servos_and_programmes_state_bounds(real: str, tmp_path: Path) -> None:
+    """Both parts, at all levels, without the functions that gcc leaves no frame."""
+    made, tables = servos("trimmed", real), programme("started", real=real)
+    write({**generated("shaker2", real).files, **made.servo, **tables.files}, tmp_path)
+    for part, own, wrapped in (
+        ("servo", made.program, {}),
+        ("programme", tables.made.program, {c.outer.name: c.inner.name for c in tables.made.courses}),
+    ):
+        source = tmp_path / f"shaker2_{part}.c"
+        bounds = stated(source.with_suffix(".h").read_text())
+        assert bounds
+        for level in LEVELS:
+            taken = measured(own, source, require("gcc", "gcc"), level)
+            outer = frames(source.with_suffix(".su"), "shaker2")
+            taken |= {name: outer[name] + taken[inner] for name, inner in wrapped.items()}
+            check(bounds, taken, ROOM)
