@@ -163,29 +163,34 @@ static void auv6_record_put_table(auv6_page *page, const auv6_table *from)
     auv6_record_put_damper(page, &from->damper);
 }
 
+/* The hash of a state so far, and one word more. */
 AUV6_CODE
-static uint32_t auv6_record_hash(const auv6_real *values, int count)
+static uint32_t auv6_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = AUV6_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * AUV6_RECORD_PRIME;
+}
+
+AUV6_CODE
+static uint32_t auv6_record_hash(uint32_t hash, const auv6_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        auv6_record_word word = auv6_record_bits(values[i]);
-        for (int k = 0; k < AUV6_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * AUV6_RECORD_PRIME;
-            word >>= 8;
-        }
+        const auv6_record_word word = auv6_record_bits(values[i]);
+        hash = auv6_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = auv6_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 AUV6_CODE
-static void auv6_hash_members(const auv6_state *x, uint32_t seen[AUV6_RECORD_MEMBERS])
+static unsigned auv6_record_differs(const auv6_real *one, const auv6_real *other, int count, unsigned flag)
 {
-    seen[0] = auv6_record_hash(x->position, 3);
-    seen[1] = auv6_record_hash(x->attitude, 4);
-    seen[2] = auv6_record_hash(x->V, 6);
-    seen[3] = auv6_record_hash(x->phi, AUV6_N);
-    seen[4] = auv6_record_hash(x->phi_dot, AUV6_N);
+    auv6_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= auv6_record_bits(one[i]) ^ auv6_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 AUV6_CODE
@@ -224,7 +229,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
         auv6_record_put_table(&page, table);
     }
     auv6_record_end(&page);
-    auv6_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return AUV6_OK;
 }
@@ -235,12 +240,12 @@ static unsigned auv6_notice_changes(auv6_recorder *log, const auv6_table *table,
                                   auv6_real dt, int order)
 {
     const auv6_record_word step = auv6_record_bits(dt);
-    uint32_t seen[AUV6_RECORD_MEMBERS];
     unsigned flags = 0;
-    auv6_hash_members(x, seen);
-    for (int i = 0; i < AUV6_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= auv6_record_differs(x->position, log->seen.position, 3, AUV6_RECORD_POSITION);
+    flags |= auv6_record_differs(x->attitude, log->seen.attitude, 4, AUV6_RECORD_ATTITUDE);
+    flags |= auv6_record_differs(x->V, log->seen.V, 6, AUV6_RECORD_V);
+    flags |= auv6_record_differs(x->phi, log->seen.phi, AUV6_N, AUV6_RECORD_PHI);
+    flags |= auv6_record_differs(x->phi_dot, log->seen.phi_dot, AUV6_N, AUV6_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= AUV6_RECORD_SETTINGS;
     }
@@ -295,10 +300,12 @@ static void auv6_record_result(auv6_page *page, auv6_recorder *log,
                               const auv6_state *x, auv6_status status)
 {
     uint32_t hash = AUV6_RECORD_BASIS;
-    auv6_hash_members(x, log->seen);
-    for (int i = 0; i < AUV6_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * AUV6_RECORD_PRIME;
-    }
+    hash = auv6_record_hash(hash, x->position, 3);
+    hash = auv6_record_hash(hash, x->attitude, 4);
+    hash = auv6_record_hash(hash, x->V, 6);
+    hash = auv6_record_hash(hash, x->phi, AUV6_N);
+    hash = auv6_record_hash(hash, x->phi_dot, AUV6_N);
+    log->seen = *x;
     auv6_record_put(page, (auv6_record_word)status, 1);
     auv6_record_put(page, hash, 4);
     auv6_record_end(page);

@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef AUV6_RECORDER_H
 #define AUV6_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define AUV6_RECORDER_FORMAT 1u           /* version of the log format */
-#define AUV6_RECORDER_SOURCE 0x7c40d754u  /* FNV-1a hash of the texts of auv6.h and auv6.c */
+#define AUV6_RECORDER_FORMAT 2u           /* version of the log format */
+#define AUV6_RECORDER_SOURCE 0x5bb4c6eau  /* FNV-1a hash of the texts of auv6.h and auv6.c */
 #define AUV6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
-#define AUV6_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct auv6_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[AUV6_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    auv6_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     uint64_t stream[3];     /* bits of the last stream */
     int order;              /* the last order */
@@ -70,7 +71,8 @@ typedef struct auv6_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 624 bytes, and that of write. */
 auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, const auv6_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -78,7 +80,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: AUV6_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 5040 bytes, and that of write. */
 auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
                                int order);
@@ -88,7 +90,7 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: AUV6_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 4160 bytes, and that of write. */
 auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                       const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order);
 

@@ -10,6 +10,9 @@
  * BENCH8_SQRT, defined for the source, takes the square root of a processor in the place of its own:
  * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
  * not called.
+ * Stack: what a function states is an upper bound with all that it calls, from its locals along the deepest chain
+ * of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64 bits. The routines of
+ * the compiler's library (memcpy, arithmetic without an FPU) come on top. COST.md, by `mahovik cost`, measures.
  * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
@@ -253,7 +256,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2607 operations on reals, 6 of them divisions. */
+ * At most 2607 operations on reals, 6 of them divisions. Stack: at most 2336 bytes. */
 bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -262,7 +265,7 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2364 operations on reals, 3 of them divisions. */
+ * At most 2364 operations on reals, 3 of them divisions. Stack: at most 2080 bytes. */
 bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -270,7 +273,7 @@ bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, be
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 3228 operations on reals, 3 of them divisions. */
+ * At most 3228 operations on reals, 3 of them divisions. Stack: at most 2240 bytes. */
 bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -278,7 +281,7 @@ bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2440 operations on reals, 1 of them a division. */
+ * At most 2440 operations on reals, 1 of them a division. Stack: at most 1616 bytes. */
 bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -288,7 +291,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1444 operations on reals, 1 of them a division. */
+ * At most 1444 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
@@ -302,7 +305,7 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4026 operations on reals, 7 of them divisions. */
+ * At most 4026 operations on reals, 7 of them divisions. Stack: at most 3440 bytes. */
 bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
@@ -321,7 +324,7 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 16927 operations on reals, 34 of them divisions. */
+ * At most 16927 operations on reals, 34 of them divisions. Stack: at most 4752 bytes. */
 bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -338,7 +341,7 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11251 operations on reals, 30 of them divisions. */
+ * At most 11251 operations on reals, 30 of them divisions. Stack: at most 3744 bytes. */
 bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -348,7 +351,7 @@ bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. */
+ * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
 bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -359,7 +362,7 @@ bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
 bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -369,7 +372,7 @@ bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, 
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
 bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -381,7 +384,7 @@ bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, be
  * Call it before the counter has moved by half its range (by half a turn if bits is 0).
  * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
- * No operation on reals. */
+ * No operation on reals. Stack: at most 304 bytes. */
 bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
@@ -392,7 +395,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10673 operations on reals, 96 of them divisions. */
+ * At most 10673 operations on reals, 96 of them divisions. Stack: at most 5088 bytes. */
 bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N],
                                       bench8_forward_jacobian_result *out);
@@ -406,7 +409,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 26115 operations on reals, 128 of them divisions. */
+ * At most 26115 operations on reals, 128 of them divisions. Stack: at most 8656 bytes. */
 bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_jacobian_result *out);
@@ -422,7 +425,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 52744 operations on reals, 1396 of them divisions. */
+ * At most 52744 operations on reals, 1396 of them divisions. Stack: at most 5216 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -438,7 +441,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4496 operations on reals, 115 of them divisions. */
+ * At most 4496 operations on reals, 115 of them divisions. Stack: at most 5136 bytes. */
 bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
@@ -447,7 +450,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. */
+ * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -460,7 +463,7 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. */
+ * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
                                             const bench8_real q_dot[6], const bench8_real q_ddot[6],
                                             bench8_state *x, bench8_real V_dot[6]);
@@ -474,7 +477,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7628 operations on reals, 11 of them divisions. */
+ * At most 7628 operations on reals, 11 of them divisions. Stack: at most 5136 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);
@@ -489,7 +492,7 @@ bench8_status bench8_generalized(const bench8_table *table, const bench8_state *
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10673 operations on reals, 68 of them divisions. */
+ * At most 10673 operations on reals, 68 of them divisions. Stack: at most 2016 bytes. */
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -501,7 +504,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
  *   mount_wrench[48]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2991 operations on reals, 1 of them a division. */
+ * At most 2991 operations on reals, 1 of them a division. Stack: at most 1824 bytes. */
 bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48]);
@@ -511,7 +514,7 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3480 operations on reals, 59 of them divisions. */
+ * At most 3480 operations on reals, 59 of them divisions. Stack: at most 1552 bytes. */
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -527,7 +530,7 @@ bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 17303 operations on reals, 34 of them divisions. */
+ * At most 17303 operations on reals, 34 of them divisions. Stack: at most 5056 bytes. */
 bench8_status bench8_step_carried(const bench8_table *table, const bench8_state *x,
                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                   bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next);
@@ -545,7 +548,7 @@ bench8_status bench8_step_carried(const bench8_table *table, const bench8_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11627 operations on reals, 30 of them divisions. */
+ * At most 11627 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
 bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                          bench8_step_carry *carry, bench8_state *next);
@@ -555,7 +558,7 @@ bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2076 operations on reals, 1 of them a division. */
+ * At most 2076 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
                                              bench8_real center_of_mass_velocity[3]);
 

@@ -150,29 +150,34 @@ static void bench8_record_put_table(bench8_page *page, const bench8_table *from)
     bench8_record_put_suspension(page, &from->suspension);
 }
 
+/* The hash of a state so far, and one word more. */
 BENCH8_CODE
-static uint32_t bench8_record_hash(const bench8_real *values, int count)
+static uint32_t bench8_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = BENCH8_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * BENCH8_RECORD_PRIME;
+}
+
+BENCH8_CODE
+static uint32_t bench8_record_hash(uint32_t hash, const bench8_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        bench8_record_word word = bench8_record_bits(values[i]);
-        for (int k = 0; k < BENCH8_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * BENCH8_RECORD_PRIME;
-            word >>= 8;
-        }
+        const bench8_record_word word = bench8_record_bits(values[i]);
+        hash = bench8_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = bench8_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 BENCH8_CODE
-static void bench8_hash_members(const bench8_state *x, uint32_t seen[BENCH8_RECORD_MEMBERS])
+static unsigned bench8_record_differs(const bench8_real *one, const bench8_real *other, int count, unsigned flag)
 {
-    seen[0] = bench8_record_hash(x->position, 3);
-    seen[1] = bench8_record_hash(x->attitude, 4);
-    seen[2] = bench8_record_hash(x->V, 6);
-    seen[3] = bench8_record_hash(x->phi, BENCH8_N);
-    seen[4] = bench8_record_hash(x->phi_dot, BENCH8_N);
+    bench8_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= bench8_record_bits(one[i]) ^ bench8_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 BENCH8_CODE
@@ -211,7 +216,7 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *ta
         bench8_record_put_table(&page, table);
     }
     bench8_record_end(&page);
-    bench8_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return BENCH8_OK;
 }
@@ -222,12 +227,12 @@ static unsigned bench8_notice_changes(bench8_recorder *log, const bench8_state *
                                   bench8_real dt, int order)
 {
     const bench8_record_word step = bench8_record_bits(dt);
-    uint32_t seen[BENCH8_RECORD_MEMBERS];
     unsigned flags = 0;
-    bench8_hash_members(x, seen);
-    for (int i = 0; i < BENCH8_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= bench8_record_differs(x->position, log->seen.position, 3, BENCH8_RECORD_POSITION);
+    flags |= bench8_record_differs(x->attitude, log->seen.attitude, 4, BENCH8_RECORD_ATTITUDE);
+    flags |= bench8_record_differs(x->V, log->seen.V, 6, BENCH8_RECORD_V);
+    flags |= bench8_record_differs(x->phi, log->seen.phi, BENCH8_N, BENCH8_RECORD_PHI);
+    flags |= bench8_record_differs(x->phi_dot, log->seen.phi_dot, BENCH8_N, BENCH8_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= BENCH8_RECORD_SETTINGS;
     }
@@ -272,10 +277,12 @@ static void bench8_record_result(bench8_page *page, bench8_recorder *log,
                               const bench8_state *x, bench8_status status)
 {
     uint32_t hash = BENCH8_RECORD_BASIS;
-    bench8_hash_members(x, log->seen);
-    for (int i = 0; i < BENCH8_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * BENCH8_RECORD_PRIME;
-    }
+    hash = bench8_record_hash(hash, x->position, 3);
+    hash = bench8_record_hash(hash, x->attitude, 4);
+    hash = bench8_record_hash(hash, x->V, 6);
+    hash = bench8_record_hash(hash, x->phi, BENCH8_N);
+    hash = bench8_record_hash(hash, x->phi_dot, BENCH8_N);
+    log->seen = *x;
     bench8_record_put(page, (bench8_record_word)status, 1);
     bench8_record_put(page, hash, 4);
     bench8_record_end(page);

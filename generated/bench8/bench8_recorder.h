@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef BENCH8_RECORDER_H
 #define BENCH8_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define BENCH8_RECORDER_FORMAT 1u           /* version of the log format */
-#define BENCH8_RECORDER_SOURCE 0xba10b42fu  /* FNV-1a hash of the texts of bench8.h and bench8.c */
+#define BENCH8_RECORDER_FORMAT 2u           /* version of the log format */
+#define BENCH8_RECORDER_SOURCE 0xc3ddbdd7u  /* FNV-1a hash of the texts of bench8.h and bench8.c */
 #define BENCH8_RECORD_BYTES    325  /* longest record of a step; most have 80 */
-#define BENCH8_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct bench8_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[BENCH8_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    bench8_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
@@ -69,7 +70,8 @@ typedef struct bench8_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 656 bytes, and that of write. */
 bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *table, const bench8_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -77,7 +79,7 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: BENCH8_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 5408 bytes, and that of write. */
 bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                    const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                    bench8_real dt, int order);
@@ -87,7 +89,7 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: BENCH8_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 4400 bytes, and that of write. */
 bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                           const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order);
 

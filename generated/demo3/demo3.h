@@ -10,6 +10,9 @@
  * DEMO3_SQRT, defined for the source, takes the square root of a processor in the place of its own:
  * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
  * not called.
+ * Stack: what a function states is an upper bound with all that it calls, from its locals along the deepest chain
+ * of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64 bits. The routines of
+ * the compiler's library (memcpy, arithmetic without an FPU) come on top. COST.md, by `mahovik cost`, measures.
  * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
@@ -241,7 +244,7 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1016 operations on reals, 3 of them divisions. */
+ * At most 1016 operations on reals, 3 of them divisions. Stack: at most 1808 bytes. */
 demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
@@ -250,7 +253,7 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1252 operations on reals, no division. */
+ * At most 1252 operations on reals, no division. Stack: at most 1520 bytes. */
 demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -258,7 +261,7 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1060 operations on reals, 1 of them a division. */
+ * At most 1060 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
 demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo3_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -268,7 +271,7 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 589 operations on reals, no division. */
+ * At most 589 operations on reals, no division. Stack: at most 1216 bytes. */
 demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
 
@@ -282,7 +285,7 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1632 operations on reals, 4 of them divisions. */
+ * At most 1632 operations on reals, 4 of them divisions. Stack: at most 2640 bytes. */
 demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
@@ -300,7 +303,7 @@ demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7121 operations on reals, 22 of them divisions. */
+ * At most 7121 operations on reals, 22 of them divisions. Stack: at most 3696 bytes. */
 demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
@@ -317,7 +320,7 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4657 operations on reals, 18 of them divisions. */
+ * At most 4657 operations on reals, 18 of them divisions. Stack: at most 2896 bytes. */
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -327,7 +330,7 @@ demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. */
+ * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
 demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -338,7 +341,7 @@ demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -348,7 +351,7 @@ demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, dem
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
 demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -360,7 +363,7 @@ demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3
  * Call it before the counter has moved by half its range (by half a turn if bits is 0).
  * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
- * No operation on reals. */
+ * No operation on reals. Stack: at most 304 bytes. */
 demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
@@ -371,7 +374,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4409 operations on reals, 48 of them divisions. */
+ * At most 4409 operations on reals, 48 of them divisions. Stack: at most 3936 bytes. */
 demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_jacobian_result *out);
 
@@ -384,7 +387,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9573 operations on reals, 64 of them divisions. */
+ * At most 9573 operations on reals, 64 of them divisions. Stack: at most 6448 bytes. */
 demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_jacobian_result *out);
@@ -400,7 +403,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29753 operations on reals, 918 of them divisions. */
+ * At most 29753 operations on reals, 918 of them divisions. Stack: at most 4272 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -416,7 +419,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1881 operations on reals, 33 of them divisions. */
+ * At most 1881 operations on reals, 33 of them divisions. Stack: at most 3520 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
@@ -424,7 +427,7 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. */
+ * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -437,7 +440,7 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. */
+ * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 demo3_status demo3_state_from_coordinates(const demo3_real position[3], const demo3_real angles[3],
                                           const demo3_real q_dot[6], const demo3_real q_ddot[6],
                                           demo3_state *x, demo3_real V_dot[6]);
@@ -451,7 +454,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4061 operations on reals, 5 of them divisions. */
+ * At most 4061 operations on reals, 5 of them divisions. Stack: at most 3888 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
@@ -465,7 +468,7 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4208 operations on reals, 28 of them divisions. */
+ * At most 4208 operations on reals, 28 of them divisions. Stack: at most 2016 bytes. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -476,7 +479,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
  *   mount_wrench[18]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1042 operations on reals, no division. */
+ * At most 1042 operations on reals, no division. Stack: at most 1520 bytes. */
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18]);
 
@@ -485,7 +488,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1395 operations on reals, 24 of them divisions. */
+ * At most 1395 operations on reals, 24 of them divisions. Stack: at most 1552 bytes. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -501,7 +504,7 @@ demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_moun
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7362 operations on reals, 22 of them divisions. */
+ * At most 7362 operations on reals, 22 of them divisions. Stack: at most 3904 bytes. */
 demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
                                 const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                 int order, demo3_step_carry *carry, demo3_state *next);
@@ -519,7 +522,7 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4898 operations on reals, 18 of them divisions. */
+ * At most 4898 operations on reals, 18 of them divisions. Stack: at most 3104 bytes. */
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);
@@ -529,7 +532,7 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 876 operations on reals, 1 of them a division. */
+ * At most 876 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
                                            demo3_real center_of_mass_velocity[3]);
 

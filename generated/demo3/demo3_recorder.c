@@ -135,29 +135,34 @@ static void demo3_record_put_table(demo3_page *page, const demo3_table *from)
     }
 }
 
+/* The hash of a state so far, and one word more. */
 DEMO3_CODE
-static uint32_t demo3_record_hash(const demo3_real *values, int count)
+static uint32_t demo3_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = DEMO3_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * DEMO3_RECORD_PRIME;
+}
+
+DEMO3_CODE
+static uint32_t demo3_record_hash(uint32_t hash, const demo3_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        demo3_record_word word = demo3_record_bits(values[i]);
-        for (int k = 0; k < DEMO3_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * DEMO3_RECORD_PRIME;
-            word >>= 8;
-        }
+        const demo3_record_word word = demo3_record_bits(values[i]);
+        hash = demo3_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = demo3_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 DEMO3_CODE
-static void demo3_hash_members(const demo3_state *x, uint32_t seen[DEMO3_RECORD_MEMBERS])
+static unsigned demo3_record_differs(const demo3_real *one, const demo3_real *other, int count, unsigned flag)
 {
-    seen[0] = demo3_record_hash(x->position, 3);
-    seen[1] = demo3_record_hash(x->attitude, 4);
-    seen[2] = demo3_record_hash(x->V, 6);
-    seen[3] = demo3_record_hash(x->phi, DEMO3_N);
-    seen[4] = demo3_record_hash(x->phi_dot, DEMO3_N);
+    demo3_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= demo3_record_bits(one[i]) ^ demo3_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 DEMO3_CODE
@@ -196,7 +201,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
         demo3_record_put_table(&page, table);
     }
     demo3_record_end(&page);
-    demo3_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return DEMO3_OK;
 }
@@ -207,12 +212,12 @@ static unsigned demo3_notice_changes(demo3_recorder *log, const demo3_state *x,
                                   demo3_real dt, int order)
 {
     const demo3_record_word step = demo3_record_bits(dt);
-    uint32_t seen[DEMO3_RECORD_MEMBERS];
     unsigned flags = 0;
-    demo3_hash_members(x, seen);
-    for (int i = 0; i < DEMO3_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= demo3_record_differs(x->position, log->seen.position, 3, DEMO3_RECORD_POSITION);
+    flags |= demo3_record_differs(x->attitude, log->seen.attitude, 4, DEMO3_RECORD_ATTITUDE);
+    flags |= demo3_record_differs(x->V, log->seen.V, 6, DEMO3_RECORD_V);
+    flags |= demo3_record_differs(x->phi, log->seen.phi, DEMO3_N, DEMO3_RECORD_PHI);
+    flags |= demo3_record_differs(x->phi_dot, log->seen.phi_dot, DEMO3_N, DEMO3_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= DEMO3_RECORD_SETTINGS;
     }
@@ -257,10 +262,12 @@ static void demo3_record_result(demo3_page *page, demo3_recorder *log,
                               const demo3_state *x, demo3_status status)
 {
     uint32_t hash = DEMO3_RECORD_BASIS;
-    demo3_hash_members(x, log->seen);
-    for (int i = 0; i < DEMO3_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * DEMO3_RECORD_PRIME;
-    }
+    hash = demo3_record_hash(hash, x->position, 3);
+    hash = demo3_record_hash(hash, x->attitude, 4);
+    hash = demo3_record_hash(hash, x->V, 6);
+    hash = demo3_record_hash(hash, x->phi, DEMO3_N);
+    hash = demo3_record_hash(hash, x->phi_dot, DEMO3_N);
+    log->seen = *x;
     demo3_record_put(page, (demo3_record_word)status, 1);
     demo3_record_put(page, hash, 4);
     demo3_record_end(page);

@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef DEMO3_RECORDER_H
 #define DEMO3_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define DEMO3_RECORDER_FORMAT 1u           /* version of the log format */
-#define DEMO3_RECORDER_SOURCE 0x634df8d4u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
+#define DEMO3_RECORDER_FORMAT 2u           /* version of the log format */
+#define DEMO3_RECORDER_SOURCE 0xade1f0e5u  /* FNV-1a hash of the texts of demo3.h and demo3.c */
 #define DEMO3_RECORD_BYTES    205  /* longest record of a step; most have 40 */
-#define DEMO3_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct demo3_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[DEMO3_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    demo3_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
@@ -69,7 +70,8 @@ typedef struct demo3_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 528 bytes, and that of write. */
 demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table, const demo3_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -77,7 +79,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 4224 bytes, and that of write. */
 demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                  const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                  int order);
@@ -87,7 +89,7 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: DEMO3_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 3424 bytes, and that of write. */
 demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                         const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order);
 

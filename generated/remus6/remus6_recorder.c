@@ -171,29 +171,34 @@ static void remus6_record_put_table(remus6_page *page, const remus6_table *from)
     }
 }
 
+/* The hash of a state so far, and one word more. */
 REMUS6_CODE
-static uint32_t remus6_record_hash(const remus6_real *values, int count)
+static uint32_t remus6_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = REMUS6_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * REMUS6_RECORD_PRIME;
+}
+
+REMUS6_CODE
+static uint32_t remus6_record_hash(uint32_t hash, const remus6_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        remus6_record_word word = remus6_record_bits(values[i]);
-        for (int k = 0; k < REMUS6_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * REMUS6_RECORD_PRIME;
-            word >>= 8;
-        }
+        const remus6_record_word word = remus6_record_bits(values[i]);
+        hash = remus6_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = remus6_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 REMUS6_CODE
-static void remus6_hash_members(const remus6_state *x, uint32_t seen[REMUS6_RECORD_MEMBERS])
+static unsigned remus6_record_differs(const remus6_real *one, const remus6_real *other, int count, unsigned flag)
 {
-    seen[0] = remus6_record_hash(x->position, 3);
-    seen[1] = remus6_record_hash(x->attitude, 4);
-    seen[2] = remus6_record_hash(x->V, 6);
-    seen[3] = remus6_record_hash(x->phi, REMUS6_N);
-    seen[4] = remus6_record_hash(x->phi_dot, REMUS6_N);
+    remus6_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= remus6_record_bits(one[i]) ^ remus6_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 REMUS6_CODE
@@ -232,7 +237,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
         remus6_record_put_table(&page, table);
     }
     remus6_record_end(&page);
-    remus6_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return REMUS6_OK;
 }
@@ -243,12 +248,12 @@ static unsigned remus6_notice_changes(remus6_recorder *log, const remus6_table *
                                   remus6_real dt, int order)
 {
     const remus6_record_word step = remus6_record_bits(dt);
-    uint32_t seen[REMUS6_RECORD_MEMBERS];
     unsigned flags = 0;
-    remus6_hash_members(x, seen);
-    for (int i = 0; i < REMUS6_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= remus6_record_differs(x->position, log->seen.position, 3, REMUS6_RECORD_POSITION);
+    flags |= remus6_record_differs(x->attitude, log->seen.attitude, 4, REMUS6_RECORD_ATTITUDE);
+    flags |= remus6_record_differs(x->V, log->seen.V, 6, REMUS6_RECORD_V);
+    flags |= remus6_record_differs(x->phi, log->seen.phi, REMUS6_N, REMUS6_RECORD_PHI);
+    flags |= remus6_record_differs(x->phi_dot, log->seen.phi_dot, REMUS6_N, REMUS6_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= REMUS6_RECORD_SETTINGS;
     }
@@ -303,10 +308,12 @@ static void remus6_record_result(remus6_page *page, remus6_recorder *log,
                               const remus6_state *x, remus6_status status)
 {
     uint32_t hash = REMUS6_RECORD_BASIS;
-    remus6_hash_members(x, log->seen);
-    for (int i = 0; i < REMUS6_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * REMUS6_RECORD_PRIME;
-    }
+    hash = remus6_record_hash(hash, x->position, 3);
+    hash = remus6_record_hash(hash, x->attitude, 4);
+    hash = remus6_record_hash(hash, x->V, 6);
+    hash = remus6_record_hash(hash, x->phi, REMUS6_N);
+    hash = remus6_record_hash(hash, x->phi_dot, REMUS6_N);
+    log->seen = *x;
     remus6_record_put(page, (remus6_record_word)status, 1);
     remus6_record_put(page, hash, 4);
     remus6_record_end(page);

@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef REMUS6_RECORDER_H
 #define REMUS6_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define REMUS6_RECORDER_FORMAT 1u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0x885df5f0u  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORDER_FORMAT 2u           /* version of the log format */
+#define REMUS6_RECORDER_SOURCE 0x571ca03du  /* FNV-1a hash of the texts of remus6.h and remus6.c */
 #define REMUS6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
-#define REMUS6_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct remus6_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[REMUS6_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    remus6_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     uint64_t stream[3];     /* bits of the last stream */
     int order;              /* the last order */
@@ -70,7 +71,8 @@ typedef struct remus6_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 624 bytes, and that of write. */
 remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -78,7 +80,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: REMUS6_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 5040 bytes, and that of write. */
 remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order);
@@ -88,7 +90,7 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: REMUS6_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 4160 bytes, and that of write. */
 remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order);
 

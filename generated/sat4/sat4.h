@@ -10,6 +10,9 @@
  * SAT4_SQRT, defined for the source, takes the square root of a processor in the place of its own:
  * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
  * not called.
+ * Stack: what a function states is an upper bound with all that it calls, from its locals along the deepest chain
+ * of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64 bits. The routines of
+ * the compiler's library (memcpy, arithmetic without an FPU) come on top. COST.md, by `mahovik cost`, measures.
  * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
@@ -269,7 +272,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1260 operations on reals, 3 of them divisions. */
+ * At most 1260 operations on reals, 3 of them divisions. Stack: at most 1824 bytes. */
 sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -278,7 +281,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1573 operations on reals, no division. */
+ * At most 1573 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -286,7 +289,7 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1336 operations on reals, 1 of them a division. */
+ * At most 1336 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -296,7 +299,7 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 747 operations on reals, no division. */
+ * At most 747 operations on reals, no division. Stack: at most 1248 bytes. */
 sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
@@ -310,7 +313,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2036 operations on reals, 4 of them divisions. */
+ * At most 2036 operations on reals, 4 of them divisions. Stack: at most 2736 bytes. */
 sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
@@ -328,7 +331,7 @@ sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 8783 operations on reals, 22 of them divisions. */
+ * At most 8783 operations on reals, 22 of them divisions. Stack: at most 3856 bytes. */
 sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -345,7 +348,7 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5679 operations on reals, 18 of them divisions. */
+ * At most 5679 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -354,7 +357,7 @@ sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. */
+ * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -365,7 +368,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -375,7 +378,7 @@ sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_r
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -387,7 +390,7 @@ sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_rea
  * Call it before the counter has moved by half its range (by half a turn if bits is 0).
  * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
- * No operation on reals. */
+ * No operation on reals. Stack: at most 304 bytes. */
 sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
@@ -398,7 +401,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5542 operations on reals, 57 of them divisions. */
+ * At most 5542 operations on reals, 57 of them divisions. Stack: at most 4080 bytes. */
 sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out);
 
@@ -411,7 +414,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12436 operations on reals, 76 of them divisions. */
+ * At most 12436 operations on reals, 76 of them divisions. Stack: at most 6816 bytes. */
 sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
@@ -426,7 +429,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33705 operations on reals, 997 of them divisions. */
+ * At most 33705 operations on reals, 997 of them divisions. Stack: at most 4464 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -442,7 +445,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2328 operations on reals, 39 of them divisions. */
+ * At most 2328 operations on reals, 39 of them divisions. Stack: at most 3760 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -452,7 +455,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 335 operations on reals, 1 of them a division. */
+ * At most 335 operations on reals, 1 of them a division. Stack: at most 976 bytes. */
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         sat4_points_result out[SAT4_SENSORS]);
 
@@ -460,7 +463,7 @@ sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. */
+ * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -473,7 +476,7 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. */
+ * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
                                         const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
                                         sat4_real V_dot[6]);
@@ -487,7 +490,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4626 operations on reals, 5 of them divisions. */
+ * At most 4626 operations on reals, 5 of them divisions. Stack: at most 4048 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -501,7 +504,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5763 operations on reals, 40 of them divisions. */
+ * At most 5763 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -512,7 +515,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
  *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1357 operations on reals, no division. */
+ * At most 1357 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
@@ -521,7 +524,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1943 operations on reals, 33 of them divisions. */
+ * At most 1943 operations on reals, 33 of them divisions. Stack: at most 1568 bytes. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -537,7 +540,7 @@ sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9051 operations on reals, 22 of them divisions. */
+ * At most 9051 operations on reals, 22 of them divisions. Stack: at most 4080 bytes. */
 sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                               const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
                               sat4_state *next);
@@ -555,7 +558,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5947 operations on reals, 18 of them divisions. */
+ * At most 5947 operations on reals, 18 of them divisions. Stack: at most 3200 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);
@@ -565,7 +568,7 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1116 operations on reals, 1 of them a division. */
+ * At most 1116 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
                                          sat4_real center_of_mass_velocity[3]);
 

@@ -145,29 +145,34 @@ static void sat4_record_put_table(sat4_page *page, const sat4_table *from)
     }
 }
 
+/* The hash of a state so far, and one word more. */
 SAT4_CODE
-static uint32_t sat4_record_hash(const sat4_real *values, int count)
+static uint32_t sat4_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = SAT4_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * SAT4_RECORD_PRIME;
+}
+
+SAT4_CODE
+static uint32_t sat4_record_hash(uint32_t hash, const sat4_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        sat4_record_word word = sat4_record_bits(values[i]);
-        for (int k = 0; k < SAT4_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * SAT4_RECORD_PRIME;
-            word >>= 8;
-        }
+        const sat4_record_word word = sat4_record_bits(values[i]);
+        hash = sat4_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = sat4_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 SAT4_CODE
-static void sat4_hash_members(const sat4_state *x, uint32_t seen[SAT4_RECORD_MEMBERS])
+static unsigned sat4_record_differs(const sat4_real *one, const sat4_real *other, int count, unsigned flag)
 {
-    seen[0] = sat4_record_hash(x->position, 3);
-    seen[1] = sat4_record_hash(x->attitude, 4);
-    seen[2] = sat4_record_hash(x->V, 6);
-    seen[3] = sat4_record_hash(x->phi, SAT4_N);
-    seen[4] = sat4_record_hash(x->phi_dot, SAT4_N);
+    sat4_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= sat4_record_bits(one[i]) ^ sat4_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 SAT4_CODE
@@ -206,7 +211,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
         sat4_record_put_table(&page, table);
     }
     sat4_record_end(&page);
-    sat4_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return SAT4_OK;
 }
@@ -217,12 +222,12 @@ static unsigned sat4_notice_changes(sat4_recorder *log, const sat4_state *x,
                                   sat4_real dt, int order)
 {
     const sat4_record_word step = sat4_record_bits(dt);
-    uint32_t seen[SAT4_RECORD_MEMBERS];
     unsigned flags = 0;
-    sat4_hash_members(x, seen);
-    for (int i = 0; i < SAT4_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= sat4_record_differs(x->position, log->seen.position, 3, SAT4_RECORD_POSITION);
+    flags |= sat4_record_differs(x->attitude, log->seen.attitude, 4, SAT4_RECORD_ATTITUDE);
+    flags |= sat4_record_differs(x->V, log->seen.V, 6, SAT4_RECORD_V);
+    flags |= sat4_record_differs(x->phi, log->seen.phi, SAT4_N, SAT4_RECORD_PHI);
+    flags |= sat4_record_differs(x->phi_dot, log->seen.phi_dot, SAT4_N, SAT4_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= SAT4_RECORD_SETTINGS;
     }
@@ -267,10 +272,12 @@ static void sat4_record_result(sat4_page *page, sat4_recorder *log,
                               const sat4_state *x, sat4_status status)
 {
     uint32_t hash = SAT4_RECORD_BASIS;
-    sat4_hash_members(x, log->seen);
-    for (int i = 0; i < SAT4_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * SAT4_RECORD_PRIME;
-    }
+    hash = sat4_record_hash(hash, x->position, 3);
+    hash = sat4_record_hash(hash, x->attitude, 4);
+    hash = sat4_record_hash(hash, x->V, 6);
+    hash = sat4_record_hash(hash, x->phi, SAT4_N);
+    hash = sat4_record_hash(hash, x->phi_dot, SAT4_N);
+    log->seen = *x;
     sat4_record_put(page, (sat4_record_word)status, 1);
     sat4_record_put(page, hash, 4);
     sat4_record_end(page);

@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef SAT4_RECORDER_H
 #define SAT4_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define SAT4_RECORDER_FORMAT 1u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0xe5e22495u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_FORMAT 2u           /* version of the log format */
+#define SAT4_RECORDER_SOURCE 0x3c8f5695u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
-#define SAT4_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct sat4_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[SAT4_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    sat4_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
@@ -69,7 +70,8 @@ typedef struct sat4_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 560 bytes, and that of write. */
 sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -77,7 +79,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 4416 bytes, and that of write. */
 sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
@@ -87,7 +89,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: SAT4_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 3536 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 

@@ -10,6 +10,9 @@
  * SHAKER2_SQRT, defined for the source, takes the square root of a processor in the place of its own:
  * the bits are the same if it rounds correctly. -ffunction-sections and -Wl,--gc-sections leave out what is
  * not called.
+ * Stack: what a function states is an upper bound with all that it calls, from its locals along the deepest chain
+ * of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64 bits. The routines of
+ * the compiler's library (memcpy, arithmetic without an FPU) come on top. COST.md, by `mahovik cost`, measures.
  * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *
@@ -253,7 +256,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1143 operations on reals, 6 of them divisions. */
+ * At most 1143 operations on reals, 6 of them divisions. Stack: at most 2224 bytes. */
 shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -262,7 +265,7 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 924 operations on reals, 3 of them divisions. */
+ * At most 924 operations on reals, 3 of them divisions. Stack: at most 1968 bytes. */
 shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -270,7 +273,7 @@ shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1302 operations on reals, 3 of them divisions. */
+ * At most 1302 operations on reals, 3 of them divisions. Stack: at most 2112 bytes. */
 shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_matrices_result *out);
 
@@ -279,7 +282,7 @@ shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 784 operations on reals, 1 of them a division. */
+ * At most 784 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
 shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_momentum_result *out);
 
@@ -290,7 +293,7 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 496 operations on reals, 1 of them a division. */
+ * At most 496 operations on reals, 1 of them a division. Stack: at most 1328 bytes. */
 shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N]);
@@ -305,7 +308,7 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1602 operations on reals, 7 of them divisions. */
+ * At most 1602 operations on reals, 7 of them divisions. Stack: at most 2768 bytes. */
 shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
@@ -324,7 +327,7 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6955 operations on reals, 34 of them divisions. */
+ * At most 6955 operations on reals, 34 of them divisions. Stack: at most 3792 bytes. */
 shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -342,7 +345,7 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5119 operations on reals, 30 of them divisions. */
+ * At most 5119 operations on reals, 30 of them divisions. Stack: at most 3264 bytes. */
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -352,7 +355,7 @@ shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_sta
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. */
+ * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
 shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -363,7 +366,7 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -373,7 +376,7 @@ shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zer
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
 shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -385,7 +388,7 @@ shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt,
  * Call it before the counter has moved by half its range (by half a turn if bits is 0).
  * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
  * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
- * No operation on reals. */
+ * No operation on reals. Stack: at most 304 bytes. */
 shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bits, int per_turn);
 
 /* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
@@ -396,7 +399,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3731 operations on reals, 42 of them divisions. */
+ * At most 3731 operations on reals, 42 of them divisions. Stack: at most 4240 bytes. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N],
                                         shaker2_forward_jacobian_result *out);
@@ -410,7 +413,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7389 operations on reals, 56 of them divisions. */
+ * At most 7389 operations on reals, 56 of them divisions. Stack: at most 6448 bytes. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_jacobian_result *out);
@@ -426,7 +429,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * Positive statuses are bits and may be combined.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26458 operations on reals, 850 of them divisions. */
+ * At most 26458 operations on reals, 850 of them divisions. Stack: at most 4080 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -443,7 +446,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * Damping is relative to the norm of W.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1826 operations on reals, 31 of them divisions. */
+ * At most 1826 operations on reals, 31 of them divisions. Stack: at most 3776 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -452,7 +455,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. */
+ * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -465,7 +468,7 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. */
+ * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
                                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
                                               shaker2_state *x, shaker2_real V_dot[6]);
@@ -479,7 +482,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4238 operations on reals, 11 of them divisions. */
+ * At most 4238 operations on reals, 11 of them divisions. Stack: at most 4176 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
@@ -494,7 +497,7 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2915 operations on reals, 20 of them divisions. */
+ * At most 2915 operations on reals, 20 of them divisions. Stack: at most 2016 bytes. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -506,7 +509,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
  *   mount_wrench[12]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 867 operations on reals, 1 of them a division. */
+ * At most 867 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12]);
@@ -516,7 +519,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 978 operations on reals, 17 of them divisions. */
+ * At most 978 operations on reals, 17 of them divisions. Stack: at most 1552 bytes. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -532,7 +535,7 @@ shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shak
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7169 operations on reals, 34 of them divisions. */
+ * At most 7169 operations on reals, 34 of them divisions. Stack: at most 3968 bytes. */
 shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                     shaker2_real dt, int order, shaker2_step_carry *carry,
@@ -551,7 +554,7 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5333 operations on reals, 30 of them divisions. */
+ * At most 5333 operations on reals, 30 of them divisions. Stack: at most 3440 bytes. */
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);
@@ -561,7 +564,7 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 636 operations on reals, 1 of them a division. */
+ * At most 636 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
                                                shaker2_real center_of_mass_velocity[3]);
 

@@ -150,29 +150,34 @@ static void shaker2_record_put_table(shaker2_page *page, const shaker2_table *fr
     shaker2_record_put_suspension(page, &from->suspension);
 }
 
+/* The hash of a state so far, and one word more. */
 SHAKER2_CODE
-static uint32_t shaker2_record_hash(const shaker2_real *values, int count)
+static uint32_t shaker2_record_mix(uint32_t hash, uint32_t word)
 {
-    uint32_t hash = SHAKER2_RECORD_BASIS;
+    const uint32_t turned = ((hash << 5) & 0xffffffffu) | (hash >> 27);
+    return (turned ^ word) * SHAKER2_RECORD_PRIME;
+}
+
+SHAKER2_CODE
+static uint32_t shaker2_record_hash(uint32_t hash, const shaker2_real *values, int count)
+{
     for (int i = 0; i < count; ++i) {
-        shaker2_record_word word = shaker2_record_bits(values[i]);
-        for (int k = 0; k < SHAKER2_RECORD_REAL_BYTES; ++k) {
-            hash = (hash ^ (uint32_t)(word & 0xffu)) * SHAKER2_RECORD_PRIME;
-            word >>= 8;
-        }
+        const shaker2_record_word word = shaker2_record_bits(values[i]);
+        hash = shaker2_record_mix(hash, (uint32_t)(word & 0xffffffffu));
+        hash = shaker2_record_mix(hash, (uint32_t)(word >> 32));
     }
     return hash;
 }
 
-/* A hash of each member of a state. */
+/* The flag where two rows of numbers differ in a bit. */
 SHAKER2_CODE
-static void shaker2_hash_members(const shaker2_state *x, uint32_t seen[SHAKER2_RECORD_MEMBERS])
+static unsigned shaker2_record_differs(const shaker2_real *one, const shaker2_real *other, int count, unsigned flag)
 {
-    seen[0] = shaker2_record_hash(x->position, 3);
-    seen[1] = shaker2_record_hash(x->attitude, 4);
-    seen[2] = shaker2_record_hash(x->V, 6);
-    seen[3] = shaker2_record_hash(x->phi, SHAKER2_N);
-    seen[4] = shaker2_record_hash(x->phi_dot, SHAKER2_N);
+    shaker2_record_word bits = 0;
+    for (int i = 0; i < count; ++i) {
+        bits |= shaker2_record_bits(one[i]) ^ shaker2_record_bits(other[i]);
+    }
+    return (bits != 0u) ? flag : 0u;
 }
 
 SHAKER2_CODE
@@ -212,7 +217,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
         shaker2_record_put_table(&page, table);
     }
     shaker2_record_end(&page);
-    shaker2_hash_members(x, log->seen);
+    log->seen = *x;
     log->fresh = 1;
     return SHAKER2_OK;
 }
@@ -223,12 +228,12 @@ static unsigned shaker2_notice_changes(shaker2_recorder *log, const shaker2_stat
                                   shaker2_real dt, int order)
 {
     const shaker2_record_word step = shaker2_record_bits(dt);
-    uint32_t seen[SHAKER2_RECORD_MEMBERS];
     unsigned flags = 0;
-    shaker2_hash_members(x, seen);
-    for (int i = 0; i < SHAKER2_RECORD_MEMBERS; ++i) {
-        flags |= (seen[i] != log->seen[i]) ? (1u << i) : 0u;
-    }
+    flags |= shaker2_record_differs(x->position, log->seen.position, 3, SHAKER2_RECORD_POSITION);
+    flags |= shaker2_record_differs(x->attitude, log->seen.attitude, 4, SHAKER2_RECORD_ATTITUDE);
+    flags |= shaker2_record_differs(x->V, log->seen.V, 6, SHAKER2_RECORD_V);
+    flags |= shaker2_record_differs(x->phi, log->seen.phi, SHAKER2_N, SHAKER2_RECORD_PHI);
+    flags |= shaker2_record_differs(x->phi_dot, log->seen.phi_dot, SHAKER2_N, SHAKER2_RECORD_PHI_DOT);
     if (log->fresh || step != log->dt || order != log->order) {
         flags |= SHAKER2_RECORD_SETTINGS;
     }
@@ -273,10 +278,12 @@ static void shaker2_record_result(shaker2_page *page, shaker2_recorder *log,
                               const shaker2_state *x, shaker2_status status)
 {
     uint32_t hash = SHAKER2_RECORD_BASIS;
-    shaker2_hash_members(x, log->seen);
-    for (int i = 0; i < SHAKER2_RECORD_MEMBERS; ++i) {
-        hash = (hash ^ log->seen[i]) * SHAKER2_RECORD_PRIME;
-    }
+    hash = shaker2_record_hash(hash, x->position, 3);
+    hash = shaker2_record_hash(hash, x->attitude, 4);
+    hash = shaker2_record_hash(hash, x->V, 6);
+    hash = shaker2_record_hash(hash, x->phi, SHAKER2_N);
+    hash = shaker2_record_hash(hash, x->phi_dot, SHAKER2_N);
+    log->seen = *x;
     shaker2_record_put(page, (shaker2_record_word)status, 1);
     shaker2_record_put(page, hash, 4);
     shaker2_record_end(page);

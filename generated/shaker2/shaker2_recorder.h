@@ -21,6 +21,8 @@
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
  *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
  *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
 #ifndef SHAKER2_RECORDER_H
 #define SHAKER2_RECORDER_H
@@ -34,10 +36,9 @@
 extern "C" {
 #endif
 
-#define SHAKER2_RECORDER_FORMAT 1u           /* version of the log format */
-#define SHAKER2_RECORDER_SOURCE 0x366b5320u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
+#define SHAKER2_RECORDER_FORMAT 2u           /* version of the log format */
+#define SHAKER2_RECORDER_SOURCE 0xe2e017c4u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
-#define SHAKER2_RECORD_MEMBERS  5  /* members of a state */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -59,7 +60,7 @@ typedef struct shaker2_recorder {
     void *context;          /* passed to write */
     uint32_t lost;          /* failed writes; the caller may set it to 0 */
     uint32_t count;         /* number of the next step, modulo 2^32 */
-    uint32_t seen[SHAKER2_RECORD_MEMBERS];  /* hash of each member of the state as it was left */
+    shaker2_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
@@ -69,7 +70,8 @@ typedef struct shaker2_recorder {
  *   log    in and out; write and context must be set
  *   table  the prepared table
  *   x      state before the next step
- * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once. */
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 512 bytes, and that of write. */
 shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x);
 
@@ -78,7 +80,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step. */
+ * Stack: at most 4304 bytes, and that of write. */
 shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order);
@@ -88,7 +90,7 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: SHAKER2_RECORD_BYTES and less than 200 bytes more than step_driven. */
+ * Stack: at most 3776 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order);

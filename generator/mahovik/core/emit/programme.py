@@ -102,7 +102,7 @@ class _Printer:
         return self._code.render("programme.h.j2", **self._known, **self._declared(), link=self._link())
 
     def _declared(self) -> dict[str, list[Any]]:
-        """What the header declares."""
+        """Declarations of the header."""
         sizes = [c.form.size for c in self._made.courses]
         return {
             "spans": self._spans(),

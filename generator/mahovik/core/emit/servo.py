@@ -92,7 +92,7 @@ class _Printer:
         return self.rendered("servo.h.j2", **self._declared(), link=self._link())
 
     def _declared(self) -> dict[str, list[Any]]:
-        """What the header declares."""
+        """Declarations of the header."""
         program, names = self._code.program, self._code.names
         return {
             "counts": [(names.constant(c.name), int(c), c.comment) for c in program.counts[1:]],
