@@ -74,7 +74,8 @@ def main() -> None:
     found = old.figures["functions"] | {each["function"]: each for each in mutants.campaign(wanted, given.jobs, say)}
     kept = {name: {**found[name], "subjects": subjects(known[name])} for name in known if name in found}
     # functions that were not examined now are of the code of then, and so is the whole
-    CAMPAIGN.keep({"functions": kept}, code=None if set(wanted) >= set(kept) else old.code)
+    whole = set(wanted) >= set(kept)
+    CAMPAIGN.keep({"functions": kept}, code=None if whole else old.code, command=None if whole else old.command)
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ class Compiled:
         return {"x": x, "phi_ddot": list(given["phi_ddot"]), "wrench": given["wrench"], "angles": angles}
 
     def arguments(self, state: State) -> dict[str, Any]:
-        """Inputs of every public function at a state, with the default table; times and orders of steps are not here."""
+        """Inputs of every public function at a state, with the default table; without times and orders."""
         return {**self._backend.arguments(state), **self.inputs(state), "table": self.values.table}
 
     def c(self, function: str, inputs: Mapping[str, Any], fill: float | None = None) -> tuple[int, dict[str, Any]]:

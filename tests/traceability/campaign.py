@@ -97,7 +97,8 @@ BY_NAME = {
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
     "quaternion": TARGET, "state_from_coordinates": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
-    "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS), "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
+    "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS),
+    "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
 }  # fmt: skip
 BY_SUBJECT = {
     "(12)": INVERSE, "motion in time": MOTION, "whole system": MOTION, "checks of inputs": PARAMETERS,
