@@ -14,6 +14,8 @@ REASONS: dict[tuple[str, str], str] = {
     "two branches sets it again",
     ("orthogonalise", "loop one turn short: for (int sweep"): "the last sweep is a reserve: these matrices are "
     "orthogonal to rounding before it",
+    ("translation_block", "and / or exchanged: if (!(A[0] > 0.0"): "a second fence: added masses that are not positive "
+    "semidefinite have been refused by `check_added_mass` before",
     ("check_parameters", "term dropped: size = parameters"): "the size only scales a tolerance",
     ("prepare", "term dropped: + (R[4] * parameters->carrier.displaced_center[1]"): "no change: the carrier's axes are "
     "those of E1, so R[5] is zero there",
