@@ -18,8 +18,10 @@ from toolchain.tools import require
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
 
-OTHERS = ("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points", "center_of_mass_velocity")
-OTHERS += ("forward_jacobian", "coupled_jacobian", "step", "step_driven", "step_carried", "step_driven_carried")
+OTHERS = (
+    *("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points", "center_of_mass_velocity"),
+    *("forward_jacobian", "coupled_jacobian", "step", "step_driven", "step_carried", "step_driven_carried"),
+)
 
 
 @pytest.mark.parametrize("name", NAMES)
