@@ -11,7 +11,7 @@ import errno
 import os
 import shutil
 import stat
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from mahovik.errors import UsageError
@@ -20,6 +20,24 @@ from mahovik.errors import UsageError
 def write(path: Path, content: str | bytes) -> None:
     """Write one file, atomically. Raises UsageError."""
     write_all(path.parent, {path.name: content})
+
+
+def is_written_through(path: Path) -> bool:
+    """Whether a path, behind all links, is a device, a FIFO or the like, which no draft can replace."""
+    try:
+        kind = path.stat().st_mode
+    except (OSError, ValueError):
+        return False
+    return not (stat.S_ISREG(kind) or stat.S_ISDIR(kind))
+
+
+def format_of(path: Path, formats: Sequence[str]) -> str | None:
+    """The end of a file's name among `formats`, such as ".csv"; None for another.
+
+    What is no regular file may have any name: its format is the first one unless its name says another.
+    """
+    named = next((each for each in formats if path.name.endswith(each)), None)
+    return formats[0] if named is None and is_written_through(path) else named
 
 
 def probe(path: Path) -> None:

@@ -89,6 +89,28 @@ def test_speeds_with_a_unit_or_within_the_limit_are_not_asked_about() -> None:
     assert "rpm?" not in run("check", SAT4, "--speed", "7000 rpm").stderr
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("response", SHAKER2, "--at", "carrier", "--steps", "2", "--speed", "left=0..4000"),
+        ("check", SHAKER2, "--speed", "4000"),
+    ],
+    ids=["response", "check"],
+)
+def test_a_fast_plain_number_is_asked_about_without_motors(arguments: tuple[str, ...]) -> None:
+    (line,) = [line for line in run(*arguments).stderr.splitlines() if "rpm" in line]
+    assert line == "warning: left turns at up to 38197.2 rpm; numbers without unit are rad/s, 4000 rpm?"
+    *rest, last = arguments
+    for slower in (last.replace("4000", "1000"), f"{last} rad/s"):
+        assert "rpm?" not in run(*rest, slower).stderr
+
+
+def test_quiet_asks_about_fast_plain_numbers() -> None:
+    at = ("quiet", SAT4, "--point", "acc1", "--band", "1..2Hz", "--speeds")
+    assert "--speeds: 28647.9 rpm; numbers without unit are rad/s, 3000 rpm?" in run(*at, "3000").stderr
+    assert "rpm?" not in run(*at, "3000 rpm").stderr
+
+
 def test_time_cuts_a_sweep() -> None:
     said = run("response", *SWEEP, "--time", "1e-9")
     assert said.exit_code == 0
@@ -110,7 +132,7 @@ def test_time_cuts_a_sweep() -> None:
         (("--speed", "w1=6rpm", "--at", "carrier", "--phase", "w1=1kg"), 'unit "kg" does not fit'),
         (
             ("--speed", "w1=6rpm", "--at", "carrier", "-o", "r.pdf"),
-            "expected a name that ends in .json, .csv, .svg, .png",
+            "expected a name that ends in .csv or .json or .svg or .png",
         ),
     ],
 )

@@ -17,10 +17,10 @@ from mahovik.core.stand import load
 from mahovik.out.cli import main
 from mahovik.out.report.plot import response as orders
 from mahovik.out.report.plot import run
-from mahovik.out.report.plot.draw import draw
+from mahovik.out.report.plot.draw import draw, draw_panel
 from mahovik.out.report.plot.panel import Line, Mark, Panel, border
 from mahovik.out.report.plot.programme import RPM, panels
-from mahovik.out.report.plot.tags import tag_lines
+from mahovik.out.report.plot.tags import spread, tag_ends, tag_lines
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.response.sweep import sweep
 from verify.programme.programmes import shaker
@@ -205,6 +205,41 @@ def test_tags_of_lines_stay_apart() -> None:
     rooms = tag_lines(axes, lines, "#777777")
     assert len(rooms) == len(lines)
     assert not any(a.meets(b) for i, a in enumerate(rooms) for b in rooms[:i])
+
+
+def test_tags_outside_the_frame_stand_at_the_ends_of_their_own_lines() -> None:
+    """Above the frame or at its right, in the order of the lines, no line of the frame across them."""
+    figures = import_module("matplotlib.figure")
+    axes = figures.Figure(figsize=(5.0, 3.0)).add_axes((0.1, 0.1, 0.8, 0.8))
+    axes.set(xlim=(0.0, 600.0), ylim=(0.0, 20.0))
+    x = np.linspace(0.0, 600.0, 61)
+    orders_of = (1.0, 1.9, 2.0, 3.0, 5.0)
+    lines = [Line("", x, k * x / 60.0, None, tag=f"{k:g} x wheel") for k in orders_of]
+    rooms, above = tag_ends(axes, lines, "#777777")
+    width, height = 0.8 * 5.0 * 72.0, 0.8 * 3.0 * 72.0
+    assert len(rooms) == len(lines) and above > 10.0
+    assert not any(a.meets(b) for i, a in enumerate(rooms) for b in rooms[:i])
+    assert all(room.left > width or room.low > height for room in rooms)
+    ends = {words.get_text(): np.array(words.xy) * [width, height] for words in axes.texts}
+    for k in orders_of:
+        end = (width, height * k / 2.0) if k <= 2.0 else (width * 2.0 / k, height)
+        assert ends[f"{k:g} x wheel"] == pytest.approx(end, rel=1e-9)
+
+
+def test_rooms_are_spread_no_further_than_needed() -> None:
+    assert spread([10.0, 50.0], [20.0, 20.0]) == [10.0, 50.0]
+    assert spread([10.0, 12.0, 90.0], [20.0, 20.0, 30.0], 100.0) == [10.0, 30.0, 85.0]
+    assert spread([95.0, 96.0], [20.0, 20.0], 100.0) == [70.0, 90.0]
+
+
+@pytest.mark.parametrize(("low", "high"), [(1e-5, 0.09), (1e-4, 2.0), (0.01, 1.0), (10.0, 1e4), (10.0, 1e6)])
+def test_an_axis_writes_all_its_numbers_in_one_way(low: float, high: float) -> None:
+    axes = import_module("matplotlib.figure").Figure().add_subplot()
+    draw_panel(axes, Panel("q", (Line("a", np.array([1.0, 2.0]), np.array([low, high]), 0),), log=True))
+    begin, end = axes.get_ylim()
+    labels = [axes.yaxis.get_major_formatter()(x) for x in axes.yaxis.get_major_locator()() if begin <= x <= end]
+    assert len(labels) > 1
+    assert len({"10" in each and each.isascii() is False for each in labels}) == 1
 
 
 def test_a_map_of_levels_stands_beside_the_waterfall() -> None:

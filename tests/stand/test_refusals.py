@@ -282,7 +282,8 @@ CASES = {
     ),
     "data sheet without transverse": (
         BASE + '[[flywheel]]\nname = "w1"\nmass = 1\nspin_inertia = 1',
-        'flywheel "w1", transverse_inertia: required with spin_inertia, but missing',
+        'flywheel "w1", transverse_inertia: required with spin_inertia, but missing; a thin disc has spin_inertia/2 = '
+        "0.5 kg m^2 across its axis: for a thin disc write transverse_inertia = 0.5",
     ),
     "unbalance with center_of_mass": (
         BASE + SHEET + "center_of_mass = [0, 0, 0]",

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from cli.run import run
 from mahovik import stands
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.summary import summarize
@@ -110,3 +113,12 @@ def test_a_centre_of_mass_outside_its_body() -> None:
         "0.122 m, which is outside the body: a slip in the unit?"
     )
     assert warnings(('["2 mm"', '["0.36 m"')) == ()
+
+
+def test_an_unbalance_is_shown_as_it_is_written(tmp_path: Path) -> None:
+    text = GOOD.replace("12 g mm", "15 kg mm").replace("spin_inertia = 0.002", "spin_inertia = 2")
+    file = tmp_path / "a.toml"
+    file.write_text(text.replace("transverse_inertia = 0.0011", "transverse_inertia = 2"))
+    assert "flywheel w1: a static unbalance of 15 kg mm on 1 kg" in run("check", str(file)).stdout
+    line, *_ = summarize(load(file)).warnings
+    assert "a static unbalance of 15000 g mm on 1 kg" in line

@@ -162,7 +162,7 @@ def _inertia(table: FlywheelTable, where: str, problems: Problems) -> tuple[Vec3
         return None
     if table.spin_inertia is None or table.transverse_inertia is None:
         missing = "spin_inertia" if table.spin_inertia is None else "transverse_inertia"
-        problems.add(where, missing, f"required with {', '.join(sheet)}, but missing")
+        problems.add(where, missing, f"required with {', '.join(sheet)}, but missing{datasheet.thin_disc(table)}")
         return None
     if table.mass == 0.0 and table.unbalance is not None and table.unbalance.static != 0.0:
         problems.add(where, "unbalance", "static", "a flywheel of mass 0 cannot have a static unbalance")

@@ -46,20 +46,29 @@ def least_transverse(mass: float, spin: float, unbalance: UnbalanceTable | None)
 
 
 def thin_disc(table: FlywheelTable) -> str:
-    """What to write where the transverse inertia of a flywheel's data sheet is below that of a thin disc; else ""."""
-    if table.spin_inertia is None or table.transverse_inertia is None:
+    """What to write where a data sheet's transverse inertia is missing or below that of a thin disc; else ""."""
+    if table.spin_inertia is None:
         return ""
     least = least_transverse(table.mass, table.spin_inertia, table.unbalance)
+    if table.transverse_inertia is None:
+        return (
+            "" if least is None or not math.isfinite(least) else f"; a thin disc has {_half(table.spin_inertia, least)}"
+        )
     if (
         least is None
         or not math.isfinite(least)
         or sum(table.transverse_inertia) / len(table.transverse_inertia) >= least
     ):
         return ""
-    half = table.spin_inertia / 2
+    return f"no disc has less than {_half(table.spin_inertia, least)}"
+
+
+def _half(spin: float, least: float) -> str:
+    """The transverse inertia of a thin disc, and what to write."""
+    half = spin / 2
     more = "" if least == half else f", with this unbalance {_rounded_up(least)}"
     return (
-        f"no disc has less than spin_inertia/2 = {_rounded_up(half)} kg m^2 across its axis{more}: "
+        f"spin_inertia/2 = {_rounded_up(half)} kg m^2 across its axis{more}: "
         f"for a thin disc write transverse_inertia = {_rounded_up(least)}"
     )
 

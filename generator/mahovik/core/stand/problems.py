@@ -41,7 +41,7 @@ class Problems:
                 known = _known_keys(_table_at(table, location[:-1]))
                 path, reason = (
                     location[:-1],
-                    f"unknown key {show(location[-1])}{suggestion(str(location[-1]), known)}",
+                    f"unknown key {show(location[-1])}{_instead(str(location[-1]), known)}",
                 )
             elif kind == "missing":
                 path, reason = location, "required, but missing"
@@ -53,6 +53,17 @@ class Problems:
                 path, reason = location, item["msg"]
             key = item.get("ctx", {}).get("key", "")  # what a check of the whole table found in one of its keys
             self.add(where, *_words(path), key, reason)
+
+
+SHAPE = (
+    ": a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
+    "for a thin disc transverse_inertia = spin_inertia/2"
+)
+
+
+def _instead(key: str, known: list[str]) -> str:
+    """What to write instead of an unknown key."""
+    return SHAPE if key == "shape" and "transverse_inertia" in known else suggestion(key, known)
 
 
 def _words(location: tuple[int | str, ...]) -> list[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,13 +30,20 @@ At most a ninth of the mass is so far from the centre; the origin of a uniform r
 RPM = 30 / math.pi
 
 
-def slips(stand: Stand, speeds: Sequence[float], known: Sequence[bool]) -> list[str]:
-    """Warnings, a line each. `speeds` (rad/s) of the flywheels, and whether each is known, by its motor or as asked."""
+def slips(
+    stand: Stand, speeds: Sequence[float], known: Sequence[bool], written: Mapping[str, str] | None = None
+) -> list[str]:
+    """Warnings, a line each. `speeds` (rad/s) of the flywheels, and whether each is known, by its motor or as asked.
+
+    `written`: static unbalances with units as written in the file, by the names of the flywheels.
+    """
     bodies = placed_bodies(stand)
-    return [*_unbalances(stand, speeds, known), *_places(stand, bodies), *_centers(bodies)]
+    return [*_unbalances(stand, speeds, known, written or {}), *_places(stand, bodies), *_centers(bodies)]
 
 
-def _unbalances(stand: Stand, speeds: Sequence[float], known: Sequence[bool]) -> Iterator[str]:
+def _unbalances(
+    stand: Stand, speeds: Sequence[float], known: Sequence[bool], written: Mapping[str, str]
+) -> Iterator[str]:
     """Flywheels an order above G 40, unless all are and no speed is known: those are unbalanced on purpose."""
     velocities = [eccentric_velocity(s, speed) for s, speed in zip(stand.flywheels, speeds, strict=True)]
     above = [velocity > ORDER * USUAL_GRADE for velocity in velocities]
@@ -47,9 +54,10 @@ def _unbalances(stand: Stand, speeds: Sequence[float], known: Sequence[bool]) ->
     worst = max(found, key=lambda k: velocities[k])
     flywheel = stand.flywheels[worst]
     static = 1e6 * flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
+    words = written.get(flywheel.name) or (f"{static:.4g} g mm" if static < 1e4 else f"{static:.0f} g mm")
     more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
     yield (
-        f"flywheel {flywheel.name}{more}: a static unbalance of {static:.4g} g mm on {flywheel.mass:.4g} kg is "
+        f"flywheel {flywheel.name}{more}: a static unbalance of {words} on {flywheel.mass:.4g} kg is "
         f"{grade_words(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
         f"{velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: on purpose, or a slip in its unit?"
     )

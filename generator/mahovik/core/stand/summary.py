@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -99,10 +100,13 @@ class Summary:
         return asdict(self)
 
 
-def summarize(stand: Stand, speed: float | None = None, planes: float | None = None) -> Summary:
+def summarize(
+    stand: Stand, speed: float | None = None, planes: float | None = None, written: Mapping[str, str] | None = None
+) -> Summary:
     """Figures of `stand`; `speed` (rad/s) of all flywheels, default each motor's no-load speed, else 3000 rpm.
 
-    `planes`: distance of the two tolerance planes of each flywheel, m; its mass centre is in the middle.
+    `planes`: distance of the two tolerance planes of each flywheel, m; its mass centre is in the middle. `written`:
+    static unbalances as written in the file, for warnings.
     """
     bodies = []
     for each in placed_bodies(stand):
@@ -125,7 +129,7 @@ def summarize(stand: Stand, speed: float | None = None, planes: float | None = N
         force=math.fsum(row.force for row in unbalance),
         momentum=momentum_capacity(stand),
         torque=torque_capacity(stand),
-        warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known)),
+        warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known, written)),
     )
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.fitting import fitted, fitting_unit
-from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.motor_limits import warn_of_speeds
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
 from mahovik.out.cli.output import console, print_json, print_line, print_table
 
@@ -56,18 +56,19 @@ def check(
     asked = None if speed is None else read_speed(speed)
     apart = None if planes is None else read_distance(planes)
     if asked is not None:
-        warn_beyond_motors(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
+        warn_of_speeds(stand, [asked] * len(stand.flywheels), [str(speed)] * len(stand.flywheels))
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
     from mahovik.use.study.increments import lost_increments
     from mahovik.use.study.resolution import shortfalls
 
-    summary, names = summarize(stand, asked, apart), identities(stand)
+    written = written_numbers(stand_file)
+    unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
+    summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     step = None if dt is None else read_step(dt)
     lost = [] if step is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
-    written = written_numbers(stand_file)
     if as_json:
         from dataclasses import asdict
 

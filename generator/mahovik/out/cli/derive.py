@@ -20,8 +20,7 @@ def derive(
 
     The matrices of (8)-(11): one generic flywheel with symbols, then the numbers of the stand.
     """
-    if output is not None:
-        require_suffix(output, (".html", ".tex"))
+    suffix = ".tex" if output is None else require_suffix(output, (".html", ".tex"))
     stand = load_stand(stand_file)
     from mahovik.out.report.derivation.page import html, latex
     from mahovik.writing import probe, write
@@ -30,7 +29,7 @@ def derive(
         probe(Path(output))
 
     with progress(f"derive {stand.name}"):
-        text = html(stand) if output is not None and output.endswith(".html") else latex(stand)
+        text = html(stand) if suffix == ".html" else latex(stand)
     if output is None:
         click.echo(text, nl=False)
         return

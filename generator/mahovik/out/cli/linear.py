@@ -153,14 +153,14 @@ def linearize(
     from mahovik.writing import probe, write
 
     target = Path(output)
-    check_model_file(target)
+    suffix = check_model_file(target)
     probe(target)
     names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
     if names is None and not (stand.points or stand.instruments):
         names = ["carrier"]
     with progress(f"linearize {stand.name}"):
         model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
-    write(target, rendered(model, target.suffix))
+    write(target, rendered(model, suffix))
     sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
     click.echo(f"{click.format_filename(output)}   {', '.join(f'{number} {name}' for number, name in sizes)}")
 

@@ -1,4 +1,4 @@
-"""The warning on speeds, given as options, beyond the no-load speeds of motors."""
+"""Warnings on speeds given as options: beyond the no-load speeds of motors, or in rad/s where rpm may be meant."""
 
 from __future__ import annotations
 
@@ -12,30 +12,45 @@ import click
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
-_RPM = 30 / math.pi
+FAST = 1000.0
+"""Speed in rad/s, 9549 rpm, above which a number without unit is asked about."""
+
+RPM = 30 / math.pi
 _EXPONENT = re.compile(r"[eE][+-]?\d+")
 
 
-def warn_beyond_motors(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) -> None:
+def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) -> None:
     """Warn, in one line on standard error, of `speeds` in rad/s, one per flywheel, beyond those of their motors.
 
-    `texts` are the speeds as the user gave them: a number without unit that rpm would bring within is asked about.
+    `texts` are the speeds as the user gave them: a number without unit is asked about if it is above FAST, or if rpm
+    would bring it within.
     """
+    given = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
     beyond = [
-        (wheel.name, abs(speed), wheel.motor.speed, text)
-        for wheel, speed, text in zip(stand.flywheels, speeds, texts, strict=True)
-        if wheel.motor is not None and wheel.motor.speed is not None and abs(speed) > wheel.motor.speed * (1 + 1e-9)
+        (wheel.name, speed, wheel.motor.speed, text)
+        for wheel, speed, text in given
+        if wheel.motor is not None and wheel.motor.speed is not None and speed > wheel.motor.speed * (1 + 1e-9)
     ]
-    if not beyond:
-        return
-    name, speed, limit, text = beyond[0]
-    words = f"{name} turns at up to {_RPM * speed:.6g} rpm, its motor at most at {_RPM * limit:.6g}"
-    if len(beyond) > 1:
-        words += f"; {len(beyond)} flywheels in all are too fast"
-    if _is_plain(text) and speed / _RPM <= limit:
-        words += f"; numbers without unit are rad/s, {speed:.6g} rpm?"
-    click.echo(f"warning: {words}", err=True)
+    asked = ""
+    if beyond:
+        name, speed, limit, text = beyond[0]
+        words = f"{name} turns at up to {RPM * speed:.6g} rpm, its motor at most at {RPM * limit:.6g}"
+        if len(beyond) > 1:
+            words += f"; {len(beyond)} flywheels in all are too fast"
+        if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
+            asked = question(speed)
+        click.echo(f"warning: {words}{asked}", err=True)
+    fast = [(wheel.name, speed) for wheel, speed, text in given if speed > FAST and _is_plain(text)]
+    if fast and not asked:
+        name, speed = fast[0]
+        click.echo(f"warning: {name} turns at up to {RPM * speed:.6g} rpm{question(speed)}", err=True)
+
+
+def question(speed: float) -> str:
+    """End of a warning: was a number without unit meant in rpm?"""
+    return f"; numbers without unit are rad/s, {speed:.6g} rpm?"
 
 
 def _is_plain(text: str) -> bool:
-    return not any(letter.isalpha() for letter in _EXPONENT.sub("", text))
+    """Whether a number was given, and without a unit."""
+    return bool(text) and not any(letter.isalpha() for letter in _EXPONENT.sub("", text))

@@ -24,9 +24,12 @@ def new(
     listed: bool = flag("--list", "List the examples and stop."),
     as_json: bool = json_option("Print the list, or the files written, as JSON."),
 ) -> None:
-    """Copy an example stand with its motions and servos. Nothing is ever overwritten."""
+    """Copy an example stand with its motions and servos. Nothing is ever overwritten.
+
+    To a device or a FIFO, such as -o /dev/stdout, the stand file alone is written.
+    """
     from mahovik import stands
-    from mahovik.writing import write_all
+    from mahovik.writing import is_written_through, write_all
 
     if listed:
         found = {each: _first_sentence(stands.path(each)) for each in stands.names()}
@@ -42,14 +45,16 @@ def new(
     if own_name is not None:
         _check_name(own_name)
     target = new_file(output, own_name or name)
-    own_name = own_name or _name_of_file(target, name)
-    stem = target.name.removesuffix(".toml")
+    alone = is_written_through(target)
+    own_name = own_name or (name if alone else _name_of_file(target, name))
     files = {target.name: source}
-    files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
-    files |= {f"{stem}.servo.toml": servo for servo in stands.servos(name)}
-    for each in files:
-        if (target.parent / each).exists():
-            raise UsageError(f"{target.parent / each}: exists already, nothing was written")
+    if not alone:
+        stem = target.name.removesuffix(".toml")
+        files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
+        files |= {f"{stem}.servo.toml": servo for servo in stands.servos(name)}
+        for each in files:
+            if (target.parent / each).exists():
+                raise UsageError(f"{target.parent / each}: exists already, nothing was written")
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
     if own_name != name:
         texts[target.name] = texts[target.name].replace(f'\nname = "{name}"\n', f'\nname = "{own_name}"\n', 1)
@@ -57,7 +62,7 @@ def new(
     if as_json:
         print_json({"files": [str(path) for path in paths]})
     else:
-        print_paths(paths)
+        print_paths(paths, err=alone)  # standard output may be what was written
 
 
 def _name_of_file(target: Path, example: str) -> str:

@@ -82,10 +82,17 @@ def print_paths(paths: Iterable[Path | str], notes: Iterable[str] = (), err: boo
         click.echo(note, err=err)
 
 
-def require_suffix(output: str, suffixes: Sequence[str]) -> None:
-    """Raise UsageError unless the name of an output file ends in one of these."""
-    if not output.endswith(tuple(suffixes)):
+def require_suffix(output: str, suffixes: Sequence[str]) -> str:
+    """Return the format of an output file, one of `suffixes`: how its name ends, the first for a device or a FIFO.
+
+    Raises UsageError.
+    """
+    from mahovik.writing import format_of
+
+    found = format_of(Path(output), suffixes)
+    if found is None:
         raise UsageError(f"-o {output}: expected a name that ends in {' or '.join(suffixes)}")
+    return found
 
 
 def require_other_file(path: Path, read: Iterable[str], where: str, what: str) -> None:
@@ -98,11 +105,16 @@ def require_other_file(path: Path, read: Iterable[str], where: str, what: str) -
 
 
 def new_file(output: str | None, name: str) -> Path:
-    """Path of a new stand file: the given one, or NAME.toml in the given folder. Raises UsageError if it exists."""
+    """Path of a new stand file: the given one, or NAME.toml in the given folder.
+
+    Raises UsageError for a file that exists; a device or a FIFO is written through.
+    """
+    from mahovik.writing import is_written_through
+
     path = Path(output) if output is not None else Path(f"{name}.toml")
     if path.is_dir() or (output is not None and output.endswith("/")):
         path = path / f"{name}.toml"
-    if path.exists():
+    if path.exists() and not is_written_through(path):
         raise UsageError(f"{path}: exists already, nothing was written")
     return path
 

@@ -34,7 +34,7 @@ def plot(
     from mahovik.out.report.plot.draw import SUFFIXES, draw
     from mahovik.writing import probe, write
 
-    require_suffix(output, SUFFIXES)
+    suffix = require_suffix(output, SUFFIXES)
     if programme_file is None and run_file is None and stand_file is not None and not stand_file.endswith(".toml"):
         if stand_file.endswith(run.SUFFIXES):
             run_file = stand_file
@@ -57,7 +57,7 @@ def plot(
             title, shown = _programme_panels(source, stand_file, motion_file)
         else:
             title, shown = Path(source).stem, run.panels(run.read(Path(source)))
-        picture = draw(title, shown, target.suffix)
+        picture = draw(title, shown, suffix)
     write(target, picture)
 
 

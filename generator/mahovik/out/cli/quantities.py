@@ -6,7 +6,10 @@ import math
 import re
 from decimal import Decimal, InvalidOperation
 
+import click
+
 from mahovik.errors import UsageError
+from mahovik.out.cli.motor_limits import FAST, RPM, question
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![\d./])")  # the 1 of 1/min is its unit's
 
@@ -26,8 +29,12 @@ def _list(option: str, text: str, dimension: tuple[str, str]) -> list[float]:
 
 
 def speeds(option: str, text: str) -> tuple[float, ...]:
-    """Angular speeds, rad/s, as "100 200 rpm". Raises UsageError."""
-    return tuple(_list(option, text, ("an angular speed", "rad/s")))
+    """Angular speeds, rad/s, as "100 200 rpm". Raises UsageError; warns of one above FAST without a unit."""
+    found = tuple(_list(option, text, ("an angular speed", "rad/s")))
+    fastest = max(map(abs, found), default=0.0)
+    if fastest > FAST and not any(letter.isalpha() for letter in re.sub(_NUMBER, "", text)):
+        click.echo(f"warning: {option}: {RPM * fastest:.6g} rpm{question(fastest)}", err=True)
+    return found
 
 
 def vector(option: str, text: str) -> tuple[float, float, float]:

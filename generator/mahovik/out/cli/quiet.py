@@ -12,7 +12,7 @@ import click
 
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
-from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.motor_limits import warn_of_speeds
 from mahovik.out.cli.options import (
     JSON,
     SEED_OF_STARTS,
@@ -146,7 +146,7 @@ def quiet(
     if speeds is not None and len(speeds) != len(stand.flywheels):
         raise UsageError(f"--speeds: {len(speeds)} speeds, but the stand has {len(stand.flywheels)} flywheels")
     if speeds is not None:
-        warn_beyond_motors(stand, speeds, [""] * len(speeds))
+        warn_of_speeds(stand, speeds, [""] * len(speeds))
     options = QuietOptions(
         point, band, momentum, speeds, axes, measure, limit, least, change, reduction, _intervals(avoid, margin),
         orders, "modes" in avoid, margin, guard, seed,

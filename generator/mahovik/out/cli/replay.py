@@ -144,10 +144,10 @@ class _Session:
 
     def _written(self, found: Outcome) -> str:
         from mahovik.errors import StateError
-        from mahovik.use.simulate.replay import csv_row, eval_line
+        from mahovik.use.simulate.replay import check_format, csv_row, eval_line
 
         assert self._output is not None
-        if self._output.suffix == ".csv":
+        if check_format(self._output) == ".csv":
             return csv_row(found)
         try:
             return eval_line(found, self._machine.generated.layout.inputs) + "\n"
@@ -176,7 +176,7 @@ class _Session:
 
     def finish(self, notes: list[str], as_json: bool) -> None:
         """Write files and the last line. Exit status 1 if a state differs or something is missing."""
-        from mahovik.use.simulate.replay import csv_heading, explain
+        from mahovik.use.simulate.replay import check_format, csv_heading, explain
         from mahovik.writing import write
 
         for text in self._said:
@@ -184,7 +184,7 @@ class _Session:
         for note in notes:
             click.echo(f"note: {note}", err=True)
         if self._output is not None:
-            first = csv_heading(self._start.flywheels) if self._output.suffix == ".csv" else ""
+            first = csv_heading(self._start.flywheels) if check_format(self._output) == ".csv" else ""
             write(self._output, first + "".join(self._lines))
             click.echo(f"{click.format_filename(self._output)}   {len(self._lines)} steps", err=as_json)
         for damage in self._damage:

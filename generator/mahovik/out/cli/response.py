@@ -10,9 +10,9 @@ import click
 
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
-from mahovik.out.cli.motor_limits import warn_beyond_motors
+from mahovik.out.cli.motor_limits import warn_of_speeds
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
-from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table
+from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from mahovik.use.study.response.sweep import Sweep
 
 PICTURES = (".svg", ".png")
-SUFFIXES = (".json", ".csv", *PICTURES)
+SUFFIXES = (".csv", ".json", *PICTURES)
 
 RPM = 9.549296585513721
 """1 rad/s in rpm."""
@@ -75,8 +75,7 @@ def response(
     common period. Ctrl-C keeps the speeds that are done.
     """
     stand = load_stand(stand_file)
-    if output is not None and Path(output).suffix not in SUFFIXES:
-        raise UsageError(f"-o {output}: expected a name that ends in {', '.join(SUFFIXES)}")
+    suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.use.study.linear.model import places
     from mahovik.use.study.response.speeds import read_speeds
     from mahovik.use.study.response.sweep import sweep
@@ -87,7 +86,7 @@ def response(
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)
     if output is not None:
-        _check_place(Path(output))
+        _check_place(Path(output), suffix)
     _warn(stand, asked, speeds)
     end = None if seconds is None else time.monotonic() + seconds
 
@@ -102,7 +101,7 @@ def response(
     if not found.steps:
         raise KeyboardInterrupt
     if output is not None:
-        _write(found, Path(output))
+        _write(found, Path(output), suffix)
     if as_json:
         from mahovik.use.study.response.sweep import json_text
 
@@ -118,7 +117,7 @@ def response(
 
 
 def _warn(stand: Stand, asked: SpeedPlan, given: tuple[str, ...]) -> None:
-    """Warn of speeds beyond those of the motors."""
+    """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
     from mahovik.use.study.response.speeds import ALL
 
     fastest = [max(map(abs, each)) for each in zip(*(asked.speeds(x) for x in asked.sweep or (0.0,)), strict=True)]
@@ -126,32 +125,32 @@ def _warn(stand: Stand, asked: SpeedPlan, given: tuple[str, ...]) -> None:
     for each in given:
         name, _, text = each.partition("=")
         texts |= dict.fromkeys(asked.names if name == ALL else [name], text)
-    warn_beyond_motors(stand, fastest, list(texts.values()))
+    warn_of_speeds(stand, fastest, list(texts.values()))
 
 
-def _check_place(path: Path) -> None:
+def _check_place(path: Path, suffix: str) -> None:
     """Check, before anything is computed, that the file can be written. Raises UsageError."""
     from mahovik.writing import probe
 
-    if path.suffix in PICTURES:
+    if suffix in PICTURES:
         from mahovik.out.report.plot.draw import require
 
         require("plot")
     probe(path)
 
 
-def _write(found: Sweep, path: Path) -> None:
+def _write(found: Sweep, path: Path, suffix: str) -> None:
     from mahovik.writing import write
 
-    if path.suffix in (".json", ".csv"):
+    if suffix in (".json", ".csv"):
         from mahovik.use.study.response.sweep import csv_text, json_text
 
-        write(path, json_text(found) if path.suffix == ".json" else csv_text(found))
+        write(path, json_text(found) if suffix == ".json" else csv_text(found))
         return
     from mahovik.out.report.plot.draw import draw
     from mahovik.out.report.plot.response import panels
 
-    write(path, draw(f"{found.stand.name}: response to unbalance", panels(found), path.suffix))
+    write(path, draw(f"{found.stand.name}: response to unbalance", panels(found), suffix))
 
 
 def _print(found: Sweep) -> None:

@@ -24,6 +24,7 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.states import encode
 from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step, members
+from mahovik.writing import format_of
 
 Members = dict[str, Reals]
 
@@ -265,10 +266,12 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None, lanes: i
 FORMATS = (".csv", ".jsonl")
 
 
-def check_format(path: Path) -> None:
-    """Check the name of the output file. Raises UsageError."""
-    if path.suffix not in FORMATS:
+def check_format(path: Path) -> str:
+    """The format of the output file. Raises UsageError."""
+    found = format_of(path, FORMATS)
+    if found is None:
         raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(FORMATS)}")
+    return found
 
 
 def csv_heading(flywheels: int) -> str:

@@ -17,7 +17,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.use.simulate.case import Array, Case, Moment
-from mahovik.writing import probe, write
+from mahovik.writing import format_of, probe, write
 
 _AXES = "xyz"
 
@@ -154,22 +154,24 @@ IDENTITY = "mahovik"
 """Metadata key in a Parquet file: an object with the stand's name, structure and physics. CSV has no metadata."""
 
 
-def check_output(path: Path) -> None:
-    """Check, before anything is computed, that the file can be written. Raises UsageError."""
-    if path.suffix not in RUN_SUFFIXES:
-        raise UsageError(f"-o {path}: expected a name that ends in .csv or .parquet")
-    if path.suffix == ".parquet":
+def check_output(path: Path) -> str:
+    """Check, before anything is computed, that the file can be written; return its format. Raises UsageError."""
+    suffix = format_of(path, RUN_SUFFIXES)
+    if suffix is None:
+        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(RUN_SUFFIXES)}")
+    if suffix == ".parquet":
         try:
             import_module("pyarrow.parquet")
         except ImportError:
             raise UsageError(f'-o {path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
     probe(path)
+    return suffix
 
 
 def save_run(run: Run, path: Path) -> None:
     """Write a run. Raises UsageError."""
-    check_output(path)
-    write(path, csv_text(run) if path.suffix == ".csv" else parquet_bytes(run))
+    suffix = check_output(path)
+    write(path, csv_text(run) if suffix == ".csv" else parquet_bytes(run))
 
 
 def csv_text(run: Run) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.panel import Dots, Levels, Line, Panel, extent
-from mahovik.out.report.plot.tags import tag_lines
+from mahovik.out.report.plot.tags import tag_ends, tag_lines
 
 SUFFIXES = (".svg", ".png")
 
@@ -88,8 +88,9 @@ def _rows(panels: Sequence[Panel]) -> list[list[Panel]]:
 
 def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) -> None:
     """A panel with its words, names and scale of colours."""
-    draw_panel(axes, panel)
-    _words(axes, panel, narrow)
+    draw_panel(axes, panel, outside=True)
+    _, room = tag_ends(axes, panel.lines, GREY)
+    _words(axes, panel, narrow, room)
     if panel.dots is not None:
         _dots(figure, axes, panel.dots)
     if panel.levels is not None:
@@ -98,10 +99,12 @@ def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) 
         axes.set_xlabel(panel.abscissa or TIME)
 
 
-def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[list[Any], list[Any]]:
+def draw_panel(
+    axes: Any, panel: Panel, others: Sequence[Any] = (), outside: bool = False
+) -> tuple[list[Any], list[Any]]:
     """Draw lines, marks and shaded stretches, and set the ranges; return what was drawn of lines and of marks.
 
-    `others` are ordinates that the axis holds as well.
+    `others` are ordinates that the axis holds as well; `outside`: the tags of lines are written later, by `tag_ends`.
     """
     dots = panel.dots
     xs, ys = ([getattr(line, name) for line in panel.lines] for name in "xy")
@@ -115,12 +118,13 @@ def draw_panel(axes: Any, panel: Panel, others: Sequence[Any] = ()) -> tuple[lis
     axes.set(xscale=_scale(panel.log_abscissa), yscale=_scale(panel.log))
     for axis, log, (low, high) in ((axes.xaxis, panel.log_abscissa, across), (axes.yaxis, panel.log, down)):
         if log:
-            _powers_of_ten(axis, high / low)
+            _powers_of_ten(axis, low, high)
     lines = [_line(axes, line) for line in panel.lines]
     for start, end in panel.shaded:
         axes.axvspan(start, end, color=SHADE, alpha=0.25, linewidth=0)
     marks = [axes.plot(mark.x, mark.y, "o", color=INK, markersize=3.5)[0] for mark in panel.marks]
-    tag_lines(axes, panel.lines, GREY)
+    if not outside:
+        tag_lines(axes, panel.lines, GREY)
     return lines, marks
 
 
@@ -128,33 +132,53 @@ def _scale(log: bool) -> str:
     return "log" if log else "linear"
 
 
-def _powers_of_ten(axis: Any, ratio: float) -> None:
-    """Label an axis by powers of ten; one of few decades by parts of them as well."""
+def _powers_of_ten(axis: Any, low: float, high: float) -> None:
+    """Label an axis by powers of ten, all written in one way; one of few decades by parts of them as well."""
     ticker = import_module("matplotlib.ticker")
+    ratio = high / low
     parts = (1.0, 2.0, 3.0, 5.0) if ratio < 10.0 else (1.0, 2.0, 5.0) if ratio < 100.0 else (1.0,)
     axis.set_major_locator(ticker.LogLocator(subs=parts, numticks=6))
-    axis.set_major_formatter(ticker.FuncFormatter(lambda x, _: decimal(x)))
+    axis.set_major_formatter(power_labels(low, high))
     axis.set_minor_formatter(ticker.NullFormatter())
 
 
-def decimal(x: float) -> str:
-    """A number with one digit, by a power of ten where it is long: 0.02, 5·10⁻⁷."""
+def power_labels(low: float, high: float) -> Any:
+    """Labels of an axis with this range: all as plain numbers, or all by powers of ten."""
+    long = not (_is_short(low) and _is_short(high))
+    return import_module("matplotlib.ticker").FuncFormatter(lambda x, _: decimal(x, long))
+
+
+def _is_short(x: float) -> bool:
+    return -2 <= math.floor(math.log10(x) + 1e-9) <= 4
+
+
+def decimal(x: float, long: bool = False) -> str:
+    """A number with one digit, by a power of ten where it is long, or shall be: 0.02, 5·10⁻⁷."""
     power = math.floor(math.log10(x) + 1e-9)
-    if -2 <= power <= 4:
+    if not long and _is_short(x):
         return f"{x:g}"
     lead = round(x / 10.0**power)
     return ("" if lead == 1 else f"{lead}·") + "10" + str(power).translate(SUPERSCRIPT)
 
 
-def _words(axes: Any, panel: Panel, narrow: bool) -> None:
-    """Quantity and note above a panel, one above the other where it is narrow; names of its lines beside it."""
-    axes.set_title(panel.quantity, loc="left", fontsize="medium", pad=16.0 if narrow else None)
+def _words(axes: Any, panel: Panel, narrow: bool, room: float) -> None:
+    """Quantity and note above a panel, one above the other where it is narrow; names of its lines beside it.
+
+    `room`: that of tags above the frame, points.
+    """
+    pad = 16.0 + room if narrow else room + 6.0 if room else None
+    axes.set_title(panel.quantity, loc="left", fontsize="medium", pad=pad)
     if panel.note and narrow:
         axes.annotate(
-            panel.note, (0.0, 1.0), xytext=(0, 5), xycoords="axes fraction", textcoords="offset points", color=GREY
+            panel.note,
+            (0.0, 1.0),
+            xytext=(0, 5 + room),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            color=GREY,
         )
     elif panel.note:
-        axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
+        axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY, pad=pad)
     named = sum(bool(line.name) for line in panel.lines)
     if named:
         columns = -(-named // LEGEND)
@@ -173,7 +197,7 @@ def _dots(figure: Any, axes: Any, dots: Dots) -> None:
     shown = axes.scatter(
         dots.x[order], dots.y[order], s=9, c=dots.value[order], norm=norm, cmap="viridis_r", linewidths=0, zorder=3
     )
-    figure.colorbar(shown, ax=axes, label=dots.quantity, pad=0.01, aspect=30)
+    _scale_of_colours(figure, axes, shown, dots.quantity)
 
 
 def _levels(figure: Any, axes: Any, levels: Levels) -> None:
@@ -182,7 +206,13 @@ def _levels(figure: Any, axes: Any, levels: Levels) -> None:
     norm = colours.LogNorm(levels.least, max(largest, 10.0 * levels.least))
     axes.grid(False)
     shown = axes.pcolormesh(levels.x, levels.y, levels.value, norm=norm, cmap="viridis_r", rasterized=True)
-    figure.colorbar(shown, ax=axes, label=levels.quantity, pad=0.01, aspect=30)
+    _scale_of_colours(figure, axes, shown, levels.quantity)
+
+
+def _scale_of_colours(figure: Any, axes: Any, shown: Any, quantity: str) -> None:
+    """The scale beside a panel, with the labels of axes."""
+    scale = figure.colorbar(shown, ax=axes, label=quantity, pad=0.01, aspect=30)
+    scale.ax.yaxis.set_major_formatter(power_labels(shown.norm.vmin, shown.norm.vmax))
 
 
 def colour_and_dashes(line: Line) -> tuple[str, Any]:

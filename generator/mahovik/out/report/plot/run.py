@@ -16,6 +16,7 @@ import numpy as np
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.panel import Array, Line, Panel, family
 from mahovik.use.simulate.run import IDENTITY
+from mahovik.writing import format_of
 
 SUFFIXES = (".csv", ".parquet")
 
@@ -31,7 +32,7 @@ _FLYWHEEL = re.compile(r"(phi_dot|tau|margin) (\w+) \[[^]]*\]")
 def read(path: Path) -> dict[str, Array]:
     """The columns of a run by their whole names. Raises UsageError."""
     try:
-        found = _csv(path) if path.suffix == ".csv" else _parquet(path)
+        found = _parquet(path) if _is_parquet(path) else _csv(path)
     except OSError as error:
         raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
     except (ValueError, csv.Error) as error:
@@ -46,7 +47,7 @@ def identity(path: Path) -> dict[str, str] | None:
 
     Raises UsageError.
     """
-    if path.suffix == ".csv":
+    if not _is_parquet(path):
         return None
     try:
         given = (_parquet_module(path).read_schema(path).metadata or {}).get(IDENTITY.encode())
@@ -54,6 +55,11 @@ def identity(path: Path) -> dict[str, str] | None:
     except (OSError, ValueError) as error:
         raise UsageError(f"{path}: no run of `mahovik simulate`: {error}") from None
     return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else None
+
+
+def _is_parquet(path: Path) -> bool:
+    """A file is CSV if its name ends so, and if it is a device or a FIFO, unless its name says Parquet."""
+    return format_of(path, SUFFIXES) != ".csv"
 
 
 def _csv(path: Path) -> dict[str, Array]:

@@ -24,6 +24,7 @@ from mahovik.proof.cost.page import read_accepted
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 from mahovik.proof.verify.targets import parse_targets
+from mahovik.writing import format_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +161,7 @@ def _name(path: str | None) -> str:
 
 
 def _run(path: Path, stand: Stand) -> Run:
-    if path.suffix not in SUFFIXES:
+    if format_of(path, SUFFIXES) is None:
         raise UsageError(f"--run {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
     run = Run(path.name, tuple(s.name for s in stand.flywheels), read(path))
     refuse_foreign_run(stand, run, identity(path), f"--run {path}")

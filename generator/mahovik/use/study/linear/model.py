@@ -29,6 +29,7 @@ from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
 from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
+from mahovik.writing import format_of
 
 
 class Channel(NamedTuple):
@@ -272,10 +273,12 @@ MODEL_SUFFIXES = (".json", ".mat")
 FORMAT = 1
 
 
-def check_model_file(path: Path) -> None:
-    """Raise UsageError if no model can be written to a file of this name."""
-    if path.suffix not in MODEL_SUFFIXES:
+def check_model_file(path: Path) -> str:
+    """The format of a file for a model. Raises UsageError if its name says none."""
+    found = format_of(path, MODEL_SUFFIXES)
+    if found is None:
         raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(MODEL_SUFFIXES)}")
+    return found
 
 
 def rendered(model: LinearModel, suffix: str) -> bytes:

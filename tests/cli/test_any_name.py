@@ -1,0 +1,63 @@
+"""Outputs that are no regular files have any name: devices, FIFOs and links to them."""
+
+from __future__ import annotations
+
+import os
+import threading
+from pathlib import Path
+
+import pytest
+
+from cli.run import DEMO3, refused, run
+from mahovik import stands
+
+SHAKER2 = str(stands.path("shaker2"))
+RESPONSE = ("response", SHAKER2, "--at", "carrier", "--speed", "left=0..100rpm", "--steps", "3")
+SIMULATE = ("simulate", DEMO3, "--until", "0.002")
+
+
+def received(path: Path, *arguments: str) -> str:
+    """Text that a command writes into a FIFO."""
+    os.mkfifo(path)
+    found: list[str] = []
+    reader = threading.Thread(target=lambda: found.append(path.read_text()), daemon=True)
+    reader.start()
+    assert run(*arguments, "-o", str(path)).exit_code == 0
+    reader.join(timeout=20.0)
+    assert path.is_fifo()
+    return found[0]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [RESPONSE, SIMULATE, ("linearize", DEMO3), ("derive", DEMO3), ("new", "demo3")],
+    ids=lambda each: each[0],
+)
+def test_a_device_and_a_link_to_one_need_no_ending(arguments: tuple[str, ...], tmp_path: Path) -> None:
+    link = tmp_path / "link"
+    link.symlink_to("/dev/null")
+    for target in ("/dev/null", str(link)):
+        assert run(*arguments, "-o", target).exit_code == 0
+    assert link.is_symlink() and list(tmp_path.iterdir()) == [link]
+
+
+def test_a_fifo_of_any_name_gets_csv(tmp_path: Path) -> None:
+    assert received(tmp_path / "run", *SIMULATE).startswith("t [s],")
+    assert received(tmp_path / "sweep", *RESPONSE).splitlines()[0].count(",") > 3
+    assert received(tmp_path / "sweep.json", *RESPONSE).startswith("{")
+
+
+def test_new_writes_the_example_alone_into_a_fifo(tmp_path: Path) -> None:
+    assert received(tmp_path / "fifo", "new", "demo3") == Path(stands.path("demo3")).read_text()
+    assert [each.name for each in tmp_path.iterdir()] == ["fifo"]
+
+
+def test_a_regular_file_still_needs_an_ending(tmp_path: Path) -> None:
+    assert "expected a name that ends in .csv or .parquet" in refused(*SIMULATE, "-o", str(tmp_path / "run"))
+    (tmp_path / "link").symlink_to(tmp_path / "run")
+    assert "expected a name that ends in" in refused(*RESPONSE, "-o", str(tmp_path / "link"))
+
+
+def test_an_empty_device_is_called_no_parquet_file() -> None:
+    said = refused("plot", "--run", "/dev/null", "-o", "/dev/null")
+    assert said.rstrip().endswith('/dev/null: no run of `mahovik simulate`: expected a column "t [s]" and rows')
