@@ -39,6 +39,7 @@ TOOLS = (
     "math_campaign",
     "explain_campaign",
     "rounding_campaign",
+    "short_steps",
     "judges_table",
     "planted_faults",
     "traceability_campaign",

@@ -108,22 +108,6 @@ def test_a_carry_keeps_the_increments_of_short_steps_in_float(dt: float) -> None
     assert without > 100 * carried
 
 
-@pytest.mark.slow
-def test_a_million_steps_in_float() -> None:
-    """Figures of the page on the C: sat4, 200 m from the origin, wheels at 100 rad/s; 100 s."""
-    stand = load(STANDS / "sat4.toml")
-    start = replace(rest_state(stand), position=(200.0, 0.0, 0.0), V=(5e-3, 0.0, 0.0, 1e-3, 0.0, 0.0), tau=(1e-4,) * 4)
-    start = replace(start, phi=(-1.0, -1 / 3, 1 / 3, 1.0), phi_dot=(100.0,) * 4)
-    ends = [
-        end_of_steps(compiled("sat4", real), function, start, 100.0, 1_000_000, 4)
-        for real, function in (("double", "step"), ("float", "step"), ("float", "step_carried"))
-    ]
-    exact, plain, carried = [np.concatenate([end[m] for m in ("position", "V", "phi_dot")]) for end in ends]
-    sizes = np.array([0.5] * 3 + [5e-3] * 3 + [0.01] * 3 + [100.0] * 4)
-    assert np.max(np.abs(plain - exact) / sizes) > 0.9  # it has not moved
-    assert np.max(np.abs(carried - exact) / sizes) < 2e-5
-
-
 def test_a_carry_moves_what_is_far_from_the_origin() -> None:
     """200 m away and at 5 mm/s, a float's last place is 15 um: three steps of 1 ms."""
     c = compiled("sat4", "float")
