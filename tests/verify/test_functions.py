@@ -23,8 +23,8 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.allocation import inverse_rows
-from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import JUDGES, function_rows, unjudged
+from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
+from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of, unjudged
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
 
 STATES = 6
@@ -35,17 +35,17 @@ def example(name: str) -> Stand:
     return load(stands.path(name))
 
 
-def case_of(name: str, folder: Path | None = None, real: str = "double") -> Case:
-    """The C of an example, or what lies in a folder in its place, with a few states."""
-    stand = example(name)
+def case_of(name: str, folder: Path | None = None, real: str = "double", stand: Stand | None = None) -> Case:
+    """The C of an example, or what lies in a folder in its place, with a few states; or of a stand of its name."""
+    stand = stand or example(name)
     backend = CBackend(stand, real, folder)
     states = ordinary(draw(stand, 3, 40, real), backend.inputs, STATES)
     return Case(stand, backend, states, BOUNDS[real], Second(stand), 3)
 
 
-def planted(name: str, folder: Path, function: str, pattern: str, wrong: str) -> Path:
+def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, stand: Stand | None = None) -> Path:
     """The C of an example with one fault in a function: exactly one place of the text changes."""
-    files = dict(generate_all(example(name)).files)
+    files = dict(generate_all(stand or example(name)).files)
     text = files[f"{name}.c"]
     start = re.search(rf"^(static )?[\w ]*\b{name}_{function}\([^;]*?\)\n\{{", text, re.DOTALL | re.MULTILINE)
     assert start is not None, f"no function {function}"
@@ -101,6 +101,14 @@ FAULTS = [
     ("inverse", "inverse", r"\(square / \(square \+ lambda \* lambda\)\)", "(square / (square + lambda))"),
     ("inverse", "allocate", r"1\.0 / options->weight\[s\]", "1.0"),
     ("inverse_fast", "inverse_fast", r"options->damping \* options->damping \* trace", "options->damping * trace"),
+    ("inverse", "inverse", r"out->hardest\[i\] = 0\.0", "out->hardest[i] = 1.0"),
+    ("inverse", "inverse", r"flags \| \w+_UNREACHABLE", "flags"),
+    ("inverse", "inverse", r"flags \| \w+_NEAR_SINGULAR", "flags"),
+    ("inverse", "inverse", r"flags \| \w+_DAMPED", "flags"),
+    ("step", "step", r"return \w+_COARSE", "return 0"),
+    ("step_driven", "step_driven", r"most \* most", "most"),
+    ("step_carried", "step_carried", r"dt \* dt \* fastest", "dt * fastest"),
+    ("step_driven_carried", "step_driven_carried", r"x->V\[5\] \* x->V\[5\]", "0.0"),
     ("quaternion", "quaternion", r"\+", "-"),
     ("state_from_coordinates", "state_from_coordinates", r"- v\[2\] \* omega\[1\]", "+ v[2] * omega[1]"),
     ("wrap", "wrap", r"k \+ 1\.0 : k - 1\.0", "k - 1.0 : k + 1.0"),
@@ -132,6 +140,42 @@ def test_a_planted_fault_is_noticed(function: str, place: str, pattern: str, wro
     case = case_of(name, planted(name, tmp_path, place, pattern, wrong))
     rows: list[Row] = list(JUDGES[function](case))
     assert any(row.verdict == "FAILED" for row in rows), [(row.quantity, row.worst) for row in rows]
+
+
+def nearly_balanced(folder: Path) -> Stand:
+    """sat4 with unbalances a thousandth of its own: the condition of W is 1e5 and more."""
+    text = stands.path("sat4").read_text(encoding="utf-8")
+    for old, new in (("0.15 g cm", "0.05 g mm"), ("2.2 g cm^2", "1 g mm^2")):
+        assert text.count(f'"{old}"') == 4
+        text = text.replace(f'"{old}"', f'"{new}"')
+    (folder / "sat4.toml").write_text(text, encoding="utf-8")
+    return load(folder / "sat4.toml")
+
+
+ILL_CONDITIONED = [
+    ("inverse", r"out->rank = rank;", "out->rank = rank;\nif (damping > 0.0) { out->phi_ddot[1] *= 2.0; }"),
+    (
+        "inverse_fast",
+        r"phi_ddot\[s\] = y \* work.scale\[s\];",
+        "phi_ddot[s] = y * work.scale[s] * (options->damping > 0.0 ? 1.0 : 2.0);",
+    ),
+    ("inverse_fast", r"> least\)", "> 1.0e30 * least)"),
+]
+"""Function, and what is replaced there by what: answers of bad condition that are wrong."""
+
+
+@pytest.mark.parametrize(("function", "pattern", "wrong"), ILL_CONDITIONED, ids=["damped", "undamped", "refused"])
+def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str, wrong: str, tmp_path: Path) -> None:
+    stand = nearly_balanced(tmp_path)
+    right = rows_of(case_of("sat4", stand=stand), function)
+    assert [row.quantity for row in right if row.failed] == []
+    case = case_of("sat4", planted("sat4", tmp_path, function, pattern, wrong, stand), stand=stand)
+    assert any(row.verdict == "FAILED" for row in rows_of(case, function))
+
+
+def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Comparison("wrap", "nothing", 1.0).finished()])
+    assert [row.verdict for row in rows_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
 
 
 CHECKS = [

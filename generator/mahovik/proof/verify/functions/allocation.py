@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 from scipy.optimize import lsq_linear
 
-from mahovik.contract.status import STATUS_VALUES
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -17,6 +17,7 @@ from mahovik.proof.reference.allocation import (
     condition_of_normal_equations,
     largest_damping,
     normal_equations,
+    normal_matrix,
     scaled_demand,
     weighted,
 )
@@ -24,6 +25,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.diagnoses import Diagnoses
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 
@@ -55,6 +57,31 @@ def _scale(scaled: ScaledDemand, weight: Array, rank: int, answer: Array) -> Arr
     residual = np.linalg.norm(scaled.r - scaled.W @ y)
     moved = np.linalg.norm(y / root) + (np.linalg.norm(scaled.r) + condition * residual) / sigma[0]
     return np.asarray(np.abs(scaled.to_phi_ddot * root) @ np.full(len(answer), condition * moved))
+
+
+def _scale_of_damped(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], rank: int, answer: Array) -> Array:
+    """Scale (N, rad/s2) of a damped answer, likewise: by the condition of the damped problem.
+
+    V g(sigma) U^T r with g = sigma/(sigma^2 + lambda^2) moves by |r| times the largest slope of g, which is at most
+    (1 + damping/near)/(sigma^2 + lambda^2); weights stretch this by the root of their ratio. Only what weights put
+    outside of the kept directions, where there are more flywheels than those, turns with them: the full condition.
+    Along weak directions (`_weak_demand`) the C leaves `regular` of the answer, stretched by the ratio of the weights.
+    """
+    _, sigma, Vt = np.linalg.svd(scaled.W, full_matrices=False)
+    sigma, Vt = sigma[:rank], Vt[:rank]
+    if not rank:
+        return np.zeros(len(answer))
+    near, damping, weight = options["near"], options["damping"], np.array(options["weight"])
+    shares = damping * sigma[0] * np.maximum(1 - sigma / (near * sigma[0]), 0.0)
+    slope = (1 + damping / near) * float(np.max(1 / (sigma**2 + shares**2)))
+    y = np.linalg.solve(scaled.to_phi_ddot, answer)
+    outside = float(np.linalg.norm(y - Vt.T @ (Vt @ y))) if rank < len(y) else 0.0
+    size, ratio = float(np.linalg.norm(y)), float(weight.max() / weight.min())
+    moved = np.sqrt(ratio) * (slope * sigma[0] * np.linalg.norm(scaled.r) + size + sigma[0] / sigma[-1] * outside)
+    regular = THRESHOLDS[case.real].regular
+    if sigma[-1] < 3 * np.sqrt(regular) * sigma[0]:
+        moved += ratio * size * regular / case.bounds.default
+    return np.asarray(np.abs(scaled.to_phi_ddot) @ np.full(len(answer), moved))
 
 
 def _scale_of_normal_equations(scaled: ScaledDemand, weight: Array, condition: float, answer: Array) -> Array:
@@ -89,10 +116,23 @@ def _asked(case: Case) -> Iterator[tuple[int, str, State, ScaledDemand]]:
         yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
 
 
+def _answer(case: Case, given: Mapping[str, Any], options: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+    """Status and result of `inverse` with these options. Raises StateError if it refuses."""
+    status, outputs = case.backend.call("inverse", {**given, "options": options})
+    if status < 0:
+        raise StateError(f"inverse refused with status {status_words(status)}")
+    return status, outputs["out"]
+
+
 def inverse_rows(case: Case) -> Iterator[Row]:
-    """phi_ddot with weights, phi_ddot and damped_by with damping, and limits kept with the least residual."""
+    """phi_ddot with weights, phi_ddot and damped_by with damping, and limits kept with the least residual.
+
+    Of every answer, what the function says beside it is judged as well.
+    """
+    beside = Diagnoses(case)
     if not case.count:
-        yield from _left_over(case)
+        yield from _left_over(case, beside)
+        yield from beside.rows()
         return
     accepted = case.bounds.default
     plain = Comparison("inverse", "phi_ddot, with weights", accepted)
@@ -104,27 +144,34 @@ def inverse_rows(case: Case) -> Iterator[Row]:
         options = _options(case, number)
         weight = np.array(options["weight"])
         try:
-            found = case.call("inverse", given | {"options": options})
+            status, found = _answer(case, given, options)
             rank = int(found["rank"])
             _check_rank(case, scaled, rank)
             expected = weighted(scaled, weight, rank)
             plain.note(found["phi_ddot"], expected, _scale(scaled, weight, rank, expected), name)
+            beside.note(state, options, status, found, scaled, name)
             options = _options(case, number, near=NEAR, damping=DAMPING)
             options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
             near, damping = options["near"], options["damping"]
-            found = case.call("inverse", given | {"options": options})
+            status, found = _answer(case, given, options)
             answer = weighted(scaled, weight, rank, near, damping)
-            damped.note(found["phi_ddot"], answer, _scale(scaled, weight, rank, answer), name)
+            scale = _scale_of_damped(case, scaled, options, rank, answer)
+            damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
-            _note_limits(limited, case, given, _options(case, number, _limits(case, expected)), scaled, name)
+            beside.note(state, options, status, found, scaled, name)
+            options = _options(case, number, _limits(case, expected))
+            status, found = _answer(case, given, options)
+            _note_limits(limited, case, status, found, options, scaled, name)
+            beside.note(state, options, status, found, scaled, name, free=False)
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, damped, damped_by, limited):
         yield row.finished()
+    yield from beside.rows()
 
 
-def _left_over(case: Case) -> Iterator[Row]:
+def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
     """Demand of a stand without flywheels: all of it as residual, and as a unit vector in the norm of K^-1."""
     residual = Comparison("inverse", "residual, without flywheels", case.bounds.default)
     hardest = Comparison("inverse", "hardest, without flywheels", case.bounds.default)
@@ -132,7 +179,8 @@ def _left_over(case: Case) -> Iterator[Row]:
         at = case.at(state)
         natural = inverse_scales(Magnitudes(case.stand, state, at, case.bounds.cuts))["residual"]
         try:
-            found = case.call("inverse", case.backend.arguments(state))
+            given = case.backend.arguments(state)
+            status, found = _answer(case, given, given["options"])
         except StateError as error:
             residual.note_refusal(error, name)
             continue
@@ -140,6 +188,7 @@ def _left_over(case: Case) -> Iterator[Row]:
         residual.note(found["residual"], wanted, natural, name)
         if length > np.linalg.norm(inverse_root(at.K) @ natural) * 1e-3:
             hardest.note(found["hardest"], wanted / length, natural / length, name)
+        beside.note(state, given["options"], status, found, scaled, name)
     for row in (residual, hardest):
         yield row.finished()
 
@@ -158,11 +207,11 @@ def _limits(case: Case, phi_ddot: Array) -> Array:
 
 
 def _note_limits(
-    row: Comparison, case: Case, given: dict[str, Any], options: dict[str, Any], scaled: ScaledDemand, name: str
-) -> None:
+    row: Comparison, case: Case, status: int, found: Mapping[str, Any], options: Mapping[str, Any],
+    scaled: ScaledDemand, name: str
+) -> None:  # fmt: skip
     """Count a bounded answer: by how much its residual exceeds the least, relative to the demand."""
-    status, outputs = case.backend.call("inverse", given | {"options": options})
-    found, limit = outputs["out"], np.array(options["limit"])
+    limit = np.array(options["limit"])
     phi_ddot = np.array(found["phi_ddot"])
     if np.any(np.abs(phi_ddot) > limit):
         row.note_difference(np.inf, "a limit is exceeded", name)
@@ -194,23 +243,76 @@ def _weak_demand(scaled: ScaledDemand, y: Array, held: Array, regular: float) ->
 
 
 def fast_rows(case: Case, function: str) -> Iterator[Row]:
-    """phi_ddot by normal equations, without and with damping."""
+    """phi_ddot by normal equations, without and with damping, the refusal, and how well the equations are solved.
+
+    The last is judged at any condition: an answer of bad condition solves them all the same.
+    """
     plain = Comparison(function, "phi_ddot, with weights", case.bounds.default)
     damped = Comparison(function, "phi_ddot, with damping", case.bounds.default)
+    solved = Comparison(function, "residual of its equations", case.bounds.default)
+    status_row = Comparison(function, "status", 0.0)
     for number, name, state, scaled in _asked(case):
         given = case.backend.arguments(state)
         for row, damping in ((plain, 0.0), (damped, FAST_DAMPING)):
             options = _options(case, number, damping=damping)
             weight = np.array(options["weight"])
+            status, found = case.backend.call(function, given | {"options": options})
+            status_row.note_difference(*_wrong_refusal(case, status, normal_matrix(scaled, weight, damping)), name)
             condition = condition_of_normal_equations(scaled, weight, damping)
-            if condition > SQUARED_CONDITION[case.real]:  # the function may say NOT_POSITIVE_DEFINITE there
-                continue
-            try:
-                found = case.call(function, given | {"options": options})["phi_ddot"]
-            except StateError as error:
-                row.note_refusal(error, name)
-                continue
-            expected = normal_equations(scaled, weight, damping)
-            row.note(found, expected, _scale_of_normal_equations(scaled, weight, condition, expected), name)
-    for row in (plain, damped):
+            if condition <= SQUARED_CONDITION[case.real]:
+                if status < 0:
+                    row.note_refusal(StateError(f"{function} refused with status {status_words(status)}"), name)
+                    continue
+                expected = normal_equations(scaled, weight, damping)
+                scale = _scale_of_normal_equations(scaled, weight, condition, expected)
+                row.note(found["phi_ddot"], expected, scale, name)
+            if status >= 0 and not damping:
+                solved.note_difference(_unsolved(scaled, weight, np.array(found["phi_ddot"])), "", name)
+    if not plain.row.states:
+        plain.row.reason = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
+    for row in (plain, damped, solved, status_row):
         yield row.finished()
+
+
+def _wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:
+    """Difference of a status of `inverse_fast`, and words: OK, or a refusal where a pivot of the matrix is too small.
+
+    The least part that a pivot of Cholesky keeps of its diagonal decides, within a factor of ten.
+    """
+    kept = 1.0
+    for j in range(len(gram)):
+        if not gram[j, j] > 0:
+            kept = 0.0
+            break
+        before = gram[:j, j]
+        left = gram[j, j] - (before @ np.linalg.lstsq(gram[:j, :j], before, rcond=None)[0] if j else 0.0)
+        kept = min(kept, float(left / gram[j, j]))
+    least = THRESHOLDS[case.real].gram_pivot
+    allowed = {STATUS_VALUES["OK"]} if kept > least / 10 else set()
+    if kept < 10 * least:
+        allowed.add(STATUS_VALUES["NOT_POSITIVE_DEFINITE"])
+    if status in allowed:
+        return 0.0, ""
+    return np.inf, f"status {status_words(status)}; the least pivot is {kept:.0e} of its diagonal"
+
+
+def _unsolved(scaled: ScaledDemand, weight: Array, phi_ddot: Array) -> float:
+    """Residual of the normal equations without damping for an answer, relative to their terms.
+
+    With six flywheels and more y = Omega^-1 W^T z with gram z = r: z is that of least squares, and what it leaves of
+    y counts as well.
+    """
+    W, r, y = scaled.W, scaled.r, np.linalg.solve(scaled.to_phi_ddot, phi_ddot)
+    if not np.isfinite(y).all():
+        return np.inf
+    gram = normal_matrix(scaled, weight, 0.0)
+    size, demanded = float(np.linalg.norm(gram, 2)), float(np.linalg.norm(r))
+    if W.shape[1] < len(r):
+        terms = size * float(np.linalg.norm(y)) + float(np.linalg.norm(W, 2)) * demanded
+        return float(np.linalg.norm(gram @ y - W.T @ r)) / max(terms, 1e-290)
+    back = (W / weight).T
+    z = np.linalg.lstsq(back, y, rcond=None)[0]
+    length = float(np.linalg.norm(z))
+    outside = float(np.linalg.norm(back @ z - y)) / max(float(np.linalg.norm(back, 2)) * length, 1e-290)
+    left = float(np.linalg.norm(gram @ z - r)) / max(size * length + demanded, 1e-290)
+    return max(outside, left)

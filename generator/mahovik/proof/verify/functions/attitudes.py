@@ -52,13 +52,16 @@ def coordinate_rows(case: Case) -> Iterator[Row]:
             continue
         position, q_dot, q_ddot = (case.held(rng.normal(size=size)) for size in (3, 6, 6))
         x = {"position": [0.0] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "V": [0.0] * 6}
-        x |= {"phi": [0.0] * count, "phi_dot": [0.0] * count} if count else {}
+        kept = {"phi": list(case.held(rng.normal(size=count))), "phi_dot": list(case.held(rng.normal(size=count)))}
+        x |= kept if count else {}
         given = {"position": list(position), "angles": list(angles), "q_dot": list(q_dot), "q_ddot": list(q_ddot)}
         try:
             found = case.call("state_from_coordinates", given | {"x": x})
         except StateError as error:
             row.note_refusal(error, name)
             continue
+        if count:
+            row.note({key: list(found["x"][key]) for key in kept}, kept, dict.fromkeys(kept), f"{name}, kept")
         A, D = kinematic_matrix(sequence, angles), kinematic_matrix_rate(sequence, angles, q_dot[3:])
         S_A = np.kron(np.eye(2), np.ones((3, 3)))  # elements of rotations, and their rates
         S_D = float(np.abs(q_dot[3:]).sum()) * S_A

@@ -14,6 +14,7 @@ from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.coarse import coarse_row
 from mahovik.proof.verify.functions.steps import AGREEMENT, SHORTER, Motion
 
 SHORT_STEPS = {"double": 10_000, "float": 100_000}
@@ -28,7 +29,9 @@ def carried_rows(case: Case, function: str) -> Iterator[Row]:
     """Agreement of a motion in some steps of order 4, and in a great number of short steps of order 2."""
     few = Comparison(function, "state at the end of a motion", AGREEMENT[case.real])
     many = Comparison(function, "likewise, in very many steps", AFTER_SHORT_STEPS[case.real])
-    for name, state in case.states[:1]:
+    for name, state in case.states:
+        if few.row.states and many.row.states:
+            break
         motion = Motion(case, function, state, None)
         try:
             off = motion.first(SHORTER, motion.least_error)
@@ -41,6 +44,7 @@ def carried_rows(case: Case, function: str) -> Iterator[Row]:
             few.note_refusal(error, name)
     yield few.finished()
     yield many.finished()
+    yield coarse_row(case, function)
 
 
 def _error(case: Case, function: str, motion: Motion, state: State, time: float) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
 from mahovik.contract.functions import FUNCTIONS
+from mahovik.errors import StateError
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import (
     allocation,
@@ -60,11 +61,22 @@ def unjudged(functions: Iterable[str]) -> list[str]:
 def function_rows(case: Case) -> Iterator[Row]:
     """Rows of every public function of the program that has a judge here, in the order of the program.
 
-    A function without any judge has a row that fails.
+    A function without any judge has a row that fails, and one of which no row compared a state.
     """
     names = [function.name for function in case.backend.program.functions if function.public]
     for name in unjudged(names):
         yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
     for name in names:
         if name in JUDGES:
-            yield from JUDGES[name](case)
+            yield from rows_of(case, name)
+
+
+def rows_of(case: Case, name: str) -> list[Row]:
+    """Rows of one function by its judge, and one that fails where no row, but of its status, compared a state."""
+    try:
+        rows = list(JUDGES[name](case))
+    except StateError as error:  # of a call that every program must answer
+        return [Row(name, "refused", verdict="FAILED", reason=str(error))]
+    if case.states and all(row.verdict == "not compared" for row in rows if not row.quantity.startswith("status")):
+        rows.append(Row(name, "no state compared", verdict="FAILED", reason="no row of this function compares a state"))
+    return rows

@@ -22,10 +22,12 @@ from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotati
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.coarse import coarse_row
 from mahovik.proof.verify.functions.locks import lock_patterns
 
 STATES = 2
-"""States from which a motion starts; of `step`, the second has locked flywheels."""
+"""States from which a motion starts, and more where none of these is compared; of `step`, the second has locked
+flywheels."""
 
 RADIANS = 0.25
 """Length of a motion: time in which the fastest of rotation, vibration and decay turns by this angle."""
@@ -58,7 +60,9 @@ def step_rows(case: Case, function: str) -> Iterator[Row]:
     sought = COARSE if case.real == "double" else ()  # in float rounding hides the order of the same program
     orders = {order: Comparison(function, f"order {order}: order seen", SLACK) for order in sought}
     seen: dict[int, tuple[float, str]] = {}
-    for number, (name, state) in enumerate(case.states[:STATES]):
+    for number, (name, state) in enumerate(case.states):
+        if number >= STATES and agreement.row.states:
+            break
         locked = lock_patterns(case.count, 0) if function == "step" and number == 1 else None
         motion = Motion(case, function, state, locked)
         try:
@@ -78,6 +82,7 @@ def step_rows(case: Case, function: str) -> Iterator[Row]:
         else:
             row.row.reason = "rounding, or a law with |V|, hides the order"
         yield row.finished()
+    yield coarse_row(case, function)
 
 
 class Motion:
