@@ -88,10 +88,10 @@ def usage(command: click.Command, argument: click.Argument) -> list[str]:
 
 VERBS = {
     "Accept", "Add", "Avoid", "Begin", "Bound", "Change", "Check", "Choose", "Compare", "Compile", "Compute",
-    "Derive", "Divide", "Draw", "Drive", "Evaluate", "Export", "Find", "Follow", "Free", "Fuzz", "Hold",
+    "Derive", "Divide", "Draw", "Drive", "Evaluate", "Export", "Find", "Follow", "Free", "Fuzz", "Grade", "Hold",
     "Integrate", "Judge", "Keep", "Leave", "Limit", "Linearise", "List", "Make", "Measure", "Name", "Optimise",
     "Plan", "Print", "Quiet", "Read", "Replay", "Require", "Run", "Set", "Show", "Simulate", "Start", "Turn",
-    "Use", "Verify", "Write",
+    "Use", "Verify", "Warn", "Write",
 }  # fmt: skip
 """Words that begin the help of an option."""
 

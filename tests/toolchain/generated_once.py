@@ -45,7 +45,7 @@ class Unchanged:
 
 
 def _modules(packages: tuple[str, ...]) -> list[tuple[str, ModuleType]]:
-    return [(name, module) for name, module in list(sys.modules.items()) if name.startswith(packages)]
+    return [(name, module) for name, module in sys.modules.copy().items() if name.startswith(packages)]
 
 
 def _namespaces(module: ModuleType) -> Iterator[Any]:
