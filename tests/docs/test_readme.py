@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from pathlib import Path
+from subprocess import run
 
 import numpy as np
 import pytest
@@ -37,6 +39,7 @@ def test_the_planned_motion_is_one_that_motors_can_do(tmp_path: Path) -> None:
     """Motors of half a kilogram turn at some thousand rpm, with tenths of a newton metre."""
     (step,) = (each for each in steps(README) if "mahovik plan" in each.block.text)
     session = Session(README, tmp_path)
+    run([sys.executable, "-m", "mahovik", "new", "shaker2", "-o", tmp_path / "mine.toml"], check=True)
     session.run(step)
     programme, printed = json.loads((tmp_path / "programme.json").read_text()), "".join(session.outputs)
     assert programme["winding"] == [1, -1]

@@ -34,7 +34,7 @@ class Diagnoses:
         self._case = case
         accepted = case.bounds.default
         self.status = Comparison("inverse", "status, with options", 0.0)
-        self.members = Comparison("inverse", "residual, sigma, rank, damped_by, limited, with options", accepted)
+        self.members = Comparison("inverse", "what else it says, with options", accepted)
         self.hardest = Comparison("inverse", "hardest", accepted)
 
     def rows(self) -> list[Row]:
