@@ -46,7 +46,7 @@ def test_random_stands_of_none_and_more_flywheels(number: int) -> None:
 @settings(max_examples=3, deadline=None)
 @given(stands(max_flywheels=4))
 def test_any_stand_gives_the_bits_of_the_interpreter(stand: Stand) -> None:
-    found = verify_c(stand, count=6, real="float")
+    found = verify_c(stand, count=12, real="float")
     (row,) = (row for row in found.rows if row.quantity == "interpreter = C, bit for bit")
     assert row.verdict == "ok"
     assert found.passed
