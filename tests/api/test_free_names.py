@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
 FREE = ("simulate", "plan", "verify", "design", "report")
 
 IMPORT_ALL = """
@@ -19,6 +21,7 @@ print(sum(name.startswith("mahovik.") for name in sys.modules), *sorted(vars(mah
 """
 
 
+@pytest.mark.slow
 def test_no_submodule_takes_a_name_that_a_function_may_have() -> None:
     command = [sys.executable, "-c", IMPORT_ALL]
     count, *bound = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()

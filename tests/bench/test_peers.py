@@ -50,6 +50,7 @@ def test_results_agree(program: str) -> None:
     assert failures(found) == []
 
 
+@pytest.mark.slow
 def test_own_slopes_are_finite() -> None:
     own = own_scalar()
     for name in ("step", "inverse_fast", "forward_jacobian", "coupled_jacobian"):

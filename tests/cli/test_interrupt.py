@@ -18,6 +18,7 @@ from cli.terminal import RUN
 from mahovik.core.motion.programme import load_programme
 from mahovik.stands import path
 from mahovik.use.simulate.run import RUN_SUFFIXES
+from toolchain.quick import quick
 
 SAT4 = str(path("sat4"))
 MOTION = str(path("bench8").with_name("bench8.motion.json"))
@@ -132,11 +133,14 @@ except KeyboardInterrupt:
 
 @pytest.mark.parametrize(
     ("arguments", "code"),
-    [
-        (("simulate", DEMO3, "--until", "1", "-o", "run.csv"), RUN),
-        (("report", DEMO3, "-o", "r.html"), RUN),
-        ((), BUILD),
-    ],
+    quick(
+        1,
+        [
+            (("simulate", DEMO3, "--until", "1", "-o", "run.csv"), RUN),
+            (("report", DEMO3, "-o", "r.html"), RUN),
+            ((), BUILD),
+        ],
+    ),
     ids=["simulate", "report", "build"],
 )
 def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path) -> None:
@@ -155,7 +159,7 @@ def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path
     assert all(map(has_ended, pids))
 
 
-@pytest.mark.parametrize("suffix", RUN_SUFFIXES)
+@pytest.mark.parametrize("suffix", quick(1, RUN_SUFFIXES))
 def test_a_simulation_keeps_what_is_computed(suffix: str, tmp_path: Path) -> None:
     for seconds in (0.5, 3.0, 12.0):  # on a busy machine there is no row yet
         place = tmp_path / f"after{seconds:g}"

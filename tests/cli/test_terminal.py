@@ -10,6 +10,7 @@ import pytest
 from cli.run import AUV6, DEMO3, process
 from cli.terminal import TerminalOutput, on_terminal
 from mahovik.stands import path
+from toolchain.quick import quick
 
 SAT4 = str(path("sat4"))
 TABLES = {
@@ -24,7 +25,7 @@ def words(seen: TerminalOutput) -> str:
     return re.sub(r"[\s─-]", "", "\n".join(seen.lines))
 
 
-@pytest.mark.parametrize("columns", [40, 80])
+@pytest.mark.parametrize("columns", quick(1, [40, 80]))
 @pytest.mark.parametrize("arguments", TABLES.values(), ids=TABLES)
 def test_no_line_is_longer_than_the_terminal(arguments: tuple[str, ...], columns: int) -> None:
     seen = on_terminal(*arguments, columns=columns, piped=False)

@@ -12,6 +12,7 @@ from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from mahovik.core.stand.state import State
+from toolchain.quick import quick
 from toolchain.tools import require
 
 Call = Callable[[str, dict[str, Any]], tuple[int, dict[str, Any]]]
@@ -40,14 +41,14 @@ def all_bits(call: Call, c: Compiled, chosen: list[State]) -> dict[tuple[int, st
     return found
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(3, NAMES))
 def test_interpreter_is_c(name: str) -> None:
     c = compiled(name, SHIPPED)
     chosen = states(c.stand, 2)
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
 
-@pytest.mark.parametrize("name", (NAME, "bare5", "hung5"))
+@pytest.mark.parametrize("name", quick(1, (NAME, "bare5", "hung5")))
 def test_interpreter_is_c_in_float(name: str) -> None:
     c = compiled_float(name, SHIPPED)
     chosen = states(c.stand, 2, FLOAT.max_phase)
@@ -56,7 +57,7 @@ def test_interpreter_is_c_in_float(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("compiler", "optimisation"),
-    [("gcc", "-O0"), ("gcc", "-Os"), ("gcc", "-O3"), ("clang", "-O2"), ("clang", "-O0")],
+    quick(2, [("gcc", "-O3"), ("clang", "-O2"), ("gcc", "-O0"), ("gcc", "-Os"), ("clang", "-O0")]),
 )
 def test_compilers_agree(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)

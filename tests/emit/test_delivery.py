@@ -12,6 +12,7 @@ from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand.identity import identities
+from toolchain.quick import quick
 from toolchain.tools import compile_c, run
 
 TRIED = ("bench8", "auv6", "everything0", "everything6", "bare0")
@@ -24,7 +25,7 @@ def block(readme: str, language: str) -> str:
     return found[1]
 
 
-@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("real", quick(1, ["double", "float"]))
 @pytest.mark.parametrize("name", TRIED)
 def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, tmp_path: Path) -> None:
     files = delivery(stand(name), real)

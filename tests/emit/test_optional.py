@@ -74,7 +74,9 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("flags", [(), ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")])
+@pytest.mark.parametrize(
+    "flags", [("-fsanitize=address,undefined", "-fno-sanitize-recover=all"), pytest.param((), marks=pytest.mark.slow)]
+)
 def test_null_is_no_lock_and_the_table_has_its_hash(flags: tuple[str, ...], tmp_path: Path) -> None:
     """The table of shaker2 has reals only, so that its memory is what the hash is of."""
     made = generate_all(stand("shaker2"))

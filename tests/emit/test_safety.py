@@ -96,6 +96,7 @@ def test_the_header_tells_element_type_and_version(real: str, size: int) -> None
     assert re.findall(r"#define DEMO3_VERSION_(\w+) \d+", text) == ["MAJOR", "MINOR", "PATCH"]
 
 
+@pytest.mark.slow
 def test_no_flywheel_takes_a_name_of_a_header(tmp_path: Path) -> None:
     """Flywheels named as macros, and `n` beside `N`, compile with everything that is generated for a stand."""
     names = sorted(name.lower() for name in RESERVED)

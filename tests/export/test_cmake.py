@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, refused, run
+from toolchain.quick import quick
 from toolchain.tools import require
 
 IN_C = """#include <stdio.h>
@@ -130,7 +131,7 @@ def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
     return printed
 
 
-@pytest.mark.parametrize("flags", ["", "-O2 -march=native -ffast-math"])
+@pytest.mark.parametrize("flags", quick(1, ["-O2 -march=native -ffast-math", ""]))
 def test_as_a_folder_of_a_project(exported: Path, plain: str, flags: str, tmp_path: Path) -> None:
     """Whatever flags the project has, the C has its own."""
     made = build(
@@ -144,6 +145,7 @@ def test_as_a_folder_of_a_project(exported: Path, plain: str, flags: str, tmp_pa
     assert not list(made.rglob("*selftest*")), "the tests are of the top level alone"
 
 
+@pytest.mark.slow
 def test_installed_and_found(exported: Path, plain: str, tmp_path: Path) -> None:
     made = build(exported, "-DCMAKE_BUILD_TYPE=Release", where=str(tmp_path / "made"))
     assert ctest(made) == 2

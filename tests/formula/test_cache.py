@@ -230,7 +230,7 @@ def test_processes_side_by_side(tmp_path: Path) -> None:
         assert (done.returncode, done.stderr) == (0, "")
 
 
-QUICK = ("bench8",)
+QUICK = ("demo3",)
 
 
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in stands.names()])

@@ -17,6 +17,7 @@ from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_sta
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
 from mahovik.stands import names, path
+from toolchain.quick import quick
 
 RANDOM = {
     "everything 1": (1, EVERYTHING, 1),
@@ -121,7 +122,7 @@ def rows_within(found: object, exact: np.ndarray, allowed: np.ndarray) -> bool:
 CASES = [*RANDOM, *names()]
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", quick(1, [1, 2]))
 @pytest.mark.parametrize("name", CASES)
 def test_derivatives_of_forward(name: str, seed: int) -> None:
     """Derivatives by V, phi, phi' and phi''. Two independent solves: 1e-10 of the largest in a row of like numbers."""
@@ -137,7 +138,7 @@ def test_derivatives_of_forward(name: str, seed: int) -> None:
             assert np.abs(slopes[key]).max() < 1e-9, key
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", quick(1, [1, 2]))
 @pytest.mark.parametrize("name", [n for n in CASES if n != "bare 0"])
 def test_derivatives_of_coupled(name: str, seed: int) -> None:
     """Derivatives of both results by V, phi, phi' and tau."""

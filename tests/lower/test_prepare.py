@@ -14,6 +14,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
+from toolchain.quick import quick
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bench8", "remus6")
 FEW = ("everything1", "hung5", "bare0")
@@ -55,7 +56,7 @@ def c(request: pytest.FixtureRequest) -> Compiled:
     return compiled(str(request.param))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(3, NAMES))
 def test_default_parameters_give_the_default_table(name: str) -> None:
     c = compiled(name)
     inputs = inputs_of(c)
@@ -63,7 +64,7 @@ def test_default_parameters_give_the_default_table(name: str) -> None:
     assert bits(accepts(c, "prepare", inputs)["table"]) == bits(c.values.table)
 
 
-@pytest.mark.parametrize("name", ("everything6", "hung5", "bare5"))
+@pytest.mark.parametrize("name", quick(1, ("everything6", "hung5", "bare5")))
 def test_parameters_of_another_stand_give_its_table(name: str) -> None:
     """The C of one stand with parameters and laws of another of the same structure is the C of the other."""
     ours = compiled(name)

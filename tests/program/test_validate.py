@@ -10,6 +10,7 @@ from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, R
 from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 from mahovik.core.program.validate import validate
 from program.small import argument, function, program
+from toolchain.quick import quick
 
 R, I = Kind.REAL, Kind.INT
 X = Argument("x", R)
@@ -86,7 +87,7 @@ def test_no_function_calls_itself() -> None:
         validate(program(calls))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(8, NAMES))
 def test_lowered_programs_are_valid(name: str) -> None:
     validate(generated(name).program)
 

@@ -20,6 +20,7 @@ from mahovik.out.report.derivation.notation import Number
 from mahovik.out.report.derivation.numbers import numbers
 from mahovik.out.report.derivation.page import html, latex, significant
 from mahovik.proof.reference.evaluate import evaluate
+from toolchain.quick import quick
 from toolchain.tools import require
 
 STANDS = Path(__file__).resolve().parents[2] / "generator" / "mahovik" / "stands"
@@ -67,7 +68,7 @@ class Balance(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_page_stands_alone(name: str) -> None:
     """Well-formed, no external resource, both identities and the version, no date."""
     example = stand(name)
@@ -87,7 +88,7 @@ def test_page_stands_alone(name: str) -> None:
         ET.fromstring(element)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", quick(2, NAMES))
 def test_article_is_whole(name: str) -> None:
     """ASCII, braces and environments in balance, amsmath only, identities and version."""
     example = stand(name)

@@ -16,6 +16,7 @@ from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, evaluate, expectations
+from toolchain.quick import quick
 
 WANTS = wants_of("second")
 
@@ -41,7 +42,7 @@ def test_example_stands_agree_in_every_want(path: Path) -> None:
     assert {want for want, _ in compared} == set(WANTS)
 
 
-@pytest.mark.parametrize("flywheels", [0, 1, 5, 6, 7, 12])
+@pytest.mark.parametrize("flywheels", quick(3, [0, 5, 7, 1, 6, 12]))
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_general_stands_agree_in_every_want(flywheels: int, kind: str) -> None:
     angles = SEQUENCES[(flywheels + list(KINDS).index(kind)) % 3]

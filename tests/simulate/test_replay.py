@@ -21,7 +21,11 @@ from mahovik.use.simulate.flight_log import Damage, Start, Step, load, records
 from mahovik.use.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
 from simulate.flights import Recorder
 
-CASES = [("bench8", "double"), ("demo3", "float"), ("everything6", "double"), ("everything0", "float")]
+CASES = [
+    ("demo3", "float"),
+    ("everything6", "double"),
+    *(pytest.param(each, marks=pytest.mark.slow) for each in (("bench8", "double"), ("everything0", "float"))),
+]
 STEPS = 20
 
 

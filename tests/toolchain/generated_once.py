@@ -27,20 +27,22 @@ class Unchanged:
     def __init__(self, packages: tuple[str, ...] = GENERATOR) -> None:
         self._packages = packages
         self._seen: dict[str, list[tuple[Any, dict[Any, Any]]]] = {}
+        self._listed: dict[tuple[str, ...], tuple[int, list[str]]] = {}
 
     def look(self) -> None:
         """Takes the modules that are new as they are: to be called while nothing is replaced."""
         for name, module in _modules(self._packages):
             if name not in self._seen:
-                self._seen[name] = [(names, _bound(names)) for names in _namespaces(module)]
+                self._seen[name] = [(names, dict(names)) for names in _namespaces(module)]
 
     def holds(self, packages: tuple[str, ...] = GENERATOR) -> bool:
         """Whether all modules of the packages have been seen, and every name in them is bound to what it was."""
-        missing = object()
+        count, listed = self._listed.get(packages, (0, []))
+        if count != len(sys.modules):
+            listed = [name for name, _ in _modules(packages)]
+            self._listed[packages] = len(sys.modules), listed
         return all(
-            name in self._seen
-            and all(names.get(key, missing) is was for names, before in self._seen[name] for key, was in before.items())
-            for name, _ in _modules(packages)
+            name in self._seen and all(_same(names, before) for names, before in self._seen[name]) for name in listed
         )
 
 
@@ -58,9 +60,17 @@ def _namespaces(module: ModuleType) -> Iterator[Any]:
             yield each
 
 
-def _bound(names: Any) -> dict[Any, Any]:
-    """Without what Pydantic builds when a class is first used."""
-    return {key: value for key, value in names.items() if not str(key).startswith("__pydantic")}
+def _same(names: Any, before: dict[Any, Any]) -> bool:
+    """Whether names are bound to what they were; names that are new, and what Pydantic builds late, do not count."""
+    try:
+        if names == before:  # in most cases, and quick
+            return True
+    except ValueError:  # an array in place of another
+        return False
+    missing = object()
+    return all(
+        names.get(name, missing) is was for name, was in before.items() if not str(name).startswith("__pydantic")
+    )
 
 
 def once(make: Callable[..., Any], usable: Callable[[], bool]) -> Callable[..., Any]:

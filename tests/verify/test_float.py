@@ -26,6 +26,7 @@ from strategies import stands
 from verify.build import everything
 
 
+@pytest.mark.slow
 def test_a_stand_with_everything_passes_in_float() -> None:
     found = verify_c(everything("euler"), count=24, real="float")
     assert found.passed

@@ -209,6 +209,7 @@ def test_every_argument_of_every_function_is_tried() -> None:
     assert {each.split(": ")[1] for each in untried} <= {"count", "moved", "counter", "locked"}  # it may be null
 
 
+@pytest.mark.slow
 def test_the_second_derivation_misses_a_moment_of_buoyancy_in_the_mounts(tmp_path: Path) -> None:
     """A moment that literal reference and C would leave out together shows in the motion of the carrier."""
     stand = random_stand(np.random.default_rng(7), 7, EVERYTHING, name="afloat")

@@ -25,6 +25,7 @@ from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.proof.verify.report import as_json, as_junit, conclusion, worst_lines
 from mahovik.proof.verify.states import read_line, state_line
 from mahovik.stands import path
+from toolchain.quick import quick
 from verify.build import everything
 
 DEMO = load(path("demo3"))
@@ -140,6 +141,7 @@ def written(folder: Path, stand: Stand, change: Any = lambda name, text: text) -
     return folder
 
 
+@pytest.mark.slow
 def test_c_that_lies_in_a_folder_passes_also_with_foreign_line_ends(tmp_path: Path) -> None:
     crlf = written(tmp_path, DEMO, lambda name, text: text.replace("\n", "\r\n"))
     found = verify_c(DEMO, count=10, against=crlf)
@@ -154,7 +156,7 @@ EMITTED = {
 }
 
 
-@pytest.mark.parametrize("name", EMITTED)
+@pytest.mark.parametrize("name", quick(1, EMITTED))
 def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> None:
     old, new, expected = EMITTED[name]
     stand = load(path("bench8"))

@@ -21,6 +21,7 @@ from mahovik.laws.leg import derive as leg_formulas
 from mahovik.laws.leg.data import Legs, legs_of
 from mahovik.laws.suspension import derive as suspension_formulas
 from mahovik.laws.suspension.data import Suspension
+from toolchain.quick import quick
 from verify.build import everything, failing, generated
 
 Patch = Callable[[pytest.MonkeyPatch], None]
@@ -244,7 +245,7 @@ DERIVATION: dict[str, tuple[Patch, set[str]]] = {
 }
 
 
-@pytest.mark.parametrize("name", DERIVATION)
+@pytest.mark.parametrize("name", quick(6, DERIVATION))
 def test_a_mutated_derivation_is_caught(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     patch, expected = DERIVATION[name]
     patch(monkeypatch)
@@ -316,7 +317,7 @@ NUMBERS: dict[str, tuple[Callable[[Stand], Stand], set[str]]] = {
 }
 
 
-@pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.parametrize("name", quick(2, NUMBERS))
 def test_lost_numbers_are_caught(name: str) -> None:
     change, expected = NUMBERS[name]
     stand = everything()

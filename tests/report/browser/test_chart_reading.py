@@ -43,6 +43,7 @@ def move(page: Page, chart: Locator, share: float, height: float = 0.5) -> None:
     page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
 
+@pytest.mark.slow
 def test_values_under_the_pointer(opened: Opener) -> None:
     page = opened("bench8").page
     found = read(page, "O1, mm, from the start", 0.5)

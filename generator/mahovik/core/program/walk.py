@@ -66,9 +66,11 @@ def expressions(body: Iterable[Statement]) -> Iterator[Expr]:
 
 def inside(e: Expr) -> Iterator[Expr]:
     """An expression and all its parts, from the outside in."""
-    yield e
-    for part in e.operands:
-        yield from inside(part)
+    waiting = [e]
+    while waiting:
+        outer = waiting.pop()
+        yield outer
+        waiting.extend(reversed(outer.operands))
 
 
 def used_variables(body: Iterable[Statement]) -> set[int]:

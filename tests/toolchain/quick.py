@@ -1,0 +1,18 @@
+"""Which cases of a test belong to the quick tests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import pytest
+
+
+def quick(count: int, cases: Iterable[Any]) -> list[Any]:
+    """Cases of a parametrized test, or parameters of a fixture: all after the first `count` are marked slow."""
+    return [case if n < count else _slow(case) for n, case in enumerate(cases)]
+
+
+def _slow(case: Any) -> Any:
+    values = case if isinstance(case, tuple) else (case,)
+    return pytest.param(*values, marks=pytest.mark.slow)
