@@ -51,7 +51,8 @@ ZERO = Cost()
 
 def cost(function: Function, functions: tuple[Function, ...] = ()) -> Cost:
     """Operations of one call of `function`. `functions`: a whole program's, among them those that it calls."""
-    return _counter(functions).block(function.body, {})
+    counter = _counter(functions)
+    return counter.call(function.name, {}) if function in functions else counter.block(function.body, {})
 
 
 @lru_cache(maxsize=8)
@@ -66,7 +67,8 @@ class _Counter:
         self._functions = {f.name: f for f in functions}
         self._done: dict[tuple[str, tuple[tuple[str, int], ...]], Cost] = {}
 
-    def _call(self, name: str, bound: dict[str, int]) -> Cost:
+    def call(self, name: str, bound: dict[str, int]) -> Cost:
+        """Operations of one call of a function of the program."""
         key = (name, tuple(bound.items()))
         if key not in self._done:
             self._done[key] = self.block(self._functions[name].body, bound)
@@ -111,7 +113,7 @@ class _Counter:
                 return found + Cost(comparisons=1)
             case Call():
                 known = {p.name: int(a.value) for p, a in e.passed if isinstance(a, Const) and a.kind is Kind.INT}
-                return found + self._call(e.signature.name, known)
+                return found + self.call(e.signature.name, known)
         return found
 
 

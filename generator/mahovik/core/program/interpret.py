@@ -47,10 +47,18 @@ class Interpreter:
         self._functions = {f.name: f for f in program.functions}
         self._precision = program.precision
         self._scope: dict[str, Any] = _runtime(program.precision)
-        for function in program.functions:
+        self._scope |= {_function_name(f.name): self._compiled_at_first_call(f, program) for f in program.functions}
+        self._scope |= {_function_name(name): function for name, function in (replaced or {}).items()}
+
+    def _compiled_at_first_call(self, function: Function, program: Program) -> Callable[..., Any]:
+        """What compiles a function, takes its own place by it, and calls it: most callers need few functions."""
+
+        def first(*arguments: Any) -> Any:
             source = _Transpiler(self._scope, program.precision).function(function)
             exec(compile(source, f"<program {program.name}.{function.name}>", "exec"), self._scope)
-        self._scope |= {_function_name(name): function for name, function in (replaced or {}).items()}
+            return self._scope[_function_name(function.name)](*arguments)
+
+        return first
 
     def call(self, name: str, *arguments: Any) -> Any:
         """Calls a function; results are written into the records and lists given. Returns its real or status number."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -221,6 +222,7 @@ class CBackend(ProgramBackend):
         generated: Generated | None = None,
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
+        self._full: Future[CBackend] | None = None
         says_fast = fast
         if folder is not None:
             lanes, says_fast = _check_folder(folder, stand, precision_name, lanes)
@@ -250,9 +252,16 @@ class CBackend(ProgramBackend):
         """The interpreter of the same program."""
         return InterpreterBackend(self.generated)
 
+    def begin_full(self, pool: ThreadPoolExecutor) -> None:
+        """Generates and compiles `full` in a thread, for a caller who will want it later."""
+        self._full = pool.submit(self._made_full)
+
     @cached_property
     def full(self) -> CBackend:
         """The C of the same stand with a run-time wrench on every body."""
+        return self._made_full() if self._full is None else self._full.result()
+
+    def _made_full(self) -> CBackend:
         stand = with_all_inputs(self._stand)
         if stand == self._stand:
             return self

@@ -11,6 +11,7 @@ from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
@@ -97,12 +98,15 @@ def verify_c(
     """
     backend = backend or CBackend(stand, real, against, lanes, fast)
     states = draw(stand, seed, count, real, wrenches=wrenches and against is None)
-    second = Second(stand)
-    rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
-    some = ordinary(states, backend.inputs, FUNCTION_STATES)
-    rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
-    rows.append(check_bits(backend, states, against))
-    rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
+    with side_by_side() as pool:
+        if any(body not in backend.inputs for _, state in states for body in state.wrench):
+            backend.begin_full(pool)  # its compiler has a processor of its own
+        second = Second(stand)
+        rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
+        some = ordinary(states, backend.inputs, FUNCTION_STATES)
+        rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
+        rows.append(check_bits(backend, states, against))
+        rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
     if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
         rows.append(batch)
     judged = "generated C" if against is None else f"C in {against}"
