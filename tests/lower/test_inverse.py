@@ -10,8 +10,10 @@ import pytest
 from scipy.optimize import lsq_linear
 
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.stand import load
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.stands import path
 
 COUNTS = (1, 5, 6, 7, 12, 64)
 LIMITED = (1, 5, 6, 8, 12, 24)
@@ -221,3 +223,19 @@ def test_the_fast_variant_reads_weights_and_damping_only() -> None:
 @pytest.mark.parametrize("weight", [0.0, -1.0, 0.99e-6, 1.01e6])
 def test_a_weight_out_of_its_range_is_RANGE_on_either_side(weight: float) -> None:
     assert ask(backend_of(6), weight=[weight] + [1.0] * 5)[1] == STATUS_VALUES["RANGE"]
+
+
+@pytest.mark.parametrize("function", ["inverse", "inverse_fast"])
+@pytest.mark.parametrize("limit", [3e38, 1e3])
+def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: float) -> None:
+    """A table of a huge carrier and flywheels that hardly act on it: what they would have to do overflows."""
+    c = CBackend(load(path("demo3")), "float")
+    table = c.table()
+    table["inertia"] = [1e19 * each for each in table["inertia"]]
+    for row in table["flywheel"]:
+        row["t_0"] = [1e-10 * each for each in row["t_0"]]
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * 3, "phi_dot": [0.0] * 3}
+    options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near": 1e-3, "damping": 0.0}
+    V_dot = [0.0, 0.0, 0.0, 9e8, 9e8, 9e8]
+    status = c.call(function, {"table": table, "x": x, "V_dot": V_dot, "options": options})[0]
+    assert status == STATUS_VALUES["RANGE"]

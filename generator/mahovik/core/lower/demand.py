@@ -19,7 +19,7 @@ from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, and_, real
+from mahovik.core.program.expression import Expr, Not, Operand, Place, and_, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -114,6 +114,14 @@ def demand(lib: Library) -> Function:
         equation="(12)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
+
+
+ANSWER_NOTE = "RANGE also where the answer is no finite number."
+
+
+def check_answer(lib: Library, body: Body, values: Place, count: Operand) -> None:
+    """RANGE where a result is not finite: near singular states extreme demands need more than the largest number."""
+    lib.check_as(body, "RANGE", "within", values, count, lib.limits["LARGEST"].expression)
 
 
 def check_demand(

@@ -7,7 +7,7 @@ limits (`allocate`). Singular values, rank and what they say are those of the st
 from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.demand import check_demand
+from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
@@ -32,13 +32,14 @@ def inverse(lib: Library) -> Function:
     )
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and its quality")
-    o, p = out.place, options.place
+    p = options.place
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
     with body.loop("s", layout.count) as s:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
     work = body.local("work", (), layout.inverse_work)
+    o = body.local("answer", (), layout.inverse_result)
     inputs = [w.place for w in wrench]
     turns = turns_of(lib, body, x.place)
     lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
@@ -64,6 +65,9 @@ def inverse(lib: Library) -> Function:
     body.set(o.damped_by, damped)
     with body.loop("i", min(6, int(layout.count))) as i:
         body.set(o.sigma[i], work.sigma[i])
+    check_answer(lib, body, o.phi_ddot, layout.count)
+    check_answer(lib, body, o.residual, 6)
+    body.copy(out.place, o)
     body.ret(Convert(flags, Kind.STATUS))
     return Function(
         "inverse",
@@ -75,7 +79,7 @@ def inverse(lib: Library) -> Function:
         equation="(12)",
         returns=Kind.STATUS,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *_POSITIVE),
-        notes=("Positive statuses are bits and may be combined.",),
+        notes=("Positive statuses are bits and may be combined.", ANSWER_NOTE),
         public=True,
     )
 

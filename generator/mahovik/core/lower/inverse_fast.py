@@ -6,7 +6,7 @@ fewer (W^T W) y = W^T r, where weights have no say.
 
 from __future__ import annotations
 
-from mahovik.core.lower.demand import check_demand
+from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
@@ -66,6 +66,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     with body.loop("i", size) as i:
         body.add(gram[i][i], share)
     _solve_gram(lib, body, gram, z, size)
+    answer = body.local("answer", (layout.count,))
     with body.loop("s", layout.count) as s:
         y = body.local("y")
         body.set(y, real(0) if wide else z[s])
@@ -73,7 +74,10 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
             with body.loop("k", 6) as k:
                 body.add(y, work.W[k][s] * z[k])
             body.set(y, y / p.weight[s])
-        body.set(phi_ddot.place[s], y * work.scale[s])
+        body.set(answer[s], y * work.scale[s])
+    check_answer(lib, body, answer, layout.count)
+    with body.loop("s", layout.count) as s:
+        body.set(phi_ddot.place[s], answer[s])
     return body.checked(
         "inverse_fast_at" if at else "inverse_fast",
         "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
@@ -84,6 +88,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
             "Squares the condition number: as accurate as inverse if singular values differ by a factor of at most "
             "some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
             "Damping is relative to the norm of W.",
+            ANSWER_NOTE,
             *(AT_NOTES if at else ()),
         ),
         public=True,
