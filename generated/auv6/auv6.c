@@ -1,5 +1,6 @@
 /* auv6.c: motion of the stand "auv6". What each function does and takes: auv6.h.
  * mahovik 0.1.0; structure 192ea446, physics 002b2abc. Generated: change the stand file instead. */
+#define AUV6_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "auv6.h"
 
 #include <stddef.h>
@@ -2484,6 +2485,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         if (options->limit[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
+    auv6_inverse_result answer;
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
@@ -2535,9 +2537,9 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
             }
         }
     }
-    auv6_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    auv6_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < AUV6_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | AUV6_LIMITED;
         }
     }
@@ -2548,13 +2550,13 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     auv6_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < AUV6_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2593,16 +2595,21 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = auv6_within(answer.phi_ddot, AUV6_N, AUV6_LARGEST);
+    if (status != AUV6_OK) { return AUV6_RANGE; }
+    status = auv6_within(answer.residual, 6, AUV6_LARGEST);
+    if (status != AUV6_OK) { return AUV6_RANGE; }
+    *out = answer;
     return (auv6_status)flags;
 }
 
@@ -2684,13 +2691,19 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
         }
         z[i] = z[i] / gram[i][i];
     }
+    auv6_real answer[AUV6_N];
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real y = 0.0;
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
         y = y / options->weight[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = auv6_within(answer, AUV6_N, AUV6_LARGEST);
+    if (status != AUV6_OK) { return AUV6_RANGE; }
+    for (int s = 0; s < AUV6_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return AUV6_OK;
 }

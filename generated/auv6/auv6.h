@@ -463,9 +463,10 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  *   options   weights, limits, damping; default_options holds those of the stand file
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42835 operations on reals, 1180 of them divisions. Stack: at most 4848 bytes. */
+ * At most 42883 operations on reals, 1180 of them divisions. Stack: at most 5168 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -479,9 +480,10 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3703 operations on reals, 97 of them divisions. Stack: at most 4640 bytes. */
+ * At most 3727 operations on reals, 97 of them divisions. Stack: at most 4720 bytes. */
 auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 

@@ -1,5 +1,6 @@
 /* bench8.c: motion of the stand "bench8". What each function does and takes: bench8.h.
  * mahovik 0.1.0; structure 309d41a6, physics 139422e0. Generated: change the stand file instead. */
+#define BENCH8_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "bench8.h"
 
 #include <stddef.h>
@@ -2339,6 +2340,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         if (options->limit[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
+    bench8_inverse_result answer;
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
@@ -2391,9 +2393,9 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
             }
         }
     }
-    bench8_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    bench8_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | BENCH8_LIMITED;
         }
     }
@@ -2404,13 +2406,13 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     bench8_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < BENCH8_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2449,16 +2451,21 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = bench8_within(answer.phi_ddot, BENCH8_N, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    status = bench8_within(answer.residual, 6, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    *out = answer;
     return (bench8_status)flags;
 }
 
@@ -2539,13 +2546,19 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
         }
         z[i] = z[i] / gram[i][i];
     }
+    bench8_real answer[BENCH8_N];
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_real y = 0.0;
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
         y = y / options->weight[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = bench8_within(answer, BENCH8_N, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return BENCH8_OK;
 }

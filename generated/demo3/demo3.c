@@ -1,5 +1,6 @@
 /* demo3.c: motion of the stand "demo3". What each function does and takes: demo3.h.
  * mahovik 0.1.0; structure 055bf547, physics fdeb29e7. Generated: change the stand file instead. */
+#define DEMO3_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "demo3.h"
 
 #include <stddef.h>
@@ -2155,6 +2156,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         if (options->limit[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
+    demo3_inverse_result answer;
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
@@ -2207,9 +2209,9 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
             }
         }
     }
-    demo3_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    demo3_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < DEMO3_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | DEMO3_LIMITED;
         }
     }
@@ -2220,13 +2222,13 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     demo3_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < DEMO3_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2265,16 +2267,21 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 3; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = demo3_within(answer.phi_ddot, DEMO3_N, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    status = demo3_within(answer.residual, 6, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    *out = answer;
     return (demo3_status)flags;
 }
 
@@ -2353,9 +2360,15 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
         }
         z[i] = z[i] / gram[i][i];
     }
+    demo3_real answer[DEMO3_N];
     for (int s = 0; s < DEMO3_N; ++s) {
         demo3_real y = z[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = demo3_within(answer, DEMO3_N, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return DEMO3_OK;
 }

@@ -402,9 +402,10 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  *   options   weights, limits, damping; default_options holds those of the stand file
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29753 operations on reals, 918 of them divisions. Stack: at most 4272 bytes. */
+ * At most 29789 operations on reals, 918 of them divisions. Stack: at most 4496 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -418,9 +419,10 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1881 operations on reals, 33 of them divisions. Stack: at most 3520 bytes. */
+ * At most 1893 operations on reals, 33 of them divisions. Stack: at most 3568 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 

@@ -1,5 +1,6 @@
 /* remus6.c: motion of the stand "remus6". What each function does and takes: remus6.h.
  * mahovik 0.1.0; structure 3687deee, physics 5f25aea2. Generated: change the stand file instead. */
+#define REMUS6_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "remus6.h"
 
 #include <stddef.h>
@@ -2492,6 +2493,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         if (options->limit[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
+    remus6_inverse_result answer;
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
@@ -2544,9 +2546,9 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
             }
         }
     }
-    remus6_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    remus6_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | REMUS6_LIMITED;
         }
     }
@@ -2557,13 +2559,13 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     remus6_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < REMUS6_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2602,16 +2604,21 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = remus6_within(answer.phi_ddot, REMUS6_N, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    status = remus6_within(answer.residual, 6, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    *out = answer;
     return (remus6_status)flags;
 }
 
@@ -2694,13 +2701,19 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
         }
         z[i] = z[i] / gram[i][i];
     }
+    remus6_real answer[REMUS6_N];
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real y = 0.0;
         for (int k = 0; k < 6; ++k) {
             y += work.W[k][s] * z[k];
         }
         y = y / options->weight[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = remus6_within(answer, REMUS6_N, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return REMUS6_OK;
 }

@@ -487,9 +487,10 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  *   options   weights, limits, damping; default_options holds those of the stand file
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42685 operations on reals, 1180 of them divisions. Stack: at most 4848 bytes. */
+ * At most 42733 operations on reals, 1180 of them divisions. Stack: at most 5168 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -503,9 +504,10 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3553 operations on reals, 97 of them divisions. Stack: at most 4640 bytes. */
+ * At most 3577 operations on reals, 97 of them divisions. Stack: at most 4720 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);

@@ -1,5 +1,6 @@
 /* sat4.c: motion of the stand "sat4". What each function does and takes: sat4.h.
  * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead. */
+#define SAT4_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "sat4.h"
 
 #include <stddef.h>
@@ -2151,6 +2152,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
+    sat4_inverse_result answer;
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
@@ -2202,9 +2204,9 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
             }
         }
     }
-    sat4_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    sat4_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < SAT4_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | SAT4_LIMITED;
         }
     }
@@ -2215,13 +2217,13 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     sat4_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < SAT4_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2260,16 +2262,21 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 4; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = sat4_within(answer.phi_ddot, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(answer.residual, 6, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    *out = answer;
     return (sat4_status)flags;
 }
 
@@ -2348,9 +2355,15 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
         }
         z[i] = z[i] / gram[i][i];
     }
+    sat4_real answer[SAT4_N];
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_real y = z[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return SAT4_OK;
 }

@@ -428,9 +428,10 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  *   options   weights, limits, damping; default_options holds those of the stand file
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33705 operations on reals, 997 of them divisions. Stack: at most 4464 bytes. */
+ * At most 33745 operations on reals, 997 of them divisions. Stack: at most 4720 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -444,9 +445,10 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2328 operations on reals, 39 of them divisions. Stack: at most 3760 bytes. */
+ * At most 2344 operations on reals, 39 of them divisions. Stack: at most 3808 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 

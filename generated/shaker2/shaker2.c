@@ -1,5 +1,6 @@
 /* shaker2.c: motion of the stand "shaker2". What each function does and takes: shaker2.h.
  * mahovik 0.1.0; structure 94a85f4a, physics 2591b2a4. Generated: change the stand file instead. */
+#define SHAKER2_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "shaker2.h"
 
 #include <stddef.h>
@@ -2354,6 +2355,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         if (options->limit[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
+    shaker2_inverse_result answer;
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
@@ -2406,9 +2408,9 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
             }
         }
     }
-    shaker2_allocate(&work, options, rank, out->phi_ddot, out->limited);
+    shaker2_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (out->limited[s] > 0) {
+        if (answer.limited[s] > 0) {
             flags = flags | SHAKER2_LIMITED;
         }
     }
@@ -2419,13 +2421,13 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     shaker2_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        out->residual[i] = work.b[i];
+        answer.residual[i] = work.b[i];
         for (int s = 0; s < SHAKER2_N; ++s) {
-            out->residual[i] -= work.I_[i][s] * out->phi_ddot[s];
+            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = out->residual[i];
+        z[i] = answer.residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2464,16 +2466,21 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        out->hardest[i] = 0.0;
+        answer.hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
+            answer.hardest[i] += work.G[i][k] * u[k];
         }
     }
-    out->rank = rank;
-    out->damped_by = damping;
+    answer.rank = rank;
+    answer.damped_by = damping;
     for (int i = 0; i < 2; ++i) {
-        out->sigma[i] = work.sigma[i];
+        answer.sigma[i] = work.sigma[i];
     }
+    status = shaker2_within(answer.phi_ddot, SHAKER2_N, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    status = shaker2_within(answer.residual, 6, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    *out = answer;
     return (shaker2_status)flags;
 }
 
@@ -2553,9 +2560,15 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
         }
         z[i] = z[i] / gram[i][i];
     }
+    shaker2_real answer[SHAKER2_N];
     for (int s = 0; s < SHAKER2_N; ++s) {
         shaker2_real y = z[s];
-        phi_ddot[s] = y * work.scale[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = shaker2_within(answer, SHAKER2_N, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        phi_ddot[s] = answer[s];
     }
     return SHAKER2_OK;
 }

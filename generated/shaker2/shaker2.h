@@ -428,9 +428,10 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  *   options   weights, limits, damping; default_options holds those of the stand file
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26458 operations on reals, 850 of them divisions. Stack: at most 4080 bytes. */
+ * At most 26490 operations on reals, 850 of them divisions. Stack: at most 4288 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -445,9 +446,10 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1826 operations on reals, 31 of them divisions. Stack: at most 3776 bytes. */
+ * At most 1834 operations on reals, 31 of them divisions. Stack: at most 3808 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);

@@ -101,3 +101,10 @@ def test_the_check_takes_no_memory_and_can_be_left_out(tmp_path: Path) -> None:
     assert figures[0] == figures[1]
     wide = caller_of(tmp_path / "float", generate(stand("shaker2"), "float"), compiler, "-DSHAKER2_NO_LINK_CHECK")
     assert linked(compiler, checked[0], wide) == ""
+
+
+def test_the_linker_of_aarch64_takes_it(tmp_path: Path) -> None:
+    """It refuses an address of a number in the object that defines it."""
+    compiler = require("aarch64-linux-gnu-gcc", "gcc-aarch64-linux-gnu")
+    source, caller = objects(tmp_path / "double", generate(stand("shaker2")), compiler)
+    assert linked(compiler, source, caller) == ""

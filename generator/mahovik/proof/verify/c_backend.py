@@ -206,7 +206,8 @@ class CBackend(ProgramBackend):
 
     `lanes`: None means those of the C in the folder; without a folder 1, or what suits the host if it is `fast`. C of a
     folder is compiled for speed if its header asks for it. `generated`: the result of `generate_all` with these
-    options, if the caller has it.
+    options, if the caller has it. `pool`: threads in which `full` is generated and compiled at once, for a caller who
+    will want it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
@@ -220,9 +221,9 @@ class CBackend(ProgramBackend):
         lanes: int | None = None,
         fast: bool = False,
         generated: Generated | None = None,
+        pool: ThreadPoolExecutor | None = None,
     ) -> None:
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
-        self._full: Future[CBackend] | None = None
         says_fast = fast
         if folder is not None:
             lanes, says_fast = _check_folder(folder, stand, precision_name, lanes)
@@ -230,6 +231,7 @@ class CBackend(ProgramBackend):
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
         self.fast = fast or says_fast
         self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
+        self._full: Future[CBackend] | None = None if pool is None else pool.submit(self._made_full)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
             place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
@@ -252,10 +254,6 @@ class CBackend(ProgramBackend):
         """The interpreter of the same program."""
         return InterpreterBackend(self.generated)
 
-    def begin_full(self, pool: ThreadPoolExecutor) -> None:
-        """Generates and compiles `full` in a thread, for a caller who will want it later."""
-        self._full = pool.submit(self._made_full)
-
     @cached_property
     def full(self) -> CBackend:
         """The C of the same stand with a run-time wrench on every body."""
@@ -265,7 +263,7 @@ class CBackend(ProgramBackend):
         stand = with_all_inputs(self._stand)
         if stand == self._stand:
             return self
-        return CBackend(stand, self._precision_name, lanes=self.layout.lanes, fast=self.fast)
+        return CBackend(stand, self._precision_name, lanes=self.generated.layout.lanes, fast=self.fast)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""

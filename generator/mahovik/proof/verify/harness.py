@@ -20,7 +20,6 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Judge, Row, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
-from mahovik.proof.verify.functions.registry import function_rows
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request
@@ -96,12 +95,15 @@ def verify_c(
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
-    backend = backend or CBackend(stand, real, against, lanes, fast)
-    states = draw(stand, seed, count, real, wrenches=wrenches and against is None)
+    with_inputs = wrenches and against is None
     with side_by_side() as pool:
-        if any(body not in backend.inputs for _, state in states for body in state.wrench):
-            backend.begin_full(pool)  # its compiler has a processor of its own
+        if backend is None:
+            built = pool.submit(CBackend, stand, real, against, lanes, fast, pool=pool if with_inputs else None)
+        from mahovik.proof.verify.functions.registry import function_rows  # SciPy: loaded while the compiler runs
+
         second = Second(stand)
+        states = draw(stand, seed, count, real, wrenches=with_inputs)
+        backend = backend or built.result()
         rows = judge(stand, backend, states, backend.wants, BOUNDS[real], progress, second)
         some = ordinary(states, backend.inputs, FUNCTION_STATES)
         rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
