@@ -55,7 +55,8 @@ def _tag(axes: Any, line: Line, colour: str, size: Any, font: float, taken: list
     if not len(seen):
         return
     x, y = line.x[seen], line.y[seen]
-    top = seen[-1] < len(line.x) - 1  # the line leaves at the top: words at its right, else above it
+    upright = x[0] == x[-1] and (right - x[0]) / (right - left) * size[0] > 7 + WIDTH * font * len(line.tag)
+    top = upright or seen[-1] < len(line.x) - 1  # the line leaves at the top: words at its right, else above it
     for share in SHARES:
         at = float(np.interp(share, np.linspace(0.0, 1.0, len(x)), x))
         up = float(np.interp(at, x, y)) if x[-1] > x[0] else float(y[-1])
