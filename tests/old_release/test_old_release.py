@@ -58,17 +58,17 @@ def test_another_rounding_is_noticed(tmp_path: Path) -> None:
 
 RAISED = {
     "step": 0.02, "step(order=2)": 0.02, "step_driven": 0.02, "step_driven(order=2)": 0.02,
-    "coupled": 0.002, "inverse": 0.002,
+    "coupled": 0.002, "inverse": 0.02, "inverse_fast": 0.04,
 }  # fmt: skip
 """Functions that may cost more than then, and by how much: steps see how far a flywheel or the carrier turns in them,
 and share their stages with the steps with a carry, which is a call; `locked` may be null; no answer of `inverse`
-exceeds its limit."""
+exceeds its limit; that of `inverse` and `inverse_fast` is looked at before it is written."""
 
 STATUS = 5
 """Instructions by which any function may differ: a status is an int, where a compiler took a byte for the enum."""
 
-LESS = 1e-3
-"""Part of its cost by which any function may have become cheaper."""
+LESS = 7e-3
+"""Part of its cost by which any function may have become cheaper: `inverse` has its answer beside its work now."""
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -1,4 +1,4 @@
-"""Which cases of a test belong to the quick tests."""
+"""Cases of a test that are tried in every run, and those that only the slow tests try."""
 
 from __future__ import annotations
 

@@ -32,14 +32,16 @@ def inverse(lib: Library) -> Function:
     )
     wrench = lib.wrench_arguments()
     out = Argument("out", layout.inverse_result, (), "out", purpose="phi_ddot and its quality")
-    p = options.place
+    o, p = out.place, options.place
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("near", "damping"), wrench)
     with body.loop("s", layout.count) as s:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
     work = body.local("work", (), layout.inverse_work)
-    o = body.local("answer", (), layout.inverse_result)
+    answer = body.local("answer", (layout.count,), comment="phi''")
+    limited = body.local("limited", (layout.count,), Kind.INT)
+    residual = body.local("residual", (6,))
     inputs = [w.place for w in wrench]
     turns = turns_of(lib, body, x.place)
     lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
@@ -54,20 +56,24 @@ def inverse(lib: Library) -> Function:
     damped = body.local("damping")
     body.set(flags, integer(0))
     _rank(lib, body, p, work, rank, damped, flags)
-    body.call(lib["allocate"], work, p, rank, o.phi_ddot, o.limited)
-    with body.loop("s", layout.count) as s, body.when(o.limited[s] > 0):
+    body.call(lib["allocate"], work, p, rank, answer, limited)
+    with body.loop("s", layout.count) as s, body.when(limited[s] > 0):
         body.set(flags, _flag(flags, "LIMITED"))
     with body.when(rank < min(6, int(layout.count))):
         body.set(flags, _flag(flags, "RANK_DEFICIENT"))
-    _residual(lib, body, o, work, wanted, flags)
+    _residual(lib, body, answer, residual, work, wanted, flags)
+    check_answer(lib, body, answer, layout.count)
+    check_answer(lib, body, residual, 6)
+    with body.loop("s", layout.count) as s:
+        body.set(o.phi_ddot[s], answer[s])
+        body.set(o.limited[s], limited[s])
+    with body.loop("i", 6) as i:
+        body.set(o.residual[i], residual[i])
     _hardest(lib, body, o, work, rank)
     body.set(o.rank, rank)
     body.set(o.damped_by, damped)
     with body.loop("i", min(6, int(layout.count))) as i:
         body.set(o.sigma[i], work.sigma[i])
-    check_answer(lib, body, o.phi_ddot, layout.count)
-    check_answer(lib, body, o.residual, 6)
-    body.copy(out.place, o)
     body.ret(Convert(flags, Kind.STATUS))
     return Function(
         "inverse",
@@ -168,17 +174,19 @@ def _rank(lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: 
                 body.set(damped, select(share > damped, share, damped))
 
 
-def _residual(lib: Library, body: Body, o: Place, work: Place, wanted: Place, flags: Place) -> None:
+def _residual(
+    lib: Library, body: Body, phi_ddot: Place, residual: Place, work: Place, wanted: Place, flags: Place
+) -> None:
     """b - I phi'', and its scaled size against the demand."""
     left = body.local("left")
     z = body.local("z", (6,), comment="G^-1 residual")
     body.set(left, real(0))
     with body.loop("i", 6) as i:
-        body.set(o.residual[i], work.b[i])
+        body.set(residual[i], work.b[i])
         with body.loop("s", lib.layout.count) as s:
-            body.add(o.residual[i], -(work.I[i][s] * o.phi_ddot[s]))
+            body.add(residual[i], -(work.I[i][s] * phi_ddot[s]))
     with body.loop("i", 6) as i:
-        body.set(z[i], o.residual[i])
+        body.set(z[i], residual[i])
         with body.loop("k", i) as k:
             body.add(z[i], -(work.G[i][k] * z[k]))
         body.set(z[i], z[i] / work.G[i][i])

@@ -35,7 +35,7 @@ _STEP = 16
 
 def stack_bound(function: Function, program: Program) -> int:
     """Bytes of stack of a call, with all that it calls."""
-    deepest = SHARE * _depths(program)[function.name] + START
+    deepest = SHARE * _deepest(function, program.precision.width // 8, _depths(program)) + START
     deepest += SCALAR * min(cost(function, program.functions).total, TEMPORARIES)
     return -int(-deepest // _STEP) * _STEP
 

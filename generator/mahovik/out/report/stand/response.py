@@ -23,6 +23,9 @@ STEPS = 31
 NEAR, FAR = 1.6, 2.0
 """A first diagram ends at NEAR times the highest natural frequency at rest, if the limit is FAR times that."""
 
+STILL = 1e-10
+"""m/s2: less than this is rounding."""
+
 ANCHOR, TITLE = "response", "Response: steady vibration against speed"
 
 
@@ -40,7 +43,7 @@ def section(material: Material) -> Section | None:
     except (CheckError, UsageError) as error:
         return Section(ANCHOR, TITLE, paragraph(f"{error}. So there is no steady vibration to show."))
     largest, speed = max(map(_largest, found))
-    if largest == 0.0:
+    if largest < STILL:
         return Section(ANCHOR, TITLE, paragraph(f"Nothing shakes {_point(found[0])}: the flywheels are balanced."))
     summary = f"at most {largest:.3g} {found[0].unit} RMS at {_point(found[0])}, at {RPM * speed:.4g} rpm"
     shown = [panels(each)[0] for each in found]
