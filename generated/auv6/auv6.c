@@ -2485,7 +2485,9 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         if (options->limit[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
-    auv6_inverse_result answer;
+    auv6_real answer[AUV6_N];  /* phi'' */
+    int limited[AUV6_N];
+    auv6_real residual[6];
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
@@ -2537,9 +2539,9 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
             }
         }
     }
-    auv6_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    auv6_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < AUV6_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | AUV6_LIMITED;
         }
     }
@@ -2550,13 +2552,13 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     auv6_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < AUV6_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2565,6 +2567,17 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | AUV6_UNREACHABLE;
+    }
+    status = auv6_within(answer, AUV6_N, AUV6_LARGEST);
+    if (status != AUV6_OK) { return AUV6_RANGE; }
+    status = auv6_within(residual, 6, AUV6_LARGEST);
+    if (status != AUV6_OK) { return AUV6_RANGE; }
+    for (int s = 0; s < AUV6_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     auv6_real part[6];
@@ -2595,21 +2608,16 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = auv6_within(answer.phi_ddot, AUV6_N, AUV6_LARGEST);
-    if (status != AUV6_OK) { return AUV6_RANGE; }
-    status = auv6_within(answer.residual, 6, AUV6_LARGEST);
-    if (status != AUV6_OK) { return AUV6_RANGE; }
-    *out = answer;
     return (auv6_status)flags;
 }
 

@@ -466,7 +466,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42883 operations on reals, 1180 of them divisions. Stack: at most 5168 bytes. */
+ * At most 42883 operations on reals, 1180 of them divisions. Stack: at most 5040 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 

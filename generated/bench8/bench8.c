@@ -2340,7 +2340,9 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         if (options->limit[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    bench8_inverse_result answer;
+    bench8_real answer[BENCH8_N];  /* phi'' */
+    int limited[BENCH8_N];
+    bench8_real residual[6];
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
@@ -2393,9 +2395,9 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
             }
         }
     }
-    bench8_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    bench8_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | BENCH8_LIMITED;
         }
     }
@@ -2406,13 +2408,13 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     bench8_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < BENCH8_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2421,6 +2423,17 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | BENCH8_UNREACHABLE;
+    }
+    status = bench8_within(answer, BENCH8_N, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    status = bench8_within(residual, 6, BENCH8_LARGEST);
+    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     bench8_real part[6];
@@ -2451,21 +2464,16 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = bench8_within(answer.phi_ddot, BENCH8_N, BENCH8_LARGEST);
-    if (status != BENCH8_OK) { return BENCH8_RANGE; }
-    status = bench8_within(answer.residual, 6, BENCH8_LARGEST);
-    if (status != BENCH8_OK) { return BENCH8_RANGE; }
-    *out = answer;
     return (bench8_status)flags;
 }
 

@@ -427,7 +427,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 52800 operations on reals, 1396 of them divisions. Stack: at most 5584 bytes. */
+ * At most 52800 operations on reals, 1396 of them divisions. Stack: at most 5456 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 

@@ -2156,7 +2156,9 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         if (options->limit[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
-    demo3_inverse_result answer;
+    demo3_real answer[DEMO3_N];  /* phi'' */
+    int limited[DEMO3_N];
+    demo3_real residual[6];
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
@@ -2209,9 +2211,9 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
             }
         }
     }
-    demo3_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    demo3_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < DEMO3_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | DEMO3_LIMITED;
         }
     }
@@ -2222,13 +2224,13 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     demo3_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < DEMO3_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2237,6 +2239,17 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | DEMO3_UNREACHABLE;
+    }
+    status = demo3_within(answer, DEMO3_N, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    status = demo3_within(residual, 6, DEMO3_LARGEST);
+    if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     demo3_real part[6];
@@ -2267,21 +2280,16 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 3; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = demo3_within(answer.phi_ddot, DEMO3_N, DEMO3_LARGEST);
-    if (status != DEMO3_OK) { return DEMO3_RANGE; }
-    status = demo3_within(answer.residual, 6, DEMO3_LARGEST);
-    if (status != DEMO3_OK) { return DEMO3_RANGE; }
-    *out = answer;
     return (demo3_status)flags;
 }
 

@@ -405,7 +405,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29789 operations on reals, 918 of them divisions. Stack: at most 4496 bytes. */
+ * At most 29789 operations on reals, 918 of them divisions. Stack: at most 4416 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 

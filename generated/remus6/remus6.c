@@ -2493,7 +2493,9 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         if (options->limit[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
-    remus6_inverse_result answer;
+    remus6_real answer[REMUS6_N];  /* phi'' */
+    int limited[REMUS6_N];
+    remus6_real residual[6];
     remus6_real sine[REMUS6_N];
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
@@ -2546,9 +2548,9 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
             }
         }
     }
-    remus6_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    remus6_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | REMUS6_LIMITED;
         }
     }
@@ -2559,13 +2561,13 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     remus6_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < REMUS6_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2574,6 +2576,17 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | REMUS6_UNREACHABLE;
+    }
+    status = remus6_within(answer, REMUS6_N, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    status = remus6_within(residual, 6, REMUS6_LARGEST);
+    if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     remus6_real part[6];
@@ -2604,21 +2617,16 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 6; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = remus6_within(answer.phi_ddot, REMUS6_N, REMUS6_LARGEST);
-    if (status != REMUS6_OK) { return REMUS6_RANGE; }
-    status = remus6_within(answer.residual, 6, REMUS6_LARGEST);
-    if (status != REMUS6_OK) { return REMUS6_RANGE; }
-    *out = answer;
     return (remus6_status)flags;
 }
 

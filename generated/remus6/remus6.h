@@ -490,7 +490,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42733 operations on reals, 1180 of them divisions. Stack: at most 5168 bytes. */
+ * At most 42733 operations on reals, 1180 of them divisions. Stack: at most 5040 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 

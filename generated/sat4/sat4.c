@@ -2152,7 +2152,9 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
-    sat4_inverse_result answer;
+    sat4_real answer[SAT4_N];  /* phi'' */
+    int limited[SAT4_N];
+    sat4_real residual[6];
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
@@ -2204,9 +2206,9 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
             }
         }
     }
-    sat4_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    sat4_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < SAT4_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | SAT4_LIMITED;
         }
     }
@@ -2217,13 +2219,13 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     sat4_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < SAT4_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2232,6 +2234,17 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | SAT4_UNREACHABLE;
+    }
+    status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(residual, 6, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     sat4_real part[6];
@@ -2262,21 +2275,16 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 4; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = sat4_within(answer.phi_ddot, SAT4_N, SAT4_LARGEST);
-    if (status != SAT4_OK) { return SAT4_RANGE; }
-    status = sat4_within(answer.residual, 6, SAT4_LARGEST);
-    if (status != SAT4_OK) { return SAT4_RANGE; }
-    *out = answer;
     return (sat4_status)flags;
 }
 

@@ -2355,7 +2355,9 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         if (options->limit[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
-    shaker2_inverse_result answer;
+    shaker2_real answer[SHAKER2_N];  /* phi'' */
+    int limited[SHAKER2_N];
+    shaker2_real residual[6];
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
@@ -2408,9 +2410,9 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
             }
         }
     }
-    shaker2_allocate(&work, options, rank, answer.phi_ddot, answer.limited);
+    shaker2_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (answer.limited[s] > 0) {
+        if (limited[s] > 0) {
             flags = flags | SHAKER2_LIMITED;
         }
     }
@@ -2421,13 +2423,13 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     shaker2_real z[6];  /* G^-1 residual */
     left = 0.0;
     for (int i = 0; i < 6; ++i) {
-        answer.residual[i] = work.b[i];
+        residual[i] = work.b[i];
         for (int s = 0; s < SHAKER2_N; ++s) {
-            answer.residual[i] -= work.I_[i][s] * answer.phi_ddot[s];
+            residual[i] -= work.I_[i][s] * answer[s];
         }
     }
     for (int i = 0; i < 6; ++i) {
-        z[i] = answer.residual[i];
+        z[i] = residual[i];
         for (int k = 0; k < i; ++k) {
             z[i] -= work.G[i][k] * z[k];
         }
@@ -2436,6 +2438,17 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     }
     if (left > 1.0e-18 * wanted) {
         flags = flags | SHAKER2_UNREACHABLE;
+    }
+    status = shaker2_within(answer, SHAKER2_N, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    status = shaker2_within(residual, 6, SHAKER2_LARGEST);
+    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
     }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     shaker2_real part[6];
@@ -2466,21 +2479,16 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
-        answer.hardest[i] = 0.0;
+        out->hardest[i] = 0.0;
         for (int k = 0; k < i + 1; ++k) {
-            answer.hardest[i] += work.G[i][k] * u[k];
+            out->hardest[i] += work.G[i][k] * u[k];
         }
     }
-    answer.rank = rank;
-    answer.damped_by = damping;
+    out->rank = rank;
+    out->damped_by = damping;
     for (int i = 0; i < 2; ++i) {
-        answer.sigma[i] = work.sigma[i];
+        out->sigma[i] = work.sigma[i];
     }
-    status = shaker2_within(answer.phi_ddot, SHAKER2_N, SHAKER2_LARGEST);
-    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
-    status = shaker2_within(answer.residual, 6, SHAKER2_LARGEST);
-    if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
-    *out = answer;
     return (shaker2_status)flags;
 }
 

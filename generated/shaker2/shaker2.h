@@ -431,7 +431,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26490 operations on reals, 850 of them divisions. Stack: at most 4288 bytes. */
+ * At most 26490 operations on reals, 850 of them divisions. Stack: at most 4208 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
