@@ -2,10 +2,11 @@
 
 Commands keep their formulas here, not in the folder of the user; equal C is compiled once for all tests, and
 generated once in each process.
-Linear algebra has one thread, as in the command.
+Linear algebra has one thread, and garbage is looked for as seldom, as in the command.
 Ctrl-C acts on commands that tests start, also where a shell runs the tests beside itself and has it ignored.
 """
 
+import gc
 import os
 import signal
 import sys
@@ -14,7 +15,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from mahovik.__main__ import ONE_THREAD
+from mahovik.__main__ import ALLOCATIONS, ONE_THREAD
 from toolchain import build_cache, generated_once
 
 CACHE = Path(__file__).resolve().parents[1] / ".pytest_cache"
@@ -24,6 +25,7 @@ if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):  # commands that tests start n
     sys.dont_write_bytecode, sys.pycache_prefix = False, str(CACHE / "bytecode")
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
+gc.set_threshold(ALLOCATIONS)
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(CACHE / "formulas")

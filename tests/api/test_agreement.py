@@ -13,6 +13,7 @@ import mahovik
 from api.models import backend, given, model, random_states, stand
 from mahovik.core.stand import State
 from mahovik.proof import reference
+from toolchain.quick import quick
 
 WANTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "forward": ("forward", ("phi_ddot",)),
@@ -64,7 +65,7 @@ def pairs(
 
 
 @pytest.mark.parametrize("name", STANDS)
-@pytest.mark.parametrize("function", WANTS)
+@pytest.mark.parametrize("function", quick(4, WANTS))
 def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:

@@ -13,6 +13,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.cpp import cpp_example, cpp_header, namespace
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.stand.random import BARE, random_stand
+from toolchain.quick import quick
 from toolchain.tools import compile_c, require, run
 
 STRICT = (
@@ -179,7 +180,7 @@ def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
         run(require("g++", "g++"), "-std=c++17", "-fsyntax-only", user)
 
 
-@pytest.mark.parametrize("name", ["std", "linux", "mahovik", "N", "Real"])
+@pytest.mark.parametrize("name", quick(2, ["std", "linux", "mahovik", "N", "Real"]))
 def test_names_that_clash(name: str, tmp_path: Path) -> None:
     given = random_stand(np.random.default_rng(5), 2, BARE, name)
     made = generate_all(given)

@@ -16,6 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, Features, random_stand
 from mahovik.core.stand.structure import structure
 from mahovik.laws.damping.data import Damping
+from toolchain.quick import quick
 
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 TABLES = "/* ---- tables ---- */"
@@ -122,7 +123,7 @@ def without_numbers(text: str, name: str) -> str:
     )
 
 
-@pytest.mark.parametrize("name", ["everything6", "hung5", "wet7", "auv6", "bench8"])
+@pytest.mark.parametrize("name", quick(2, ["everything6", "hung5", "wet7", "auv6", "bench8"]))
 def test_structure_decides_the_text(name: str) -> None:
     given = stand(name)
     other = other_numbers(given, np.random.default_rng(8))
@@ -155,8 +156,8 @@ def copies(given: Stand, count: int) -> Stand:
 
 @pytest.mark.parametrize(
     "features",
-    [Features(instruments=0), Features(instruments=1, fluid=False, wrench_inputs=False), Features("ship", 2)],
-    ids=["carrier", "instrument", "drawn"],
+    quick(1, [Features("ship", 2), Features(instruments=0), Features(instruments=1, fluid=False, wrench_inputs=False)]),
+    ids=["drawn", "carrier", "instrument"],
 )
 def test_64_flywheels_are_few_lines_more_than_one(features: Features) -> None:
     """A row of parameters and a row of the table each, a third where the flywheel has a wrench of its own."""

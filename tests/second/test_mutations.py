@@ -21,6 +21,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.second import force
 from mahovik.proof.verify.draw import draw
 from second.agreement import AGREEMENT, differences, expectations
+from toolchain.quick import quick
 
 SOURCE = Path(mahovik.proof.second.__file__).parent
 
@@ -93,7 +94,7 @@ def test_without_a_mutation_there_is_no_difference() -> None:
     assert worst(mahovik.proof.second) <= AGREEMENT
 
 
-@pytest.mark.parametrize("name", MUTATIONS)
+@pytest.mark.parametrize("name", quick(12, MUTATIONS))
 def test_mutations_are_noticed(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     module, there, instead = MUTATIONS[name]
     if module.startswith("laws."):

@@ -9,11 +9,12 @@ import pytest
 
 from mahovik.core.emit.recorder import recorder_files
 from simulate.flights import Recorder
+from toolchain.quick import quick
 
 CASES = [("bench8", "double"), ("everything6", "float"), ("everything0", "double")]
 
 
-@pytest.mark.parametrize(("name", "real"), CASES, ids=["-".join(case) for case in CASES])
+@pytest.mark.parametrize(("name", "real"), quick(1, CASES), ids=["-".join(case) for case in CASES])
 def test_a_step_with_everything_is_one_call_of_exactly_the_stated_size(name: str, real: str, tmp_path: Path) -> None:
     """One byte less, and the record leaves in two calls."""
     recorder = Recorder(name, real, tmp_path)

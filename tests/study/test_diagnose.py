@@ -26,6 +26,7 @@ from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.states import Request
 from mahovik.stands import path
 from physics.motions import vec
+from toolchain.quick import quick
 
 BY_NAME = {fault.name: fault for fault in DICTIONARY}
 
@@ -229,7 +230,7 @@ def test_a_program_without_answers() -> None:
     assert garbage.outcome == "nothing"
 
 
-@pytest.mark.parametrize("number", [0.0, 1e308, -1e308, float("inf"), 10**400, True])
+@pytest.mark.parametrize("number", quick(2, [float("inf"), 0.0, 1e308, -1e308, 10**400, True]))
 def test_numbers_that_make_no_sense_have_no_fault(number: Any) -> None:
     found = diagnoser().diagnose(lambda _: {"V_dot": [number] * 6})
     assert (found.outcome, found.causes) in (("unknown", ()), ("nothing", ()))

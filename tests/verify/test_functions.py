@@ -124,7 +124,7 @@ FAULTS = [
 UNBALANCED, NEEDS_UNBALANCE = "bench8", {("forward_jacobian", "row_slope"), ("inverse", "allocate")}
 """The flywheels of demo3 are balanced, and three have no weights to choose by: these faults need another stand."""
 
-QUICK = 4
+QUICK = 2
 """Faults that are planted in every run of the tests; the others in the slow ones."""
 
 
