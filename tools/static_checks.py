@@ -1,6 +1,6 @@
 """Static checks of the example stands' C: compilers, analyser, cppcheck. Writes docs/results/static-checks.md.
 
-python tools/static_checks.py [--stands bench8,...] [--page]
+python tools/static_checks.py [--stands bench8,...] [--jobs 2] [--page]
 
 Exit status 1 at any warning, at a MISRA deviation or finding that core/toolchain/static_checks.py does not list with
 its reason, and at a listed one that no stand has any more.
@@ -83,6 +83,13 @@ def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
     return list(dict.fromkeys(stand for stand, _ in counts))
 
 
+def examined(stand: str, real: str) -> tuple[list[str], Counter[str]]:
+    """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
+    folder, files = written(stand, real)
+    complaints = warned(folder, [*files, f"{stand}_selftest.c"])
+    return [f"{stand} {real}: {line}" for line in complaints], counted(findings(folder, files))
+
+
 def differences(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[str]) -> list[str]:
     """A line for each rule that is not listed, and for each listed one that no example stand breaks."""
     seen = sum(counts.values(), Counter())
@@ -99,15 +106,12 @@ def differences(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[st
 
 def main() -> int:
     """Runs what is asked."""
-    given = campaign.parser(__doc__, stands=",".join(names()), page=False).parse_args()
+    given = campaign.parser(__doc__, stands=",".join(names()), jobs=campaign.cores(), page=False).parse_args()
     stands = given.stands.split(",")
-    counts: dict[tuple[str, str], Counter[str]] = {}
-    wrong: list[str] = []
-    for stand in stands:
-        for real in REALS:
-            folder, files = written(stand, real)
-            wrong += [f"{stand} {real}: {line}" for line in warned(folder, [*files, f"{stand}_selftest.c"])]
-            counts[stand, real] = counted(findings(folder, files))
+    pairs = [(stand, real) for stand in stands for real in REALS]
+    found = dict(zip(pairs, campaign.map_rows(examined, given.jobs, *zip(*pairs, strict=True)), strict=True))
+    wrong = [line for complaints, _ in found.values() for line in complaints]
+    counts = {pair: counter for pair, (_, counter) in found.items()}
     wrong += differences(counts, stands)
     for line in wrong:
         print(line, file=sys.stderr)

@@ -51,9 +51,15 @@ def section(material: Material) -> Section | None:
 
 
 def swept(stand: Stand, limit: float) -> Sweep:
-    """Accelerations of the first instrument, else of O1, up to a common speed, rad/s. Raises CheckError."""
+    """Accelerations of the first instrument, else of O1, up to a common speed, rad/s.
+
+    Raises CheckError; KeyboardInterrupt at Ctrl-C, because a part of the sweep makes no section.
+    """
     point = stand.instruments[0].name if stand.instruments else "carrier"
-    return sweep(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, point)
+    found = sweep(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, point)
+    if found.interrupted:
+        raise KeyboardInterrupt
+    return found
 
 
 def _largest(found: Sweep) -> tuple[float, float]:
