@@ -232,7 +232,7 @@ def _tested(function: Function, number: int | None, first: bool) -> list[str]:
 
         Program.__init__ = init  # type: ignore[method-assign]
     seen = _Noticed()
-    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "addopts=", "-m", "not slow", "--tb=no"]
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "addopts=", "-m", "not fuzz", "--tb=no"]
     with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere), redirect_stderr(nowhere):
         status = pytest.main([*options, *(["-x"] if first else []), *tests_of(function)], plugins=[seen])
     if status not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):

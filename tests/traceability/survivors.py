@@ -17,8 +17,9 @@ REASONS: dict[tuple[str, str], str] = {
     ("translation_block", "and / or exchanged: if (!(A[0] > 0.0"): "a second fence: added masses that are not positive "
     "semidefinite have been refused by `check_added_mass` before",
     ("check_parameters", "term dropped: size = parameters"): "the size only scales a tolerance",
-    ("prepare", "term dropped: + (R[4] * parameters->carrier.displaced_center[1]"): "no change: the carrier's axes are "
-    "those of E1, so R[5] is zero there",
+    ("allocate", "number times 1.5: share[s] = 1.0"): "no change: all shares get the same factor, which cancels",
+    ("frame_of_axes", "number times 1.5: if (!(zero2 > 1.0e-30)"): "it separates axes without a direction from those "
+    "with one: tests give length 0 and lengths of about 1",
 }
 """Reasons by function and the beginning of the mutant's description."""
 
