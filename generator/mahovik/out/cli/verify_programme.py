@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
+from mahovik.errors import UsageError
+from mahovik.out.cli.options import STAND_FILE, command, file_option, is_given, json_option, load_stand, option
 from mahovik.out.cli.output import print_json, print_line, print_table
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
@@ -28,12 +30,16 @@ def verify_programme(
         "Accept this relative residual, and 20 times it in simulation; default 1e-6, with damping of V|V| 1e-5.",
         type=click.FloatRange(1e-12, 0.1),
     ),
+    against: str | None = file_option("--against", "DIR", "Judge also the C of the programme in this folder."),
+    name: str = option("--name", "Judge the C of this name, with --against.", default="programme"),
     as_json: bool = json_option("Print JSON instead of a table."),
 ) -> None:
     """Verify that a programme makes the carrier move as required.
 
     Uses only the literal reference and an adaptive integration, independent of planning: the residual of (12) between
     the programme's nodes, the carrier's motion by (8), table, period, bounds, bias, and stability of the motion.
+    With --against, every function of the C that `export programme` wrote there: its angles, the residual of (12) that
+    they leave, drive torques, run-up and run-down, and the clock.
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
@@ -45,11 +51,15 @@ def verify_programme(
     stand_file, (motion_file, programme_file) = stand_first(
         stand_file, further, given, former=(STAND, "--motion", "--programme")
     )
+    if against is None and is_given("name"):
+        raise UsageError("--name: no C is judged; give its folder, as --against DIR")
     stand = load_stand(stand_file)
     required = load_motion(motion_file, stand)
     found = load_programme(programme_file)
     with progress("by the reference"):
-        findings = verification.verify_programme(stand, required, found, tolerance=tolerance)
+        findings = verification.verify_programme(
+            stand, required, found, tolerance=tolerance, against=None if against is None else Path(against), name=name
+        )
     if as_json:
         from mahovik.proof.verify.programme.finding import findings_object
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
+from mahovik.proof.verify.programme.compiled import compiled_findings
 from mahovik.proof.verify.programme.finding import (
     Finding,
     Tolerance,
@@ -34,19 +37,30 @@ FINER_ANGLES = 8
 
 
 def verify_programme(
-    stand: Stand, motion: RequiredMotion, programme: Programme, *, tolerance: float | None = None
+    stand: Stand,
+    motion: RequiredMotion,
+    programme: Programme,
+    *,
+    tolerance: float | None = None,
+    against: Path | None = None,
+    name: str = "programme",
 ) -> tuple[Finding, ...]:
     """Findings, one an item; the programme is right where all have passed. If the carrier does not follow the
     motion, stability and run-ups are not examined.
 
     `tolerance`: of the residual, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not verified further: only that is reported.
+    `against`: a folder whose C of this programme, of the `name` in C, is compiled and judged too.
+
+    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
     with np.errstate(all="ignore"):  # what overflows is not finite, and fails
-        return _findings(stand, motion, programme, tolerance_for(stand, tolerance))
+        return _findings(stand, motion, programme, tolerance_for(stand, tolerance), against, name)
 
 
-def _findings(stand: Stand, motion: RequiredMotion, programme: Programme, limit: Tolerance) -> tuple[Finding, ...]:
+def _findings(
+    stand: Stand, motion: RequiredMotion, programme: Programme, limit: Tolerance, against: Path | None, name: str
+) -> tuple[Finding, ...]:
     whose = [stand_finding(stand, programme), motion_finding(motion, programme)]
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     if not same_flywheels(stand, programme) or not same_span:
@@ -71,4 +85,6 @@ def _findings(stand: Stand, motion: RequiredMotion, programme: Programme, limit:
         found += runup_findings(stand, motion, programme, scale, limit)
     else:
         found += start_findings(motion, programme, limit.joint)
+    if against is not None:
+        found += compiled_findings(stand, motion, programme, scale, limit.residual, against, name)
     return tuple(found)

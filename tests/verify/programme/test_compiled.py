@@ -1,0 +1,121 @@
+"""The C of a programme is judged by `verify-programme --against`: right C passes, planted faults fail by their row."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from export import programmes
+from export.programmes import exported, motion, started, written
+from mahovik.core.motion.programme import save_programme
+from mahovik.errors import ToolchainError, UsageError
+from mahovik.out.cli import main
+from mahovik.proof.verify.programme import Finding
+from mahovik.proof.verify.programme.compiled import compiled_findings
+from mahovik.proof.verify.programme.mechanics import scale_of
+from mahovik.stands import path
+from toolchain.quick import quick
+
+
+def judged(folder: Path, programme: str = "started") -> dict[str, Finding]:
+    """Findings on the C in a folder by their names."""
+    stand, given = programmes.stand(), getattr(programmes, programme)()
+    scale = scale_of(stand, motion(), given)
+    found = compiled_findings(stand, motion(), given, scale, 1e-6, folder, "programme")
+    return {each.name: each for each in found}
+
+
+@pytest.mark.parametrize(
+    ("programme", "kind", "real"),
+    quick(
+        2,
+        [
+            ("started", "quintic", "double"),
+            ("spin", "fourier", "float"),
+            ("started", "quintic", "float"),
+            ("spin", "fourier", "double"),
+            ("spin", "quintic", "float"),
+        ],
+    ),
+)
+def test_every_function_of_the_header_is_judged(programme: str, kind: str, real: str, tmp_path: Path) -> None:
+    source = written(exported(programme, kind, real), tmp_path, real)
+    found = judged(tmp_path, programme)
+    assert [each.name for each in found.values() if not each.passed] == []
+    header = re.sub(r"/\*.*?\*/", "", source.with_suffix(".h").read_text(), flags=re.DOTALL)
+    functions = set(re.findall(r"^shaker2_status shaker2_programme_(\w+)\(", header, re.MULTILINE))
+    assert functions - {"at", "runup_at", "rundown_at"} == {"start", "phase", "advance"}  # judged by the clock's row
+    rows = {name.removeprefix("C ") for name in found}
+    assert functions & {"at", "runup_at", "rundown_at"} <= rows
+    assert {"clock", "residual"} <= rows
+    assert ("torque" in rows) == (programme == "spin")
+
+
+def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
+    """The source with a pattern replaced, which it must hold."""
+
+    def change(text: str) -> str:
+        text, found = re.subn(pattern, new, text, count=count)
+        assert found
+        return text
+
+    return change
+
+
+FAULTS = [
+    pytest.param("started", changed(r"phi_dot\[s\] = ", "phi_dot[s] = -"), {"C at"}, id="speed"),
+    pytest.param("spin", changed(r"phi_ddot\[s\] = ", "phi_ddot[s] = 10.0 + "), {"C residual"}, id="acceleration"),
+    pytest.param("spin", changed(r"tau\[s\] \+= ", "tau[s] += 1.001 * "), {"C torque"}, id="torque"),
+    pytest.param("started", changed(r"\(\(lapped", "((!lapped"), {"C clock"}, id="laps"),
+]
+
+
+@pytest.mark.parametrize(("programme", "change", "failed"), FAULTS)
+def test_a_planted_fault_fails_by_its_row(
+    programme: str, change: Callable[[str], str], failed: set[str], tmp_path: Path
+) -> None:
+    source = written(exported(programme), tmp_path)
+    source.write_text(change(source.read_text()))
+    assert failed <= {name for name, each in judged(tmp_path, programme).items() if not each.passed}
+
+
+def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match=r"shaker2_programme\.h: not there; expected what `mahovik export programme"):
+        judged(tmp_path)
+    source = written(exported("spin"), tmp_path)
+    facts = source.with_suffix(".json")
+    right = facts.read_text()
+    facts.write_text(re.sub(r'"physics": "[0-9a-f]+"', '"physics": "00000001"', right))
+    with pytest.raises(UsageError, match="its physics is 00000001, expected"):
+        judged(tmp_path, "spin")
+    facts.write_text(right.replace('"double"', '"real"'))
+    with pytest.raises(UsageError, match="not as `mahovik export programme` writes it"):
+        judged(tmp_path, "spin")
+    facts.write_text(right)
+    source.write_text("#error no\n")
+    with pytest.raises(ToolchainError):
+        judged(tmp_path, "spin")
+
+
+def test_the_command_judges_the_folder(tmp_path: Path) -> None:
+    source = written(exported("spin"), tmp_path)
+    save_programme(programmes.spin(), tmp_path / "p.json")
+    arguments = [
+        *("verify-programme", str(path("shaker2"))),
+        *("--motion", str(path("shaker2").with_name("shaker2_spin.motion.json"))),
+        *("--programme", str(tmp_path / "p.json")),
+    ]
+    good = CliRunner().invoke(main, [*arguments, "--against", str(tmp_path)])
+    assert good.exit_code == 0
+    assert "C torque" in good.output
+    source.write_text(changed(r"phi_dot\[s\] = ", "phi_dot[s] = -")(source.read_text()))
+    bad = CliRunner().invoke(main, [*arguments, "--against", str(tmp_path)])
+    assert bad.exit_code == 1
+    assert "REFUSED: C at" in bad.output
+    no_folder = CliRunner().invoke(main, [*arguments, "--name", "lap"])
+    assert no_folder.exit_code == 2
+    assert "--name: no C is judged; give its folder, as --against DIR" in no_folder.output
