@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from export import programmes
-from export.programmes import exported, motion, started, written
+from export.programmes import exported, motion, written
 from mahovik.core.motion.programme import save_programme
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.out.cli import main

@@ -123,7 +123,7 @@ def compiled_findings(
 
 
 def _clocks(programme: Programme) -> tuple[tuple[int, int], ...]:
-    """Those of a finite programme have one period."""
+    """The clocks to try: one period each for a finite programme."""
     return CLOCKS if programme.periodic else tuple((ticks, 1) for ticks, _ in CLOCKS)
 
 
