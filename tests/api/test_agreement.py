@@ -65,7 +65,7 @@ def pairs(
 
 
 @pytest.mark.parametrize("name", STANDS)
-@pytest.mark.parametrize("function", quick(4, WANTS))
+@pytest.mark.parametrize("function", quick(2, WANTS))
 def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:
@@ -125,6 +125,7 @@ def test_steps_are_those_of_the_c() -> None:
             assert np.array_equal(found.array[j], expected)
 
 
+@pytest.mark.slow
 def test_a_step_that_is_too_long_warns_and_is_made() -> None:
     """One of two states turns by two radians; in the batch and state by state."""
     m = model("bench8")

@@ -128,6 +128,7 @@ def test_the_second_build_compiles_nothing(made: list[str]) -> None:
     assert works(mahovik.build(stand("bench8"))) and made == []
 
 
+@pytest.mark.slow
 def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
     one = stand("bench8")
     heavier = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * 1.25), gravity=(0.0, 0.5, -9.0))

@@ -58,6 +58,7 @@ def test_a_program_that_differs_is_told_its_fault() -> None:
     assert "confidence 9" in result.stdout
 
 
+@pytest.mark.slow
 def test_the_diagnosis_as_json() -> None:
     result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6", "--json", "--want", "forward,torque")
     assert result.exit_code == 1

@@ -172,6 +172,7 @@ def test_the_log_of_another_stand(log: Path) -> None:
     assert "stand demo3, the stand file has bench8" in refused("judge-log", BENCH8, "--log", str(log), status=1)
 
 
+@pytest.mark.slow
 def test_without_a_compiler_the_interpreter_judges(log: Path, printed: str) -> None:
     done = process("judge-log", DEMO3, "--log", str(log), PATH="")
     assert done.returncode == 0

@@ -35,6 +35,7 @@ def test_the_manifest_and_the_header_tell_them(folders: dict[str, Path]) -> None
     assert [(h.lanes, h.fast, h.real) for h in heads.values() if h] == [(4, False, "double"), (2, True, "double")]
 
 
+@pytest.mark.slow
 def test_drivers_of_frama_c_are_of_one_lane(folders: dict[str, Path]) -> None:
     given = stand("demo3")
     for files in (delivery(given), delivery(given, "float", batch=True)):
@@ -74,6 +75,7 @@ def test_a_stand_without_flywheels_has_no_lanes(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_verify_finds_the_lanes_of_a_folder(folders: dict[str, Path]) -> None:
     found = verify_c(stand("demo3"), count=6, against=folders["four"])
     assert found.passed

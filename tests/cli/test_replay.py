@@ -102,6 +102,7 @@ def test_against_the_folder_that_flew(flown: Path) -> None:
     assert run("replay", "--log", str(flown), "--against", str(flown.parent)).exit_code == 0
 
 
+@pytest.mark.slow
 def test_a_state_that_differs_is_status_1(tmp_path: Path) -> None:
     """Flown by C with one constant in another bit; the folder that flew gives its bits again."""
     flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * h", "half = 0.5000000000000001 * h"))

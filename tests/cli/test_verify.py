@@ -52,6 +52,7 @@ def test_outputs_through_a_fifo_and_a_link(tmp_path: Path) -> None:
     assert ET.parse(tmp_path / "report.xml").getroot().get("failures") == "0"
 
 
+@pytest.mark.slow
 def test_the_table_as_json_and_no_files_when_all_is_well(tmp_path: Path) -> None:
     done = process("verify", DEMO3, "--states", "5", "--seed", "3", "--json", cwd=tmp_path)
     assert done.returncode == 0
@@ -100,6 +101,7 @@ def test_usage_errors(arguments: tuple[str, ...], words: str) -> None:
     assert words in refused("verify", DEMO3, *arguments)
 
 
+@pytest.mark.slow
 def test_no_compiler_and_a_compiler_that_is_none() -> None:
     for env, words in (({"PATH": "", "CC": ""}, "no C compiler found"), ({"CC": "no-such-cc"}, "no such command")):
         done = process("verify", DEMO3, cwd=None, **env)
@@ -118,6 +120,7 @@ def test_the_reference_itself_passes_as_a_program() -> None:
     assert {row["worst"] for row in found["rows"]} == {0.0}
 
 
+@pytest.mark.slow
 def test_the_generated_c_as_a_program_says_what_it_does_not_offer() -> None:
     found = json.loads(run("verify", DEMO3, "--states", "4", "--with", EVAL, "--json").stdout)
     assert found["passed"]

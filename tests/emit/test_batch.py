@@ -125,6 +125,7 @@ def test_a_step_may_be_written_over_its_state() -> None:
     assert same_bits(x, results["next"])
 
 
+@pytest.mark.slow
 def test_no_states_at_all() -> None:
     built = native()
     for name in ("forward_batch", "coupled_batch_of", "tables"):

@@ -48,7 +48,7 @@ def test_interpreter_is_c(name: str) -> None:
     assert all_bits(c.interpreted, c, chosen) == all_bits(c.c, c, chosen)
 
 
-@pytest.mark.parametrize("name", quick(1, (NAME, "bare5", "hung5")))
+@pytest.mark.parametrize("name", quick(1, ("bare5", NAME, "hung5")))
 def test_interpreter_is_c_in_float(name: str) -> None:
     c = compiled_float(name, SHIPPED)
     chosen = states(c.stand, 2, FLOAT.max_phase)
@@ -57,7 +57,7 @@ def test_interpreter_is_c_in_float(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("compiler", "optimisation"),
-    quick(2, [("gcc", "-O3"), ("clang", "-O2"), ("gcc", "-O0"), ("gcc", "-Os"), ("clang", "-O0")]),
+    quick(1, [("clang", "-O2"), ("gcc", "-O3"), ("gcc", "-O0"), ("gcc", "-Os"), ("clang", "-O0")]),
 )
 def test_compilers_agree(compiler: str, optimisation: str) -> None:
     require(compiler, compiler)

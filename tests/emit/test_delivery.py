@@ -37,6 +37,7 @@ def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, t
     assert any(numbers)
 
 
+@pytest.mark.slow
 def test_its_commands_compile(tmp_path: Path) -> None:
     files = delivery(stand("demo3"))
     readme = files["README.md"]
@@ -80,6 +81,7 @@ def test_the_manifest_is_json_in_a_fixed_order() -> None:
     assert json.loads(text)["files"]["a.h"] == "2c8b08da5ce60398e1f19af0e5dccc744df274b826abe585eaba68c525434806"
 
 
+@pytest.mark.slow
 def test_every_equation_that_the_c_names_is_in_the_readme() -> None:
     """The folder stands alone."""
     for name in ("bench8", "everything6"):

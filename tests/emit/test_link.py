@@ -53,6 +53,7 @@ def linked(compiler: str, *given: Path | str) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60).stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("compiler", "lto"), quick(1, [("gcc", ("-flto",)), ("gcc", ()), ("clang", ())]))
 def test_a_caller_with_another_header_does_not_link(compiler: str, lto: tuple[str, ...], tmp_path: Path) -> None:
     compiler = require(compiler, compiler)
@@ -89,6 +90,7 @@ int main(void)
     assert "--prefix 2f: " in refused("generate", str(path("shaker2")), "--prefix", "2f")
 
 
+@pytest.mark.slow
 def test_the_check_takes_no_memory_and_can_be_left_out(tmp_path: Path) -> None:
     compiler = require("gcc", "gcc")
     checked = objects(tmp_path / "with", generate(stand("shaker2")), compiler)

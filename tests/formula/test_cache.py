@@ -247,6 +247,7 @@ def test_the_bytes_of_generated_do_not_depend_on_it(name: str, tmp_path: Path) -
     assert len(list((tmp_path / "cache").iterdir())) == 1
 
 
+@pytest.mark.slow
 def test_no_cache_neither_reads_nor_writes(tmp_path: Path) -> None:
     folder = tmp_path / "cache"
     folder.mkdir()

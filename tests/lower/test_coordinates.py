@@ -24,7 +24,7 @@ def of_sequence(angles: Sequence) -> CBackend:
     return CBackend(replace(random_stand(np.random.default_rng(3), 1, BARE, name="turned"), angles=angles))
 
 
-@pytest.mark.parametrize("theta", quick(2, [0.7, -2.5, 2.5, -0.7]))
+@pytest.mark.parametrize("theta", quick(1, [0.7, -2.5, 2.5, -0.7]))
 @pytest.mark.parametrize("angles", ["ship", "aircraft", "euler"])
 def test_state_from_coordinates_inverts_the_generalized_form(angles: str, theta: float) -> None:
     """q' and q'' of `attitude` at some V, V* lead back to V, V*; on both sides of the singularities."""
@@ -59,7 +59,7 @@ def test_a_singular_attitude_is_refused(angles: str, theta: float) -> None:
     assert out["V_dot"] == [7.5] * 6
 
 
-@pytest.mark.parametrize("count", quick(2, [7, 5, 1, 6, 12]))
+@pytest.mark.parametrize("count", quick(1, [7, 5, 1, 6, 12]))
 def test_the_cheap_inverse_agrees_with_the_careful_one(count: int) -> None:
     """Well away from singularity both give the same answer; the condition is squared on the way."""
     c = backend_of(count)

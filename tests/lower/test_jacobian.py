@@ -123,7 +123,7 @@ CASES = [*RANDOM, *names()]
 
 
 @pytest.mark.parametrize("seed", quick(1, [1, 2]))
-@pytest.mark.parametrize("name", quick(7, CASES))
+@pytest.mark.parametrize("name", quick(3, CASES))
 def test_derivatives_of_forward(name: str, seed: int) -> None:
     """Derivatives by V, phi, phi' and phi''. Two independent solves: 1e-10 of the largest in a row of like numbers."""
     c, state = backend_of(name), state_of(name, seed)

@@ -25,6 +25,7 @@ def rocking(method: Any, tell: Any = None, **options: Any) -> Plan:
     return plan_motion(*example("bench8"), PlanOptions(winding="rock", method=method, **options), tell)
 
 
+@pytest.mark.slow
 def test_the_partition_solves_bench8_where_it_is_regular() -> None:
     """Verified, no worse than its start, and det I+ != 0 all along; the raw solution was not exact between nodes."""
     lines: list[str] = []

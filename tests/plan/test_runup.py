@@ -109,6 +109,7 @@ def test_nothing_is_done_unless_asked_for() -> None:
     assert with_runup(stand, replace(motion, runup=None), programme) is programme
 
 
+@pytest.mark.slow
 def test_a_bound_that_cannot_be_kept_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """The programme's own speed is above it: of which flywheel, by what; the tables are given."""
     monkeypatch.setattr(solve, "RICHER", ())

@@ -228,6 +228,7 @@ def test_cancelled_first_moment_is_shown_as_rounding() -> None:
     assert "10⁻¹⁸" not in html(stand("demo3"))
 
 
+@pytest.mark.slow
 def test_constant_columns_are_the_flywheel_s_own() -> None:
     """K at phi = 0 less the constant part is the sum of the other columns; the column of 1 is what a flywheel adds."""
     example = general(3, 7)

@@ -23,8 +23,10 @@ from simulate.flights import Recorder
 
 CASES = [
     ("demo3", "float"),
-    ("everything6", "double"),
-    *(pytest.param(each, marks=pytest.mark.slow) for each in (("bench8", "double"), ("everything0", "float"))),
+    *(
+        pytest.param(each, marks=pytest.mark.slow)
+        for each in (("everything6", "double"), ("bench8", "double"), ("everything0", "float"))
+    ),
 ]
 STEPS = 20
 

@@ -52,6 +52,7 @@ def test_a_tiny_unbalance_on_a_heavy_carrier_is_too_much() -> None:
     assert all("double" in str(each) and each.flywheel in str(each) for each in found)
 
 
+@pytest.mark.slow
 def test_the_c_in_float_does_lose_it() -> None:
     """In the claimed motion the error of the C in V_dot is larger than the whole effect of the unbalance."""
     stand = heavy()

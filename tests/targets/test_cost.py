@@ -16,7 +16,6 @@ from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
 from mahovik.proof.cost.page import as_json, page, read_accepted
 from targets.boards import target
-from toolchain.quick import quick
 from toolchain.tools import require
 
 
@@ -43,7 +42,8 @@ LIMITS = [
 ]
 
 
-@pytest.mark.parametrize(("name", "real", "function", "what", "limit"), quick(4, LIMITS))
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "real", "function", "what", "limit"), LIMITS)
 def test_promised_limits(
     bench8: dict[tuple[str, str], TargetCost], name: str, real: str, function: str, what: str, limit: int
 ) -> None:

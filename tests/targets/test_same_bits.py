@@ -54,6 +54,7 @@ def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not found.passed
 
 
+@pytest.mark.slow
 def test_c_that_does_not_compile_is_a_failure() -> None:
     good = target("m7")
     bad = replace(good, compiler=(*good.compiler, "-DDEMO3_MAX_PHASE=1"))
@@ -109,6 +110,7 @@ def test_command_prints_a_table_and_writes_junit(tmp_path: Path) -> None:
     assert ET.parse(tmp_path / "report.xml").getroot().get("tests") == "1"
 
 
+@pytest.mark.slow
 def test_a_missing_emulator_is_told_and_is_no_pass(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With gcc alone on the path, as on a user's machine."""
     for command in ("gcc", "cc", "as", "ld"):

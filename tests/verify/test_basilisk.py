@@ -108,6 +108,7 @@ def test_a_wrong_wheel_is_caught(fault: str, monkeypatch: pytest.MonkeyPatch) ->
     assert QUANTITIES["phi_ddot"] in failed or fault in ("place", "mass")
 
 
+@pytest.mark.slow
 def test_two_transverse_moments_are_refused_and_taken_in_silence_when_asked() -> None:
     stand = basilisk_stand(RAW["sat4"], asymmetric=True)
     assert unsupported_features(stand) == ["transverse moments that differ (rw1, rw2, rw3, rw4)"]

@@ -57,6 +57,7 @@ def test_batches_of_another_element_type_and_beside_lanes_fail(folder: Path) -> 
     assert "there is none of C with lanes, or fast" in verdict_and_reason(folder, generate_all(stand("demo3"), lanes=4))
 
 
+@pytest.mark.slow
 def test_verify_fails_by_it(folder: Path) -> None:
     path = folder / "demo3_batch.c"
     path.write_text(path.read_text().replace(" + ", " - ", 1))

@@ -37,6 +37,7 @@ def test_a_stand_with_everything_passes_in_float() -> None:
     assert all(row.second is None or row.second < DOUBLE.derivations for row in found.rows)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [0, *(pytest.param(n, marks=pytest.mark.slow) for n in (3, 5))])
 def test_random_stands_of_none_and_more_flywheels(number: int) -> None:
     *_, stand = random_stands(number + 1)

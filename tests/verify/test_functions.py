@@ -83,6 +83,7 @@ def test_float_is_judged_as_well() -> None:
     assert [row.reason for row in function_rows(case_of("sat4", real="float")) if row.failed] == []
 
 
+@pytest.mark.slow
 def test_what_regularisation_leaves_in_float_is_no_fault_of_inverse() -> None:
     """remus6 has states whose demand lies in directions that its wheels, some at their limits, hardly reach."""
     case = case_of("remus6", real="float")
@@ -124,7 +125,7 @@ FAULTS = [
 UNBALANCED, NEEDS_UNBALANCE = "bench8", {("forward_jacobian", "row_slope"), ("inverse", "allocate")}
 """The flywheels of demo3 are balanced, and three have no weights to choose by: these faults need another stand."""
 
-QUICK = 2
+QUICK = 1
 """Faults that are planted in every run of the tests; the others in the slow ones."""
 
 

@@ -51,6 +51,7 @@ def nudged(name: str, by: float) -> Any:
     return lambda found: found | ({name: np.asarray(found[name]) * (1 + by)} if name in found else {})
 
 
+@pytest.mark.slow
 def test_a_stand_with_everything_passes_as_c() -> None:
     found = verify_c(everything("euler"), count=40)
     assert found.passed
@@ -176,6 +177,7 @@ def test_a_term_broken_in_the_emitted_c_is_caught(name: str, tmp_path: Path) -> 
     assert {read_line(stand, line).want[0] for line in lines} <= set(WANTS)
 
 
+@pytest.mark.slow
 def test_a_check_left_out_of_the_emitted_c_is_caught(tmp_path: Path) -> None:
     def change(file: str, text: str) -> str:
         return text if file.endswith(".h") else _without_range_of_speeds(text)
@@ -226,6 +228,7 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
 
 
+@pytest.mark.slow
 def test_outputs_written_by_a_refusal_are_caught(tmp_path: Path) -> None:
     """A forward that clears one number before it has checked its inputs."""
     source = generate(DEMO)["demo3.c"]

@@ -96,6 +96,7 @@ def test_a_judge_that_is_not_installed_is_one_line_with_the_command(monkeypatch:
     assert "pip install pin mujoco" in line
 
 
+@pytest.mark.slow
 def test_a_judge_that_refuses_the_stand_is_skipped_with_its_reason() -> None:
     """A flywheel lighter by a factor of 1e17, in mass and inertia, is nothing to MuJoCo; Pinocchio takes it."""
     first, *others = DEMO.flywheels

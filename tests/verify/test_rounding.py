@@ -147,6 +147,7 @@ def test_a_quantity_that_is_off_by_1e_12_is_caught(quantity: str) -> None:
     assert conclusion(found) == f"FAILED: {quantity}"
 
 
+@pytest.mark.slow
 def test_a_constant_that_is_off_by_1e_12_is_caught(tmp_path: Path) -> None:
     """One number of the table of C that lies somewhere; the function alone, of that table, is right."""
     files = generate(load(path("demo3")))

@@ -25,6 +25,7 @@ def begun(one: Instance) -> None:
     one.begin()
 
 
+@pytest.mark.slow
 def test_any_communication_step() -> None:
     """A step of 10 ms by dt = 1 ms, and the same in parts of which dt is no divisor: the same to the error of dt."""
     found = []

@@ -153,6 +153,7 @@ def test_others_are_the_reference(name: str, version: str, inputs: Inputs) -> No
     check_model_exchange(name, version, inputs)
 
 
+@pytest.mark.slow
 def test_the_quaternion_is_drawn_to_unit_length() -> None:
     """Model exchange: d|q|^2/dt = 2 |q|^2 (1 - |q|^2), whatever omega is; so an integrator cannot lose it."""
     with fmus.instance("driven", "3.0", "me", "torque") as one:
