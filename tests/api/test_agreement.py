@@ -65,7 +65,7 @@ def pairs(
 
 
 @pytest.mark.parametrize("name", STANDS)
-@pytest.mark.parametrize("function", quick(2, WANTS))
+@pytest.mark.parametrize("function", quick(1, WANTS))
 def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     assert (function in offered(name)) == (function not in MISSING[name])
     if function in MISSING[name]:
@@ -154,6 +154,7 @@ def test_generalized_and_slopes_are_those_of_the_c() -> None:
                 assert np.array_equal(result[key][j], np.asarray(value)), key
 
 
+@pytest.mark.slow
 def test_locks_hold() -> None:
     m = model("bench8")
     x, inputs, _ = given("bench8", random_states("bench8", 4))

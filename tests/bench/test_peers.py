@@ -41,7 +41,10 @@ def contestants(program: str) -> list[Contestant]:
     return [Contestant(each, each.recipe.build(), case(2)) for each in peers]
 
 
-@pytest.mark.parametrize("program", [pytest.param("own", marks=pytest.mark.slow), "casadi_peer", "mujoco_peer"])
+@pytest.mark.parametrize(
+    "program",
+    [pytest.param("own", marks=pytest.mark.slow), pytest.param("casadi_peer", marks=pytest.mark.slow), "mujoco_peer"],
+)
 def test_results_agree(program: str) -> None:
     if program == "mujoco_peer":
         pytest.importorskip("mujoco")
@@ -73,6 +76,7 @@ def test_paired_ratio_is_the_median_of_ratios() -> None:
     assert Times((2.0, 3.0, 4.0)).spread == 0.5
 
 
+@pytest.mark.slow
 def test_counts_are_exact() -> None:
     require("valgrind", "valgrind")
     own = own_scalar()

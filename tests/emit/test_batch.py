@@ -132,6 +132,7 @@ def test_no_states_at_all() -> None:
         assert built.function(name)(*([None] + [ctypes.c_size_t(0)] + [None] * 8)) == 0
 
 
+@pytest.mark.slow
 def test_null_and_unaligned_pointers_are_refused() -> None:
     built = native()
     forward = built.function("forward_batch")

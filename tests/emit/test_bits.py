@@ -99,6 +99,7 @@ def test_the_compiled_tables_are_those_of_the_generator(name: str) -> None:
     assert bits(outputs["table"]) == bits(c.table())
 
 
+@pytest.mark.slow
 def test_float_follows_double() -> None:
     """Float results are those of double but for its rounding; tests/verify/test_float.py has the bounds."""
     double, single = compiled(NAME, SHIPPED), compiled_float(NAME, SHIPPED)

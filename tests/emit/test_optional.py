@@ -74,6 +74,7 @@ int main(void)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "flags", [("-fsanitize=address,undefined", "-fno-sanitize-recover=all"), pytest.param((), marks=pytest.mark.slow)]
 )

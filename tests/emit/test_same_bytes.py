@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from mahovik import stands as examples
-from toolchain.quick import quick
 
 SCRIPT = """
 import sys
@@ -24,7 +23,8 @@ WORLDS = (
 )
 
 
-@pytest.mark.parametrize("name", quick(1, ["demo3", "auv6", "bench8"]))
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["demo3", "auv6", "bench8"])
 def test_two_processes_write_the_same_bytes(name: str, tmp_path: Path) -> None:
     # by relative paths of different lengths: no path may be in the text
     found = []

@@ -33,7 +33,8 @@ def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) 
     assert {line.worst for line in log.functions.values()} == {0}
 
 
-@pytest.mark.parametrize("real", quick(0, ["float", "double"]))
+@pytest.mark.slow
+@pytest.mark.parametrize("real", ["float", "double"])
 def test_compilers_print_the_same(real: str, tmp_path: Path) -> None:
     require("clang", "clang")
     _, files = generate_with_selftest("demo3", real)
@@ -46,7 +47,8 @@ def test_compilers_print_the_same(real: str, tmp_path: Path) -> None:
     assert found[0][0] == 0
 
 
-@pytest.mark.parametrize("real", quick(0, ["float", "double"]))
+@pytest.mark.slow
+@pytest.mark.parametrize("real", ["float", "double"])
 def test_32_bits_print_the_same(real: str, tmp_path: Path) -> None:
     require_32_bit()
     _, files = generate_with_selftest("demo3", real)

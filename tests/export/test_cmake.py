@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from cli.run import AUV6, BENCH8, DEMO3, refused, run
-from toolchain.quick import quick
 from toolchain.tools import require
 
 IN_C = """#include <stdio.h>
@@ -131,7 +130,8 @@ def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
     return printed
 
 
-@pytest.mark.parametrize("flags", quick(1, ["-O2 -march=native -ffast-math", ""]))
+@pytest.mark.slow
+@pytest.mark.parametrize("flags", ["-O2 -march=native -ffast-math", ""])
 def test_as_a_folder_of_a_project(exported: Path, plain: str, flags: str, tmp_path: Path) -> None:
     """Whatever flags the project has, the C has its own."""
     made = build(

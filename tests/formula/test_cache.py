@@ -233,6 +233,7 @@ def test_processes_side_by_side(tmp_path: Path) -> None:
 QUICK = ("demo3",)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in stands.names()])
 def test_the_bytes_of_generated_do_not_depend_on_it(name: str, tmp_path: Path) -> None:
     """Derived without a cache, derived into an empty one, and read from it: each is what is committed."""

@@ -97,6 +97,7 @@ def speeds(real: str, function: str, dt: float, seconds: float) -> np.ndarray:
     return np.asarray(end_of_steps(compiled("sat4", real), function, state, seconds, steps)["phi_dot"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dt", [1e-4, 2e-5])
 def test_a_carry_keeps_the_increments_of_short_steps_in_float(dt: float) -> None:
     """Two seconds: without a carry the speeds are wrong by a tenth of a percent and more."""

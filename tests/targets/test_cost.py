@@ -51,6 +51,7 @@ def test_promised_limits(
     assert 0 < getattr(cost_of(bench8[name, real], function), what) <= limit
 
 
+@pytest.mark.slow
 def test_a_row_of_the_table_is_small(bench8: dict[tuple[str, str], TargetCost]) -> None:
     """340 bytes a flywheel in double, half of that in float."""
     assert bench8["m7", "double"].flywheel["default"] <= 340

@@ -135,6 +135,7 @@ def check_model_exchange(name: str, version: str, inputs: Inputs) -> None:
     compare(*found, 2e-6)
 
 
+@pytest.mark.slow
 def test_model_exchange_is_the_reference() -> None:
     check_model_exchange("driven", "3.0", "torque")
 
