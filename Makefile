@@ -72,6 +72,9 @@ demo: setup
 	$(BIN)/mahovik generate generator/mahovik/stands/bench8.toml -o build/demo/bench8
 	$(BIN)/mahovik verify generator/mahovik/stands/bench8.toml
 
+# Python keeps what it has compiled, even where the environment forbids it: tests start thousands of processes.
+test test-slow: export PYTHONDONTWRITEBYTECODE :=
+
 test: demo setup-test
 	$(BIN)/python -m pytest -q -n 2 --dist worksteal
 
