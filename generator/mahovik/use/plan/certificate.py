@@ -150,5 +150,5 @@ def scaled_columns(own: Mechanics, phi: Array) -> Array:
 def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:
     """K of (2) (M, 6, 6) and I of (9) (M, 6, N) at angles (M, N; rad), in E1 about O1."""
     h, _ = waves(phi)
-    K = own.housing.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
+    K = own.base.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
     return K, np.einsum("hmn,hni->min", h, own.tables.coupling)

@@ -67,7 +67,7 @@ def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> 
     )  # fmt: skip
     Theta = (h @ Theta_of).reshape(*shape, 6, 6)
     return Drive(
-        inverse=np.asarray(np.linalg.inv(Theta + mechanics.housing.K)),
+        inverse=np.asarray(np.linalg.inv(Theta + mechanics.base.K)),
         Theta=Theta,
         Theta_dot=((slopes * speed) @ Theta_of).reshape(*shape, 6, 6),
         h=((h * speed) @ coupling).reshape(*shape, 6),
@@ -178,7 +178,7 @@ class Chart:
         """V* (M, 6; m/s2, rad/s2) by (8) at states y (M, 12), with the flywheels' motion at the same M times."""
         own, at = self.mechanics, self.twists(y)
         column = at.V_r[:, :, None]
-        wrench = own.housing.balance(at._replace(V_r_dot=np.zeros_like(at.V)))[:, :, None]
+        wrench = own.base.balance(at._replace(V_r_dot=np.zeros_like(at.V)))[:, :, None]
         momentum = given.Theta @ column
         momentum[:, :, 0] += given.h
         wrench -= motor_cross(at.V_r) @ momentum

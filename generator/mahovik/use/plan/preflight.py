@@ -112,7 +112,7 @@ def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
     """Mean over the times of the whole external wrench (6; N, N m), forces and moments about O1 in E0 axes."""
     own = problem.mechanics
     at = twists(problem.stand, course._replace(q=course.q + bias))
-    F = own.housing.wrench(at)
+    F = own.base.wrench(at)
     gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
     F = F + gravity @ own.tables.weight[0].sum(axis=0).T
     parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]

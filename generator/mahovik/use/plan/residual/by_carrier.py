@@ -12,7 +12,7 @@ import numpy as np
 from mahovik.contract import laws
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.carrier import Housing
+from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed import Mechanics
@@ -42,7 +42,7 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
     Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a law is
     undefined.
     """
-    own = _housing(mechanics.housing, at)
+    own = _slopes_of_base(mechanics.base, at)
     wheels = _flywheels(mechanics.tables, at, phi, phi_dot)
     R = [x - y.sum(axis=1) for x, y in zip(own, wheels, strict=True)]
     tau = [np.einsum("si,msij->msj", mechanics.tables.spin, x) for x in wheels]
@@ -52,14 +52,14 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
     return ByCarrier(by_pose + tied.by_pose, by_twist + tied.by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
 
 
-def _housing(housing: Housing, at: Twists) -> tuple[Array, Array, Array]:
+def _slopes_of_base(base: Base, at: Twists) -> tuple[Array, Array, Array]:
     """Derivatives for carrier and instruments, without ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
-    momentum = at.V_r @ housing.K
-    by_V_r = -motor_cross(at.V_r) @ housing.K - momentum_cross(momentum)
-    for L, damping in housing.damped:
+    momentum = at.V_r @ base.K
+    by_V_r = -motor_cross(at.V_r) @ base.K - momentum_cross(momentum)
+    for L, damping in base.damped:
         by_V_r += L @ damping.rate(at.V_r @ L) @ L.T
     M = len(at.V)
-    return by_V_r, np.tile(-housing.K, (M, 1, 1)), np.tile(housing.heavy, (M, 1, 1))
+    return by_V_r, np.tile(-base.K, (M, 1, 1)), np.tile(base.heavy, (M, 1, 1))
 
 
 def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:

@@ -21,8 +21,8 @@ from mahovik.use.plan.residual.spatial import (
 
 
 @dataclass(frozen=True, eq=False)
-class Housing:
-    """Constants of everything but the flywheels, in E1 about O1.
+class Base:
+    """The base, which is everything but the flywheels: its constants, in E1 about O1.
 
     K        6x6: Theta_1 + sum Lp Theta_p Lp^T and added mass, of (2)
     heavy    6x3: wrench of the net weight by gravity in E1
@@ -35,7 +35,7 @@ class Housing:
     damped: tuple[tuple[Array, TwistLaws], ...]
 
     @staticmethod
-    def of(stand: Stand) -> Housing:
+    def of(stand: Stand) -> Base:
         """Carrier and instruments of a stand."""
         placed: list[tuple[Carrier | Instrument, Array]] = [(stand.carrier, np.eye(6))]
         placed += [(p, transfer(p.position, fixed_axes(p.angles))) for p in stand.instruments]
@@ -47,7 +47,7 @@ class Housing:
             heavy += L @ gravity_wrench_matrix(*net_weight(body)) @ L[:3, :3].T
             if (damping := twist_laws(body)) is not None:
                 damped.append((L, damping))
-        return Housing(stand, K, heavy, tuple(damped))
+        return Base(stand, K, heavy, tuple(damped))
 
     def balance(self, at: Twists) -> Array:
         """F - K V_r* - Phi(V_r) K V_r (M, 6; N, N m) of these bodies alone. StateError: a law is undefined there."""

@@ -21,7 +21,7 @@ import numpy as np
 from mahovik.core.motion.required import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.carrier import Housing
+from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, slope, tables_of
 from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
 from mahovik.use.plan.residual.spatial import motor_cross
@@ -35,7 +35,7 @@ class Mechanics:
     """
 
     stand: Stand
-    housing: Housing
+    base: Base
     tables: Tables
     still: Array
     spun: Array
@@ -45,7 +45,7 @@ class Mechanics:
         """The mechanics of a stand."""
         tables = tables_of(stand)
         I = _with_torque(np.transpose(tables.coupling, (0, 2, 1))[:, :, None, :], tables)
-        return Mechanics(stand, Housing.of(stand), tables, I, slope(I))
+        return Mechanics(stand, Base.of(stand), tables, I, slope(I))
 
     @property
     def N(self) -> int:
@@ -55,7 +55,7 @@ class Mechanics:
     @property
     def mean_inertia(self) -> Array:
         """K0 (6, 6): K of (2), mean over all angles of the flywheels."""
-        return np.asarray(self.housing.K + self.tables.Theta[0].sum(axis=0))
+        return np.asarray(self.base.K + self.tables.Theta[0].sum(axis=0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,7 @@ def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
     tables = mechanics.tables
     found = harmonics_at(mechanics.stand, at, tables.Theta, tables.weight, tables.coupling)
     A, C = (_with_torque(x, tables) for x in found)
-    return Prescribed(mechanics, mechanics.housing.balance(at), A, C, at.V_r)
+    return Prescribed(mechanics, mechanics.base.balance(at), A, C, at.V_r)
 
 
 def harmonics_at(stand: Stand, at: Twists, Theta: Array, weight: Array, coupling: Array) -> tuple[Array, Array]:
