@@ -215,7 +215,7 @@ programme-picture: setup-test
 design-campaign: setup-test
 	$(BIN)/python tools/design_campaign.py --write
 quiet-campaign: setup-test
-	$(BIN)/python tools/quiet_campaign.py --stands 4 --jobs 2 --write
+	$(BIN)/python tools/quiet_campaign.py --write
 
 plan-campaign: setup-test
 	$(BIN)/python tools/plan_campaign.py --stands 50 --first 50000 --jobs 2 --write
