@@ -56,14 +56,45 @@ def test_values_under_the_pointer(opened: Opener) -> None:
     assert speeds["w3"] == pytest.approx(110.0 * 30.0 / np.pi, rel=1e-3)
 
 
+def page_of(panels: list[Panel], path: Path) -> Path:
+    """A page with these charts and their script alone."""
+    script = source_text("uplot/uPlot.iife.min.js") + template("report_chart.js.j2").render()
+    style = source_text("uplot/uPlot.min.css") + template("report_chart.css.j2").render()
+    path.write_text(f"<!DOCTYPE html><style>{style}</style>{charts(panels)}<script>{script}</script>", "utf-8")
+    return path
+
+
+LABELS = "(chart) => chart.plot.axes[1]._values.filter((label) => label)"
+ZOOMED = """(chart, ratio) => {
+    const { min, max } = chart.plot.scales.y, middle = Math.sqrt(min * max);
+    chart.plot.setScale('y', { min: middle / Math.sqrt(ratio), max: middle * Math.sqrt(ratio) });
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+}"""
+
+
+def test_a_logarithmic_axis_may_begin_anywhere_and_has_labels(browser: Browser, tmp_path: Path) -> None:
+    """Values of 0.1045 to 104 once made the script loop until it had no memory left."""
+    ranges = [(0.1045, 104.0), (1e-17, 1e-12), (23.8, 4252.0), (3.1, 9.6), (10.8, 12.0), (2e7, 6e7), (1e-6, 2e9)]
+    panels = [
+        Panel(f"y{k}, m", (Line("a", np.arange(9.0), np.geomspace(low, high, 9)),), log=True)
+        for k, (low, high) in enumerate(ranges)
+    ]
+    opened = Opened(browser, page_of(panels, tmp_path / "chart.html"))
+    for k in range(len(ranges)):
+        chart = chart_of(opened.page, f"y{k}, m")
+        for ratio in (None, 50.0, 7.0, 1.3, 1.001):
+            if ratio is not None:
+                chart.evaluate(ZOOMED, ratio)
+            labels = chart.evaluate(LABELS)
+            assert 2 <= len(labels) <= 12, (ranges[k], ratio, labels)
+            assert len(set(labels)) == len(labels)
+    assert opened.complaints == []
+
+
 def test_of_an_envelope_least_and_largest_are_told(browser: Browser, tmp_path: Path) -> None:
     t = np.linspace(0.0, 1.0, 100_000)
     panel = Panel("y, m", (Line("a", t, 3.0 * np.sin(1e4 * t)), Line("b", t, 2.0 + 0.0 * t)))
-    script = source_text("uplot/uPlot.iife.min.js") + template("report_chart.js.j2").render()
-    style = source_text("uplot/uPlot.min.css") + template("report_chart.css.j2").render()
-    path = tmp_path / "chart.html"
-    path.write_text(f"<!DOCTYPE html><style>{style}</style>{charts([panel])}<script>{script}</script>", "utf-8")
-    page = Opened(browser, path).page
+    page = Opened(browser, page_of([panel], tmp_path / "chart.html")).page
     move(page, chart_of(page, "y, m"), 0.25)
     (_, t_shown), (_, a), (_, b) = chart_of(page, "y, m").evaluate(READING)
     assert float(t_shown) == pytest.approx(0.25, abs=0.002)
