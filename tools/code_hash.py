@@ -16,6 +16,12 @@ PACKAGE = "generator/mahovik"
 COMMON = ("contract", "core", "laws", "stands", "errors.py", "templates")
 """Every campaign depends on these: the equations, the C made of them, the example stands."""
 
+PAGES = (
+    *("templates/delivery.md.j2", "templates/derive", "templates/evidence", "templates/report", "templates/uplot/"),
+    "generator/mahovik/core/emit/readme.py",
+)
+"""Beginnings of the paths of what is there to be read only, and changes no figure."""
+
 SUFFIXES = (".py", ".toml", ".json", ".j2", ".c", ".h")
 LENGTH = 16
 
@@ -31,8 +37,12 @@ def files_of(parts: Iterable[str]) -> list[Path]:
         if place is None:
             raise SystemExit(f"{part}: no such code; expected a folder or file of {PACKAGE}, tools or the root")
         inside = place.rglob("*") if place.is_dir() else [place]
-        found |= {path for path in inside if path.suffix in SUFFIXES}
+        found |= {path for path in inside if path.suffix in SUFFIXES and not _is_page(path)}
     return sorted(found)
+
+
+def _is_page(path: Path) -> bool:
+    return path.relative_to(ROOT).as_posix().startswith(PAGES)
 
 
 def code_hash(parts: Iterable[str]) -> str:

@@ -337,3 +337,12 @@ def test_check_finds_what_was_changed_or_lost(name: str, folder: Path) -> None:
 def test_check_of_the_other_element_type_is_one_line(folder: Path) -> None:
     said = refused("generate", DEMO3, "--real", "float", "-o", str(folder), "--check", status=1)
     assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"
+
+
+def test_the_page_of_another_prefix_says_of_what_stand_file_it_is(tmp_path: Path) -> None:
+    """A copy of the stand file with that name makes the same folder."""
+    assert run("generate", DEMO3, "--prefix", "other", "-o", str(tmp_path / "c")).exit_code == 0
+    assert "the stand file whose `name` is `other`" in (tmp_path / "c" / "README.md").read_text()
+    copy = tmp_path / "other.toml"
+    copy.write_text(Path(DEMO3).read_text().replace('name = "demo3"', 'name = "other"', 1))
+    assert run("generate", str(copy), "-o", str(tmp_path / "c"), "--check").exit_code == 0

@@ -51,6 +51,15 @@ def test_a_part_is_text_of_the_whole_and_smaller() -> None:
     assert body is not None and body[0] in whole
 
 
+def test_its_page_names_no_command_that_refuses_it() -> None:
+    whole, part = (delivery(stand("sat4"), only=only)["README.md"] for only in ((), ("forward",)))
+    for command in ("verify STAND.toml --against .", "--targets all", "judge-log STAND.toml", "replay STAND.toml"):
+        assert command in whole
+        assert command not in part
+    assert "generate STAND.toml --only forward -o . --check" in part
+    assert "replay STAND.toml" in delivery(stand("sat4"), only=("step",))["README.md"]  # the recorder is there
+
+
 def test_an_unknown_function_is_refused() -> None:
     message = refused("generate", str(path("sat4")), "--only", "forward,torqe")
     assert '--only torqe: the C of sat4 has no such function, did you mean "torque"?' in message
