@@ -13,7 +13,18 @@ from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from toolchain.tools import require, run
 
 DOUBLES = st.floats(allow_nan=False, allow_infinity=False)
-FLOATS = st.floats(allow_nan=False, allow_infinity=False, width=32)
+LARGEST_BITS = 0x7F7FFFFF
+"""Bits of the largest float: those of every finite one but for its sign."""
+
+
+def from_bits(magnitude: int, negative: bool) -> float:
+    """The float of these bits."""
+    (value,) = struct.unpack("<f", struct.pack("<I", magnitude | negative << 31))
+    return float(value)
+
+
+FLOATS = st.builds(from_bits, st.integers(0, LARGEST_BITS), st.booleans())
+"""Every finite float; hypothesis' own of this width filter what they draw, now and then too much."""
 EDGES = (0.0, -0.0, 1.0, 0.1, 1e22, 1e23, 5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, 9007199254740993.0)
 FLOAT_EDGES = (0.0, -0.0, 1.0, 0.1, 1e10, 16777216.0, 1e-45, 1.1754943508222875e-38, 3.4028234663852886e38)
 
@@ -40,7 +51,7 @@ def test_float_literals_read_back(value: float) -> None:
     assert same(float(text[:-1]), value, "<f")
 
 
-@given(DOUBLES.filter(lambda x: abs(x) < 3e38))
+@given(st.floats(-3e38, 3e38))
 def test_a_literal_of_a_float_program_is_the_nearest_float(value: float) -> None:
     assert same(float(real_literal(value, FLOAT)[:-1]), value, "<f")
 
@@ -71,8 +82,8 @@ def test_c_reads_the_same_bits(
     folder = tmp_path_factory.mktemp("literals")
     code = "<d" if precision is DOUBLE else "<f"
 
-    @settings(max_examples=3, deadline=None)
-    @given(st.lists(numbers, min_size=200, max_size=400))
+    @settings(max_examples=6, deadline=None)
+    @given(st.lists(numbers, min_size=20, max_size=100))
     def check(values: list[float]) -> None:
         values = [*edges, *values]
         text = ",\n".join(real_literal(v, precision) for v in values)
