@@ -177,7 +177,7 @@ def generated(name: str, *arguments: str) -> tuple[Path, Effort]:
 
 
 def _sections(compiled: Path) -> list[tuple[str, int]]:
-    """Bytes of code and of constants."""
+    """Code and constants of a compiled file: the name of each section and its size, bytes."""
     listing = subprocess.run(["size", "-A", compiled], capture_output=True, text=True, check=True).stdout
     found = []
     for line in listing.splitlines():

@@ -124,7 +124,7 @@ def agreement_table(results: Results) -> Table:
 
 
 def target_table(results: Results) -> Table:
-    """Asked, found, verdict."""
+    """Table of the targets: what was asked for, what was measured, and whether it was reached."""
     words = {True: "reached", False: "**not reached**", None: "not measured"}
     rows = [[v.what, v.N, v.asked, v.found, words[v.reached]] for v in verdicts(results)]
     return table(["", "N", "asked", "found", "verdict"], rows)

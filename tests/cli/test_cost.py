@@ -61,7 +61,10 @@ def generated_files(name: str, real: str) -> dict[str, str]:
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
-    made = lambda stand, real, lanes=1, only=(): SimpleNamespace(files=generated_files(stand.name, real))  # noqa: E731
+
+    def made(stand: Stand, real: str, lanes: int = 1, only: tuple[str, ...] = ()) -> SimpleNamespace:
+        return SimpleNamespace(files=generated_files(stand.name, real))
+
     monkeypatch.setattr(delivery, "generate_all", made)
     delivery.deliver(tmp_path / "out", load(DEMO3), "double", generated_files("demo3", "double"))
     return tmp_path / "out"

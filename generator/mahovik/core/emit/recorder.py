@@ -35,7 +35,7 @@ def recorded(generated: Generated) -> bool:
 
 
 _FRAMES = 320
-"""Bytes of stack that the recorder's own functions take at most, one within another, besides the record."""
+"""Stack of the recorder's own functions, bytes: an upper bound for the deepest chain of calls, without the record."""
 
 
 def recorder_files(stand: Stand, generated: Generated) -> dict[str, str]:

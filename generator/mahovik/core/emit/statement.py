@@ -11,7 +11,7 @@ from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, 
 _STEP = "    "
 
 _SHORT = 34
-"""Assignments to elements up to this length share a line."""
+"""Length, characters, up to which assignments to elements of an array are printed several on a line."""
 
 
 class Statements:

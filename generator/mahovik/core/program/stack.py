@@ -15,16 +15,16 @@ from mahovik.core.program.types import Struct, numbers
 from mahovik.core.program.walk import called, statements
 
 FRAME = 48
-"""Bytes of a call: return address and saved registers."""
+"""Stack of a call itself, bytes: return address and saved registers."""
 
 SCALAR = 8
-"""Bytes of a scalar local, an argument or an index, each of which may be spilled."""
+"""Stack of a scalar local, an argument or an index, bytes: a compiler may keep each of them in memory."""
 
 SHARE = 1.25
 """Factor on both and on arrays: copies that a compiler makes where it inlines, unrolls and forms vectors."""
 
 START = 128
-"""Bytes besides: a function may save all registers of a processor, once."""
+"""Stack that is added once, bytes: a function may save all registers of a processor."""
 
 TEMPORARIES = 56
 """Results of operations without a name that a compiler keeps at once, where it unrolls a loop; each as a scalar."""
@@ -34,7 +34,7 @@ _STEP = 16
 
 
 def stack_bound(function: Function, program: Program) -> int:
-    """Bytes of stack of a call, with all that it calls."""
+    """Upper bound of the stack that a call takes, with all functions that it calls; bytes."""
     deepest = SHARE * _deepest(function, program.precision.width // 8, _depths(program)) + START
     deepest += SCALAR * min(cost(function, program.functions).total, TEMPORARIES)
     return -int(-deepest // _STEP) * _STEP

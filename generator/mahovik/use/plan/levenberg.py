@@ -177,7 +177,7 @@ class StartBatch:
         one = prescribe(problem.mechanics, self.grid.course, bias)
         self.at = Prescribed(
             one.mechanics,
-            np.tile(one.base, (self.K, 1)),
+            np.tile(one.balance, (self.K, 1)),
             np.tile(one.fixed, (1, 1, self.K, 1)),
             np.tile(one.moving, (1, 1, self.K, 1)),
             np.tile(one.V_r, (self.K, 1)),

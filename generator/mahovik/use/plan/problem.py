@@ -257,7 +257,7 @@ class BiasPerturbations(NamedTuple):
         if F == 0:
             return R, tau
         W = flywheel_wrenches(self.at, *(np.tile(x, (2 * F, 1)) for x in angles))
-        sides = self.problem.norm.scaled(self.at.base - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
+        sides = self.problem.norm.scaled(self.at.balance - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
         R[..., self.moved] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
         torque = W[6].reshape(2, F, M, N)
         tau[..., self.moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)

@@ -64,9 +64,9 @@ def residuals(stand: Stand, run: Run, rows: Rows) -> Panel | None:
         W = flywheel_wrenches(at, run.phi[rows], run.phi_dot[rows], run.phi_ddot[rows])
         root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
         sum_W = W[:6].sum(axis=2).T
-        off = np.linalg.norm((at.base - sum_W) @ root.T, axis=1)
+        off = np.linalg.norm((at.balance - sum_W) @ root.T, axis=1)
         scale = np.linalg.norm(np.abs(root) @ np.abs(W[:6]).sum(axis=2), axis=0).max(initial=0.0)
-        scale = max(scale, float(np.linalg.norm(at.base @ root.T, axis=1).max(initial=0.0)))
+        scale = max(scale, float(np.linalg.norm(at.balance @ root.T, axis=1).max(initial=0.0)))
         lines = []
         if scale > 0.0:
             lines.append(Line("of (8)", run.t[rows], np.maximum(off / scale, LEAST), 0))

@@ -130,7 +130,7 @@ class Point:
     @cached_property
     def scaled(self) -> Array:
         """Relative residual (M, 6)."""
-        return self.stage.problem.norm.scaled(self.prescribed.base - self._wrenches[:6].sum(axis=2).T)
+        return self.stage.problem.norm.scaled(self.prescribed.balance - self._wrenches[:6].sum(axis=2).T)
 
     @cached_property
     def c(self) -> Array:

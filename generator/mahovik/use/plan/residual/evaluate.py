@@ -34,7 +34,7 @@ class Linear:
 
 def residual(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """R (M, 6; N, N m) of (12), zero where the programme is exact; angles (M, N each; rad, s)."""
-    return np.asarray(at.base - flywheel_wrenches(at, phi, phi_dot, phi_ddot)[:6].sum(axis=2).T)
+    return np.asarray(at.balance - flywheel_wrenches(at, phi, phi_dot, phi_ddot)[:6].sum(axis=2).T)
 
 
 def torques(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
@@ -66,7 +66,7 @@ def linear(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linea
             damped = flywheel_damping(own.tables, s, at.V_r, phi[:, s], phi_dot[:, s])
             for target, value in zip((W, by_phi, by_phi_dot), damped, strict=True):
                 target[:, :, s] -= value
-    R = at.base - W[:6].sum(axis=2).T
+    R = at.balance - W[:6].sum(axis=2).T
     a, b, c = (-np.swapaxes(x[:6], 0, 1) for x in (by_phi, by_phi_dot, by_phi_ddot))
     return Linear(R, W[6], a, b, c, by_phi[6], by_phi_dot[6], by_phi_ddot[6])
 

@@ -62,21 +62,21 @@ class Mechanics:
 class Prescribed:
     """Coefficients of (12) at M times: linear in the harmonics of each angle, quadratic in its speed.
 
-    base    (M, 6; N, N m): balance of everything but the flywheels
+    balance (M, 6; N, N m): of the base, everything but the flywheels
     fixed   (5, 7, M, N): A_h
     moving  (5, 7, M, N): C_h; seventh row: see Mechanics
     V_r     (M, 6): twist relative to the fluid, for flywheels with damping
     """
 
     mechanics: Mechanics
-    base: Array
+    balance: Array
     fixed: Array
     moving: Array
     V_r: Array
 
     def locked(self) -> Array:
         """P of (12) (M, 6): wrench needed, flywheels locked in their mounts and axisymmetric, of mean inertia."""
-        return np.asarray(self.base - self.fixed[0, :6].sum(axis=2).T)
+        return np.asarray(self.balance - self.fixed[0, :6].sum(axis=2).T)
 
 
 def prescribe(mechanics: Mechanics, course: Course, bias: Array | float = 0.0) -> Prescribed:
