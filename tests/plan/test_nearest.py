@@ -20,13 +20,17 @@ def pushed() -> tuple[Improver, Search[Candidate]]:
     return own, Search(beyond=[attempt])
 
 
-def test_the_programme_that_disregards_the_bound_is_given_where_none_is_near_it(
+def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     own, found = pushed()
     monkeypatch.setattr(Improver, "rescue", lambda *_: None)
     (nearest,) = choose(own, found)
     assert nearest.exact and not nearest.accepted
+    attempt = found.beyond[0]
+    assert attempt.free is not None
+    disregards = own.exact(attempt, attempt.free, None)
+    assert nearest.used < 0.9 * disregards.used, "it is no nearer than one that disregards the bound"
     worst = nearest.exceeded[0]
     assert (worst.kind, worst.limit) == ("torque", 0.03)
     assert worst.value > 0.1

@@ -18,7 +18,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine, refine_periodic
 from mahovik.use.plan.objective import Cost, ExceededBound, has_bounds
-from mahovik.use.plan.optimise import Improved, estimate, evaluate, exceeded_by, finish, improve
+from mahovik.use.plan.optimise import Improved, approach_bounds, estimate, evaluate, exceeded_by, finish, improve
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order
@@ -246,6 +246,11 @@ class Improver:
             again = self.exact(beyond, beyond.motion, seconds)
         return again if again.exact else None
 
+    def nearer(self, beyond: Candidate, seconds: float | None) -> Candidate:
+        """The exact programme beyond the bounds, brought as near to them as a reserve of steps goes."""
+        reserve = Budget(_RESERVE, seconds)
+        return self.candidate(approach_bounds(self.problem, self.cost, beyond, reserve), beyond.kind, beyond.free)
+
     def exact(self, beyond: Candidate, motion: Periodic, seconds: float | None) -> Candidate:
         """A motion made exact without regard to the bounds, as far as a reserve of steps goes."""
         exact = refine_periodic(self.problem, motion, HARMONIC_COUNTS, Budget(_RESERVE, seconds)).motion
@@ -263,9 +268,10 @@ def choose(improver: Improver, found: Search[Candidate], seconds: float | None =
         least = improver.rescue(each, seconds)
         if least is not None:
             return [least]
-    # bounds far below what the motion needs leave no exact motion near them: then one that disregards them
+    # bounds far below what the motion needs leave no exact motion near them: then from one that disregards them
     free = [improver.exact(each, each.free, seconds) for each in found.beyond if each.free is not None]
-    return sorted((each for each in free if each.exact), key=lambda each: each.used)[:1]
+    best = sorted((each for each in free if each.exact), key=lambda each: each.used)[:1]
+    return [improver.nearer(each, seconds) for each in best]
 
 
 def is_same_programme(a: Candidate, b: Candidate) -> bool:

@@ -1,5 +1,13 @@
 """(13): the best programme by the objective inside the bounds, from a start that nearly solves (12)."""
 
-from mahovik.use.plan.optimise.improve import Improved, estimate, evaluate, exceeded_by, finish, improve
+from mahovik.use.plan.optimise.improve import (
+    Improved,
+    approach_bounds,
+    estimate,
+    evaluate,
+    exceeded_by,
+    finish,
+    improve,
+)
 
-__all__ = ["Improved", "estimate", "evaluate", "exceeded_by", "finish", "improve"]
+__all__ = ["Improved", "approach_bounds", "estimate", "evaluate", "exceeded_by", "finish", "improve"]

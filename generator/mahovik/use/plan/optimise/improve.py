@@ -92,6 +92,24 @@ def _tighten(problem: Problem, cost: Cost, target: Stage, point: Point, budget: 
     return point, taken
 
 
+def approach_bounds(problem: Problem, cost: Cost, start: Improved, budget: Budget) -> Improved:
+    """The programme nearest to the bounds that rounds of tightened limits reach from one that exceeds them.
+
+    Each round ends in a finished programme, so that the last good one is exact where the bounds themselves leave none.
+    """
+    best, tighter = start, TIGHTER
+    while best.used > 1.0 and tighter < GAIN and not budget.exhausted:
+        wider = max(1.0, tighter * best.used)
+        stage = make_stage(problem, cost, harmonics(problem, best.motion, HARMONICS), TAIL, MEANWHILE, wider)
+        motion = descend(stage, best.motion.with_harmonics(stage.H), STEPS_A_ROUND, budget).point.motion
+        nearer = finish(problem, cost, evaluate(problem, cost, motion, 0), budget)
+        if nearer.residual < problem.tolerance and nearer.used < GAIN * best.used:
+            best = nearer
+        else:
+            tighter = tighter**0.5  # a smaller step, until it would gain nothing
+    return best
+
+
 def limit_factor(used: float) -> float:
     """Factor on the limits for a motion that should keep to this use of the bounds."""
     if used <= SPARE:
