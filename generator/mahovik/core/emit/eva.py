@@ -9,6 +9,7 @@ from typing import Any
 
 from mahovik.contract.functions import ANY, BITS, FUNCTIONS, NORMAL
 from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
@@ -92,6 +93,7 @@ def eva_files(program: Program, identities: Identities) -> dict[str, str]:
         "angles": _angles(program),
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in code.public],
+        "coarse": STATUS_VALUES["COARSE"],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
         "fills": list(writer.fills),
         "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
