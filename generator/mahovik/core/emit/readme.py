@@ -23,12 +23,15 @@ def readme(stand: Stand, generated: Generated, batch: bool = False) -> str:
     arguments = called[0].arguments if called else ()
     given = {a.name: a.name for a in arguments} | {"table": f"&{names.function('default')}", "x": "&x"}
     zeroed = [a for a in arguments if a.direction == "in" and not isinstance(a.type, Struct)]
+    part = f" --only {','.join(generated.only)}" if generated.only else ""
     return code.render(
         "delivery.md.j2",
+        part=part,
         bodies=described(stand),
         option="" if real == "double" else f" --real {real}",
-        made_by=f"{f' --lanes {lanes}' if lanes > 1 or generated.fast else ''}{' --fast' if generated.fast else ''}"
-        f"{f' --only {chr(44).join(generated.only)}' if generated.only else ''}",
+        made_by=(f" --lanes {lanes}" if lanes > 1 or generated.fast else "")
+        + (" --fast" if generated.fast else "")
+        + part,
         lanes=lanes,
         wide=lanes > 1,
         fast=generated.fast,

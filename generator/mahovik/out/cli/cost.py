@@ -33,7 +33,7 @@ def cost(
     accept: bool = flag("--accept", "Accept the figures for later comparison."),
     as_json: bool = json_option("Print the figures as JSON."),
 ) -> None:
-    """Measure the C of a stand on processors, with the lanes and functions that the C in the folder has.
+    """Measure the C of a stand on processors, with the name, lanes and functions that the C in the folder has.
 
     Instructions of every public function (by an emulator that counts; not cycles), stack, code and constants, into
     COST.md beside the C; accepted figures into cost.json. Exit status 1 without writing if a figure is more than 2 %
@@ -55,6 +55,7 @@ def cost(
         delivered_only,
         require_place_for_cost,
     )
+    from mahovik.proof.verify.folder_stand import stand_in
 
     pairs = parse_targets(targets, real)
     absent: list[str] = []
@@ -65,6 +66,7 @@ def cost(
     usual = targets is None and real is None and not absent
     stand = load_stand(stand_file)
     folder = Path(output if output is not None else stand.name)
+    stand = stand_in(folder, stand, UsageError)
     if not check:
         require_place_for_cost(folder, stand)
     text = accepted_figures(folder, stand)

@@ -7,7 +7,18 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.out.cli.options import FAST, LANES, REAL, STAND_FILE, command, file_option, flag, load_stand, option
+from mahovik.out.cli.options import (
+    FAST,
+    LANES,
+    REAL,
+    STAND_FILE,
+    comma_list,
+    command,
+    file_option,
+    flag,
+    load_stand,
+    option,
+)
 from mahovik.out.cli.output import print_paths
 from mahovik.out.cli.progress import progress
 
@@ -22,7 +33,9 @@ def generate(
     check: bool = flag("--check", "Write nothing, and exit with status 1 if the folder differs."),
     batch: bool = flag("--batch", "Write also functions for many states at once: NAME_batch.h, NAME_batch.c."),
     no_cache: bool = flag("--no-cache", "Derive everything again, without the cache of formulas."),
-    only: str | None = option("--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME"),
+    only: tuple[str, ...] | None = option(
+        "--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME", parse=comma_list
+    ),
     prefix: str | None = option(
         "--prefix",
         "Use this name in C instead of the one of the stand: two element types in one image.",
@@ -37,8 +50,8 @@ def generate(
     A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
     file. It writes all or nothing, never overwrites files of others, and needs no compiler. Warns if float would not
     resolve an unbalance. The formulas that all stands share are derived once and cached, in the folder MAHOVIK_CACHE
-    if that is set. With --prefix the C is that of a stand of that name, and so is its physics hash: `verify --against`
-    the folder takes a stand file with that name.
+    if that is set. With --prefix the C is that of a stand of that name, and so is its physics hash; commands that read
+    the folder, or a log of its C, find the name there.
     """
     if no_cache:
         from mahovik.core.formula.derived import without_cache
@@ -52,7 +65,7 @@ def generate(
     from mahovik.errors import CheckError, UsageError
     from mahovik.proof.verify.delivery import deliver, differences
 
-    chosen = tuple(dict.fromkeys(name.strip() for name in only.split(","))) if only is not None else ()
+    chosen = only or ()
     if lanes is None:
         lanes = host_lanes(len(stand.flywheels)) if fast else 1
     if lanes > 1 and not stand.flywheels:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, command, load_stand
+from mahovik.errors import UsageError
+from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, comma_list, command, load_stand, option
 from mahovik.out.cli.output import print_json
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
 
@@ -16,12 +17,20 @@ def judge_log(
     stand_file: str | None = STAND_FILE_OR_NONE,
     further: tuple[str, ...] = FURTHER,
     log_file: str | None = needed_option("--log", "LOG", "Judge this output of the self-test on the board."),
+    only: tuple[str, ...] | None = option(
+        "--only",
+        "Expect the functions of `generate --only`, as it was given there.",
+        metavar="NAME,NAME",
+        parse=comma_list,
+    ),
     as_json: bool = JSON,
 ) -> None:
     """Judge the log of a self-test from a board.
 
     Every function must report PASS. With the stand file, the identities must match it, no function may be missing, and
-    the hashes of the sweep must be those of this machine. Text added by a serial terminal is ignored.
+    the hashes of the sweep must be those of this machine. Text added by a serial terminal is ignored. The name of
+    `generate --prefix` is read from the log; a part of the functions needs --only, since a log that lost lines looks
+    like one.
     Exit status 0 only if every check passed.
     """
     from mahovik.core.stand.content import TABLE, content
@@ -30,7 +39,9 @@ def judge_log(
 
     stand_file, (log,) = stand_first(stand_file, further, {"--log": log_file}, former=("--log", STAND), least=1)
     text = content(Path(log), TABLE).decode("utf-8", "replace")
-    found = judge(text, log, load_stand(stand_file) if stand_file is not None else None)
+    if only is not None and stand_file is None:
+        raise UsageError("--only: found no stand file, expected STAND.toml, from which the functions are generated")
+    found = judge(text, log, load_stand(stand_file) if stand_file is not None else None, only or ())
     if as_json:
         print_json(
             {

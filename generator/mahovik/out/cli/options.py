@@ -91,6 +91,11 @@ def whole_number(_context: click.Context, _option: click.Parameter, value: str |
     return None if value is None else int(value)
 
 
+def comma_list(_name: str, text: str) -> tuple[str, ...]:
+    """Names between commas, each once."""
+    return tuple(dict.fromkeys(word.strip() for word in text.split(",")))
+
+
 STAND_FILE = argument("STAND.toml")
 STAND_FILE_OR_NONE = argument("[STAND.toml]", required=False)
 REAL = choice("--real", ["double", "float"], "Choose the element type of the C.", default="double")

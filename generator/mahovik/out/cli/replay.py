@@ -85,9 +85,11 @@ def _stand(start: Start, stand_file: str | None, log: Path) -> tuple[Stand, str]
     from mahovik import stands
     from mahovik.core.stand.identity import identities
     from mahovik.errors import StandError
+    from mahovik.proof.verify.folder_stand import under_name
 
     if stand_file is not None:
-        return load_stand(stand_file), stand_file
+        stand = load_stand(stand_file)
+        return under_name(stand, start.stand, start.physics) or stand, stand_file
     name = f"{start.stand}.toml"
     places = [Path(name), log.parent / name]
     if start.stand in stands.names():

@@ -70,6 +70,7 @@ def verify(
     Generates the C of a stand, compiles it with warnings as errors, evaluates random and extreme states, and compares
     every quantity with the literal reference (worst), and that with the second derivation (second; between: it and the
     C), relative to its natural scale. Exit status 0 only if all agree.
+    --against takes folders of `generate --prefix` as they are, and judges the functions that `generate --only` wrote.
     """
     if real == "float" and (judges or command is not None):
         raise UsageError("--real float: only for the generated C, not with --judges, --with")
@@ -97,9 +98,9 @@ def verify(
     wants = read_wants(want)
     stand, folder = load_stand(stand_file), None if against is None else Path(against)
     if folder is not None:
-        from mahovik.proof.verify.delivery import refuse_part
+        from mahovik.proof.verify.folder_stand import stand_in
 
-        refuse_part(folder)
+        stand = stand_in(folder, stand)
     if rigorous:
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return

@@ -16,7 +16,8 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS, WANTS
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
-from mahovik.core.emit.reading import read_header
+from mahovik.core.emit.manifest import NAME as MANIFEST
+from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
@@ -25,6 +26,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, StateError, UsageError
+from mahovik.proof.verify.delivery import delivered_only
+from mahovik.proof.verify.folder_stand import declared_functions
 
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
@@ -50,9 +53,19 @@ class ProgramBackend:
 
     @property
     def wants(self) -> tuple[str, ...]:
-        """Wants that the program answers: no `points` on a stand without points, no `mounts` without flywheels."""
-        needs = {want: "" if want == "coupled" else FUNCTIONS[want].needs for want in WANTS}
-        return tuple(want for want, part in needs.items() if not part or getattr(self.layout, part))
+        """Wants that the program answers: no `points` on a stand without points, none whose function is left out."""
+        return self.wants_of(self.program)
+
+    def wants_of(self, program: Program) -> tuple[str, ...]:
+        """Wants that the public functions of a program of this stand answer."""
+        public = public_names(program)
+        by = {want: want for want in WANTS} | ({} if self.layout.flywheels else {"coupled": "forward"})
+        return tuple(want for want, function in by.items() if function in public and self._has_parts(function))
+
+    def _has_parts(self, function: str) -> bool:
+        """Whether the stand has what a function needs."""
+        needs = FUNCTIONS[function].needs
+        return not needs or bool(getattr(self.layout, needs))
 
     @property
     def inputs(self) -> tuple[str, ...]:
@@ -176,6 +189,11 @@ class ProgramBackend:
         return {"points": dict(zip(self.layout.sensors, readings, strict=True))}
 
 
+def public_names(program: Program) -> tuple[str, ...]:
+    """Names of the public functions of a program, in its order."""
+    return tuple(f.name for f in program.functions if f.public)
+
+
 def with_all_inputs(stand: Stand) -> Stand:
     """The stand with a run-time wrench on every body."""
     return replace(
@@ -210,6 +228,8 @@ class CBackend(ProgramBackend):
     will want it.
     A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
     on every body; with `folder` it is an error of that state.
+    C of `generate --only` in `folder` answers the wants of its functions. Functions that it lacks and that a judge
+    needs beside the judged one are run by the interpreter of `complete`, which is the program with all functions.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
     """
 
@@ -226,17 +246,20 @@ class CBackend(ProgramBackend):
         self._stand, self._precision_name, self._folder = stand, precision_name, folder
         says_fast = fast
         if folder is not None:
-            lanes, says_fast = _check_folder(folder, stand, precision_name, lanes)
+            header = _check_folder(folder, stand, precision_name, lanes)
+            lanes, says_fast = header.lanes, header.fast
         elif lanes is None:
             lanes = host_lanes(len(stand.flywheels)) if fast else 1
         self.fast = fast or says_fast
-        self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
+        self.complete = self.generated = generated or generate_all(stand, precision_name, lanes, says_fast)
+        if folder is not None and (only := _part(folder, stand, self.complete.program)):
+            self.generated = generate_all(stand, precision_name, lanes, says_fast, only)
         self._full: Future[CBackend] | None = None if pool is None else pool.submit(self._made_full)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
             place = folder if folder is not None else _write_files(self.generated.files, Path(scratch))
-            header, source = place / f"{stand.name}.h", place / f"{stand.name}.c"
-            self.library = Library(header, source, Path(scratch), stand.name, self.fast)
+            paths = place / f"{stand.name}.h", place / f"{stand.name}.c"
+            self.library = Library(*paths, Path(scratch), stand.name, self.fast)
         program = self.generated.program
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
@@ -244,15 +267,33 @@ class CBackend(ProgramBackend):
 
         table = self.library.default("default")
         mounting = None
-        if self.generated.layout.flywheels:
+        if "prepare_mounts" in public_names(program):
             given = {"parameters": self.library.default("default_parameters")}
             mounting = run("prepare_mounts", given)[1]["mounting"]
         super().__init__("c", self.generated.layout, program, table, mounting, run)
 
     @cached_property
     def interpreter(self) -> InterpreterBackend:
-        """The interpreter of the same program."""
-        return InterpreterBackend(self.generated)
+        """The interpreter of the program with all functions."""
+        return InterpreterBackend(self.complete)
+
+    @cached_property
+    def left_out(self) -> tuple[str, ...]:
+        """Public functions of the stand that the C in the folder lacks."""
+        there = public_names(self.program)
+        return tuple(name for name in public_names(self.complete.program) if name not in there)
+
+    def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Calls the C, or the interpreter for a function that the C lacks: with its own table for the compiled one."""
+        if function not in self.left_out:
+            return super().call(function, inputs)
+        own = self.interpreter
+        given = dict(inputs)
+        if isinstance(given.get("table"), self.library.ffi.CData):
+            given["table"] = own._table
+        if given.get("mounting") is None:
+            given["mounting"] = own.mounting
+        return own.call(function, given)
 
     @cached_property
     def full(self) -> CBackend:
@@ -279,7 +320,7 @@ class CBackend(ProgramBackend):
 
     def table(self) -> Any:
         """The compiled default table as plain data."""
-        return self.library.value(self.generated.program.function("forward"), "table")
+        return self.library.value(self.complete.program.function("forward"), "table")
 
 
 def _write_files(files: Mapping[str, str], scratch: Path) -> Path:
@@ -288,8 +329,24 @@ def _write_files(files: Mapping[str, str], scratch: Path) -> Path:
     return scratch
 
 
-def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> tuple[int, bool]:
-    """Lanes of the C in the folder, and whether it is for speed. Raises UsageError; CheckError: other C."""
+def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:
+    """The functions that C of `generate --only` in a folder has, by its manifest or header; empty: all of `program`.
+
+    Raises CheckError where the header lacks some that the manifest promises.
+    """
+    public, declared = public_names(program), declared_functions(folder, stand.name)
+    there = tuple(name for name in public if name in declared)
+    if not (folder / MANIFEST).is_file():
+        return there if there != public else ()
+    only = delivered_only(folder)
+    if missing := [name for name in only or public if name not in there]:
+        path = folder / f"{stand.name}.h"
+        raise CheckError(f"{path}: declares no function {', '.join(missing)}, expected by {MANIFEST}: generate again")
+    return only
+
+
+def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> Header:
+    """The header of the C in the folder. Raises UsageError; CheckError: other C."""
     path = folder / f"{stand.name}.h"
     header = read_header(folder, stand.name)
     if header is None or not path.with_suffix(".c").is_file():
@@ -307,4 +364,4 @@ def _check_folder(folder: Path, stand: Stand, real: str, lanes: int | None) -> t
         raise UsageError(f"{path}: its C is {header.real or 'of no known element type'}, expected {real}: {remedy}")
     if lanes is not None and header.lanes != lanes:
         raise UsageError(f"{path}: its C has lanes {header.lanes}, expected {lanes}: leave --lanes out")
-    return header.lanes, header.fast
+    return header

@@ -208,16 +208,6 @@ def delivered_only(folder: Path) -> tuple[str, ...]:
     return () if found is None else _manifest_only(found)
 
 
-def refuse_part(folder: Path) -> None:
-    """Raises UsageError for a folder of `generate --only`: what compares every function needs them all."""
-    only = delivered_only(folder)
-    if only:
-        raise UsageError(
-            f"{folder}: holds the C of --only {','.join(only)}, expected all functions: run its self-test, "
-            "whose answers are those of the whole, or generate the whole"
-        )
-
-
 def _manifest_only(found: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(found.get("only", ()))
 

@@ -16,7 +16,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
-from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.c_backend import CBackend, public_names
 from mahovik.proof.verify.compare import Judge, Row, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
@@ -109,12 +109,19 @@ def verify_c(
         rows += function_rows(Case(stand, backend, some, BOUNDS[real], second, seed))
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
+        rows += absent_rows(backend.left_out)
     if against is not None and (batch := check_batch(stand, backend.generated, against)) is not None:
         rows.append(batch)
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", lanes {backend.layout.lanes}" if backend.layout.lanes > 1 else ""
     judged += ", fast" if backend.fast else ""
+    judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), BOUNDS[real].default, rows)
+
+
+def absent_rows(left_out: Sequence[str]) -> list[Row]:
+    """A row for each function that is not in the folder, which nothing judges."""
+    return [Row(name, "not in the folder", verdict="not compared") for name in left_out]
 
 
 def report(
@@ -133,6 +140,9 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
     row = Row("", "interpreter = C, bit for bit", verdict="ok")
     if backend.fast:
         row.verdict, row.reason = "not compared", "fast: its bits are not reproducible"
+        return row
+    if not backend.wants:
+        row.verdict, row.reason = "not compared", "none of the functions answers a want; the self-test compares bits"
         return row
     if against is not None and not _same_text(backend.generated.files, against):
         row.verdict, row.reason = "not compared", "its text is not what this version generates"

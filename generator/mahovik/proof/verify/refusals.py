@@ -195,7 +195,7 @@ def raw_call(backend: Compiled) -> Call:
         library, program = backend.library, backend.program
         given = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
         if name == "prepare" and inputs["table"] is not NULL:
-            given["table"] = library.value(program.function("forward"), "table")  # it is written to
+            given["table"] = library.value(program.function(name), "table")  # it is written to
         return library.probe(program.function(name), given)
 
     return call

@@ -7,17 +7,19 @@ with CR, LF or both, lose some, and begin or end in the middle: other lines are 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
 from mahovik import __version__
+from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.golden import CASES, FAR, sweep_hashes, tested
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
+from mahovik.proof.verify.folder_stand import under_name
 from mahovik.proof.verify.targets import run_selftest, selftest_sources
 
 _Value = TypeVar("_Value")
@@ -143,13 +145,38 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
     return found
 
 
-def identity_problems(run: SelfTestLog, stand: str, structure: str, physics: str) -> list[str]:
+def identity_problems(run: SelfTestLog, stand: Stand) -> list[str]:
     """Differences of the C on the board from that of a stand file by this version of the generator."""
-    pairs = (("stand", run.stand, stand), ("structure", run.structure, structure), ("physics", run.physics, physics))
+    here = identities(stand)
+    pairs = (
+        ("stand", run.stand, stand.name),
+        ("structure", run.structure, here.structure),
+        ("physics", run.physics, here.physics),
+    )
     found = [f"{kind} {has}, the stand file has {wants}" for kind, has, wants in pairs if has != wants]
     if run.generator is not None and run.generator != __version__:
         found.append(f"made by mahovik {run.generator}, this is {__version__}: generate and run it again")
     return found
+
+
+def part_problems(run: SelfTestLog, wanted: Collection[str], only: Sequence[str]) -> list[str]:
+    """A line if a log lacks some `wanted` functions or has more, but could be of another `only`; none if it is damaged.
+
+    Such a log cannot be compared: inputs of a sweep are drawn for all functions that were generated.
+    """
+    there = dict.fromkeys((*run.functions, *run.hashes))
+    absent = [name for name in wanted if name not in there]
+    extra = [name for name in there if name not in wanted]
+    whole = run.sweep is not None and run.failures is not None and set(run.functions) == set(run.hashes)
+    if not whole or not (absent or extra) or not set(there) <= set(FUNCTIONS):
+        return []
+    names = ",".join(there)
+    if not only:
+        lost = f"else lines were lost of {', '.join(absent)}"
+        return [f"holds a part of the functions: of C of `generate --only`, give --only {names}; {lost}"]
+    off = [f"nothing of: {', '.join(absent)}"] if absent else []
+    off += [f"functions that --only does not name: {', '.join(extra)}"] if extra else []
+    return [f"{'; '.join(off)}: give --only as `generate` had it"]
 
 
 def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
@@ -184,8 +211,12 @@ class LogVerdict:
     unchecked: tuple[str, ...]
 
 
-def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
-    """Judges every run in a log. Raises UsageError where the text is no log, ToolchainError where C does not run."""
+def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str, ...] = ()) -> LogVerdict:
+    """Judges every run in a log, of the stand by its own name or that of `generate --prefix`.
+
+    `only`: public functions that the C was generated with; empty: all.
+    Raises UsageError where the text is no log, ToolchainError where C does not run.
+    """
     runs = read_log(text, where)
     found: list[str] = []
     checked = ["golden vectors, as the board has judged them"]
@@ -195,17 +226,21 @@ def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
             found += _with_run_numbers(problems(one), number, runs)
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
         return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
-    expected = identities(stand)
-    here: dict[tuple[str, int, int], Mapping[str, str]] = {}  # hashes, empty where there are none
+    here: dict[tuple[str, str, int, int], Mapping[str, str]] = {}  # hashes, empty where there are none
     for number, one in enumerate(runs):
-        lines = identity_problems(one, stand.name, expected.structure, expected.physics)
+        named = under_name(stand, one.stand, one.physics) or stand
+        lines = identity_problems(one, named)
         if not lines:
-            made = generate_all(stand, one.real, one.lanes)
-            lines = problems(one, [f.name for f in tested(made.program)])
+            made = generate_all(named, one.real, one.lanes, only=only)
+            wanted = [f.name for f in tested(made.program)]
+            if lines := part_problems(one, wanted, only):
+                found += _with_run_numbers([*problems(one), *lines], number, runs)
+                continue
+            lines = problems(one, wanted)
             if one.sweep is not None and one.sweep <= LONGEST_SWEEP:
-                key = (one.real, one.lanes, one.sweep)
+                key = (one.stand, one.real, one.lanes, one.sweep)
                 if key not in here:
-                    here[key], maker = _hashes(stand, made, one.sweep)
+                    here[key], maker = _hashes(named, made, one.sweep)
                     what = f"sweep of {one.sweep} states, {one.real}"
                     if maker:
                         checked.append(f"{what}, by {maker}")
@@ -213,7 +248,7 @@ def judge_log(text: str, where: str, stand: Stand | None = None) -> LogVerdict:
                         unchecked.append(f"{what}: no C compiler here, and too long for the interpreter")
                 lines += hash_problems(one, here[key])
         found += _with_run_numbers(lines, number, runs)
-    checked[:0] = ["identities", "every function there"]
+    checked[:0] = ["identities", f"every function of --only {','.join(only)} there" if only else "every function there"]
     return LogVerdict(runs, tuple(found), tuple(checked), tuple(unchecked))
 
 
@@ -226,7 +261,8 @@ def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str
     real = made.program.precision.name
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
     if target is not None:
-        printed = run_selftest(target, stand.name, selftest_sources(stand, real, sweep, made.layout.lanes), TIMEOUT)
+        sources = selftest_sources(stand, real, sweep, made.layout.lanes, made.only)
+        printed = run_selftest(target, stand.name, sources, TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
     if sweep <= INTERPRETED:
         found = sweep_hashes(made.program, made.values, sweep)

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
-from mahovik.core.emit.delivery import firmware
+from mahovik.core.emit.delivery import firmware, selftest_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.golden import CASES, FAR
 from mahovik.core.program.function import Function, Program
@@ -135,11 +135,15 @@ def verify_targets(
     return TargetsReport(stand.name, names.structure, names.physics, sweep, tuple(rows))
 
 
-def selftest_sources(stand: Stand, real: str, sweep: int, lanes: int = 1) -> dict[str, str]:
-    """A stand's C with its self-test and a `main` for boards, by file name."""
+def selftest_sources(stand: Stand, real: str, sweep: int, lanes: int = 1, only: tuple[str, ...] = ()) -> dict[str, str]:
+    """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
+    main = {"main.c": selftest_main(stand.name, sweep)}
+    if only:
+        made = generate_all(stand, real, lanes, only=only)
+        return {**made.files, **selftest_files(stand, made), **main}
     files = firmware(stand, real, lanes)
     files.pop("README.md")
-    return {**files, "main.c": selftest_main(stand.name, sweep)}
+    return {**files, **main}
 
 
 def _row(

@@ -111,7 +111,8 @@ def prepare_mounts_rows(case: Case) -> Iterator[Row]:
 def _row(case: Case, function: str, wants: tuple[str, ...]) -> Row:
     """Answers to some wants on perturbed stands: the worst difference of any quantity over its bound."""
     row = Comparison(function, "answers, with other parameters", case.bounds.default)
-    wants = tuple(want for want in wants if want in case.backend.wants)
+    known = case.backend.wants_of(case.backend.complete.program)
+    wants = tuple(want for want in wants if want in known)
     for number in range(STANDS):
         other = perturbed(case.stand, case.random(200 + number))
         try:

@@ -22,12 +22,12 @@ from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import Precision
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
-from mahovik.proof.verify.c_backend import CBackend, ProgramBackend, prepare_records
+from mahovik.proof.verify.c_backend import CBackend, ProgramBackend, prepare_records, public_names
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
@@ -172,7 +172,7 @@ class Ruler:
         self._limit = ULPS[real]
         self._significand = backend.layout.precision.significand
         self._second = Second(stand)
-        self._exact_program = cache(lambda c: ExactProgram(c.layout, c.program, c.table(), c.mounting))
+        self._exact_program = cache(lambda c: ExactProgram(c.layout, c.complete.program, c.table(), c.mounting))
         self.lines: dict[tuple[str, str], Rounding] = {}
 
     @property
@@ -270,6 +270,9 @@ def measure_rounding(
     backend = backend or CBackend(stand, real, against)
     states = draw(stand, seed, count, real, wrenches=against is None)
     ruler = Ruler(stand, backend, real)
+    if not ruler.wants:
+        there, expected = ", ".join(public_names(backend.program)), ", ".join(wants_of("rigorous"))
+        raise UsageError(f"--rigorous: {against} holds {there}, expected one of {expected}: no other has enclosures")
     for done, (name, state) in enumerate(states):
         ruler.measure(name, state)
         if progress is not None:
@@ -278,6 +281,7 @@ def measure_rounding(
     for line in lines:
         line.judge()
     judged = f"{real} C" if against is None else f"{real} C in {against}"
+    judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     rows = [line.row for line in lines]
     return RoundingReport(real, lines, report(stand, judged, seed, len(states), BOUNDS[real].default, rows))
 
