@@ -98,7 +98,8 @@ def design_rows(
                 target = _target(motion, trim)
                 # all coefficients are averages of the same samples; coordinates at rest have only their rounding
                 scale = np.abs(target).max(axis=1, keepdims=True) + RESTING * np.abs(target).max()
-                row.note(value, target, np.broadcast_to(scale, target.shape), "")
+                # means, which are not corrected, are shifted by the programme's bias
+                row.note(value[:, 1:], target[:, 1:], np.broadcast_to(scale, target[:, 1:].shape), "")
             else:
                 row.row.reason = "needs the required motion: give --motion MOTION.json"
         elif name in expected:
