@@ -46,6 +46,26 @@ class Library:
         """Is there a public function of that name (without prefix)?"""
         return hasattr(self._library, f"{self._prefix}_{function}")
 
+    def functions(self) -> tuple[str, ...]:
+        """Names (without prefix) of the public functions that header and source have, in the order of names."""
+        start = f"{self._prefix}_"
+        names = sorted(name for name in dir(self._library) if name.startswith(start))
+        return tuple(name.removeprefix(start) for name in names if self._is_function(name))
+
+    def _is_function(self, name: str) -> bool:
+        try:
+            found = getattr(self._library, name)
+        except (AttributeError, KeyError):  # declared by an included header, and defined elsewhere
+            return False
+        return isinstance(found, self._ffi.CData) and self._ffi.typeof(found).kind == "function"
+
+    def constant(self, name: str) -> int:
+        """A whole number of the header by its name without prefix, such as `SERVO_TICKS`."""
+        try:
+            return int(getattr(self._library, f"{self._prefix.upper()}_{name}"))
+        except AttributeError as error:
+            raise ToolchainError(f"the C has no constant {self._prefix.upper()}_{name}") from error
+
     @property
     def ffi(self) -> cffi.FFI:
         """What makes and reads data of the library's types, for callers that call one function many times."""

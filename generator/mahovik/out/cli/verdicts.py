@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from mahovik.proof.verify.targets import TargetRow, TargetsReport
 
 
-def print_report(found: Report) -> None:
-    """Differences of every quantity from the reference, and the conclusion."""
+def print_report(found: Report, by: str = "") -> None:
+    """Differences of every quantity from the reference, and the conclusion. `by`: head of the column of wants."""
     from mahovik.contract.functions import FUNCTIONS, WANTS
     from mahovik.proof.verify.report import conclusion, has_one_bound
 
@@ -25,7 +25,7 @@ def print_report(found: Report) -> None:
     pairs = ("second>", "between>") if third else ()
     bound = () if has_one_bound(found.rows) else ("accepted>",)
     named = {row.want for row in found.rows if row.want}
-    by = "want" if named <= set(WANTS) else "function" if named <= set(FUNCTIONS) else "judge"
+    by = by or ("want" if named <= set(WANTS) else "function" if named <= set(FUNCTIONS) else "judge")
     columns = ("quantity", by, "states>", "worst>", *bound, *pairs, "at state", "verdict")
     rows = []
     for row in found.rows:

@@ -53,6 +53,9 @@ def verify(
     timeout: float = option(
         "--timeout", "Limit the time of the program of --with, s.", type=click.FloatRange(0.1), default=300.0
     ),
+    servo: str | None = file_option("--servo", "S.toml", "Judge the C of these servos in the folder of --against."),
+    motion: str | None = file_option("--motion", "M.json", "Judge also the target of a trim, with --servo."),
+    name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
     judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
     rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),
     bare: bool = flag("--bare", "Leave out fluid, stream, suspension, legs and torquers, with --judges."),
@@ -71,7 +74,16 @@ def verify(
     every quantity with the literal reference (worst), and that with the second derivation (second; between: it and the
     C), relative to its natural scale. Exit status 0 only if all agree.
     --against takes folders of `generate --prefix` as they are, and judges the functions that `generate --only` wrote.
+
+    With --servo and --against, judges the C that `export servo` wrote into that folder instead: every public function
+    of its header by the law in plain NumPy, and its gains by the servo file.
     """
+    if servo is not None:
+        _verify_servo(stand_file, servo, against, motion, name, seed, states, as_json, junit)
+        return
+    for given in ("motion", "name"):
+        if is_given(given):
+            raise UsageError(f"--{given}: no servos are judged; give them, as --servo S.toml --against DIR")
     if real == "float" and (judges or command is not None):
         raise UsageError("--real float: only for the generated C, not with --judges, --with")
     if (lanes is not None or fast) and (judges or command is not None):
@@ -122,6 +134,54 @@ def verify(
                 stand, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=stage.at
             )
     finish(found, as_json, junit, worst)
+
+
+WITHOUT_SERVO = (
+    "worst",
+    "command",
+    "want",
+    "timeout",
+    "judges",
+    "rigorous",
+    "bare",
+    "targets",
+    "real",
+    "lanes",
+    "fast",
+)
+"""Options of `verify` that say nothing about servos."""
+
+
+def _verify_servo(
+    stand_file: str,
+    servo_file: str,
+    against: str | None,
+    motion_file: str | None,
+    name: str,
+    seed: int,
+    states: int,
+    as_json: bool,
+    junit: str | None,
+) -> None:
+    """Judge the C of servos in a folder, print the table, and exit with the verdict as status."""
+    from mahovik.core.motion.required import load_motion
+    from mahovik.core.motion.servo import load_servo
+    from mahovik.proof.verify.servo import verify_servo
+
+    if against is None:
+        raise UsageError("--servo: no C is given; give its folder, as --against DIR")
+    for given in WITHOUT_SERVO:
+        if is_given(given):
+            option_name = {"worst": "-o", "command": "--with"}.get(given, f"--{given}")
+            raise UsageError(
+                f"{option_name}: not with --servo, which judges the C of servos in the folder of --against"
+            )
+    stand = load_stand(stand_file)
+    servo = load_servo(servo_file, stand)
+    motion = None if motion_file is None else load_motion(Path(motion_file), stand)
+    with progress(f"judge servos of {stand.name}"):
+        found = verify_servo(stand, servo, Path(against), motion=motion, name=name, seed=seed, count=states)
+    finish(found, as_json, junit, None, by="part")
 
 
 def _verify_on_targets(
@@ -188,17 +248,18 @@ def finish(
     worst: str | None,
     more: Mapping[str, Any] | None = None,
     words: Sequence[str] = (),
+    by: str = "",
 ) -> None:
     """Print the report, and exit with its verdict.
 
-    `more` is added to the JSON, `words` are printed as lines below the table.
+    `more` is added to the JSON, `words` are printed as lines below the table, `by` heads the column of wants.
     """
     from mahovik.proof.verify.report import as_json as json_text
 
     if as_json:
         print_json_text(json_text(found, more))
     else:
-        print_report(found)
+        print_report(found, by)
         for line in words:
             click.echo(line)
     _conclude(found, as_json, junit, worst)

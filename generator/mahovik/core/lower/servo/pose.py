@@ -10,6 +10,9 @@ from mahovik.core.program.expression import Expr, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
+THETA = 4
+"""Number of theta among the coordinates; its formula alone has a square root."""
+
 
 def coordinates(lib: Library, form: ServoForm) -> Function:
     """`trim_coordinates(position, attitude, q)`: of O1 in E0 and the angles of the stand's sequence, those measured."""
@@ -25,32 +28,46 @@ def coordinates(lib: Library, form: ServoForm) -> Function:
     norm = body.let("norm2", a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3])
     lib.check_unit(body, norm)
     chosen = form.trim.coordinates
+    C = body.local("C", (9,), comment="row by row") if form.trim.angles else a
     if form.trim.angles:
-        C = body.local("C", (9,), comment="row by row")
         body.call(lib["rotation"], a, C)
-        angles = _angles(lib, lib.layout.structure.angles, C)
     for i, number in enumerate(chosen):
-        body.set(q.place[i], position.place[number] if number < 3 else angles[number - 3])
+        own = position.place[number] if number < 3 else _angle(lib, lib.layout.structure.angles, C, number)
+        body.set(q.place[i], own)
     return body.checked(
         "trim_coordinates",
         "Coordinates of the carrier that the trim takes, from its pose.",
         (position, attitude, q),
-        notes=("Angles of a singular attitude are some that give this attitude.",),
+        notes=("At a singular attitude theta alone is right: psi and phi are what rounding leaves of them.",),
         public=True,
     )
 
 
-def _angles(lib: Library, sequence: str, C: Place) -> tuple[Expr, Expr, Expr]:
-    """psi, theta, phi by the elements of C that are products of two of their sines and cosines."""
+def _angle(lib: Library, sequence: str, C: Place, number: int) -> Expr:
+    """psi, theta or phi (number 3, 4, 5) by the elements of C that are products of two of their sines and cosines."""
 
-    def angle(y: Expr, x: Expr) -> Expr:
-        return call(lib["atan2"], y, x)
+    def length(a: Expr, b: Expr) -> Expr:
+        return call(lib["sqrt"], a * a + b * b)
 
-    def length(x: Expr, y: Expr) -> Expr:
-        return call(lib["sqrt"], x * x + y * y)
+    def pair() -> tuple[Expr, Expr]:
+        match sequence, number:
+            case "ship", 3:  # C3(psi) C2(theta) C1(phi)
+                return C[3], C[0]
+            case "ship", 4:
+                return -C[6], length(C[0], C[3])
+            case "ship", 5:
+                return C[7], C[8]
+            case "aircraft", 3:  # C2(psi) C3(theta) C1(phi)
+                return -C[6], C[0]
+            case "aircraft", 4:
+                return C[3], length(C[0], C[6])
+            case "aircraft", 5:
+                return -C[5], C[4]
+            case _, 3:  # euler: C3(psi) C1(theta) C3(phi)
+                return C[2], -C[5]
+            case _, 4:
+                return length(C[6], C[7]), C[8]
+            case _:
+                return C[6], C[7]
 
-    if sequence == "ship":  # C3(psi) C2(theta) C1(phi)
-        return angle(C[3], C[0]), angle(-C[6], length(C[0], C[3])), angle(C[7], C[8])
-    if sequence == "aircraft":  # C2(psi) C3(theta) C1(phi)
-        return angle(-C[6], C[0]), angle(C[3], length(C[0], C[6])), angle(-C[5], C[4])
-    return angle(C[2], -C[5]), angle(length(C[6], C[7]), C[8]), angle(C[6], C[7])  # C3(psi) C1(theta) C3(phi)
+    return call(lib["atan2"], *pair())

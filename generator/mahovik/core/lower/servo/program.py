@@ -19,8 +19,9 @@ def lower_servo(layout: Layout, form: ServoForm) -> Program:
     precision = layout.precision
     if form.trim is not None:
         lib.add(routines.sincos(precision))
-    if form.trim is not None and form.trim.angles:
+    if form.trim is not None and pose.THETA in form.trim.coordinates:
         lib.add(routines.square_root(precision))
+    if form.trim is not None and form.trim.angles:
         lib.add(routines.atan2(precision))
         lib.add(rotation.rotation())
     lib.add(routines.unwind(precision))

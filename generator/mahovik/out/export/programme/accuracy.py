@@ -18,6 +18,7 @@ from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.programme.mechanics import Scale, instants, pieces_at, scale_of, twist
 from mahovik.proof.verify.programme.simulation import rest_near, simulate
+from mahovik.proof.verify.programme.spread import spread_phases
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
@@ -73,7 +74,7 @@ class Prescribed:
 
 
 POINTS = 1024
-"""Times at which a table is compared, spread by the golden ratio, so that they fall everywhere between nodes."""
+"""Times at which a table is compared."""
 
 WRENCHES = 100
 """Times among them at which the reference is evaluated."""
@@ -108,8 +109,7 @@ class Errors:
 
 def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
     """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
-    spread = np.sort((np.arange(1.0, POINTS + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
-    phases = np.array([float(precision.scalar(x)) for x in spread])
+    phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
     t = phases * table.span
     found = player.many(course, list(phases))
     truth = table.at(t)

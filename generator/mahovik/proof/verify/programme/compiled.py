@@ -21,9 +21,10 @@ from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.finding import Finding, check_limit, largest
 from mahovik.proof.verify.programme.mechanics import Scale, instants
+from mahovik.proof.verify.programme.spread import spread_phases
 
 POINTS = 400
-"""Phases at which a table is compared, spread by the golden ratio, so that they fall everywhere between nodes."""
+"""Phases at which a table is compared."""
 
 TORQUE = 10.0
 """Factor on the limit of the file for drive torques: their parts are larger than their sum."""
@@ -94,12 +95,15 @@ def load_compiled(stand: Stand, folder: Path, name: str, scratch: Path) -> Compi
 
 
 def _facts(path: Path) -> dict[str, Any]:
+    """Physics, element type and limit in the manifest of a programme."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-        assert found["real"] in ("float", "double")
-        return {"physics": str(found["physics"]), "real": found["real"], "limit": float(found["limit"])}
-    except (ValueError, KeyError, TypeError, AssertionError, RecursionError):
-        raise UsageError(f"{path}: not as `mahovik export programme` writes it: export the programme again") from None
+        facts = {"physics": str(found["physics"]), "real": found["real"], "limit": float(found["limit"])}
+    except (ValueError, KeyError, TypeError, RecursionError):
+        facts = {"real": None}
+    if facts["real"] not in ("float", "double"):
+        raise UsageError(f"{path}: not as `mahovik export programme` writes it: export the programme again")
+    return facts
 
 
 def compiled_findings(
@@ -128,8 +132,7 @@ def _clocks(programme: Programme) -> tuple[tuple[int, int], ...]:
 
 
 def _phases(real: str) -> Array:
-    spread = np.sort((np.arange(1.0, POINTS + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
-    return np.asarray(spread.astype(np.float32 if real == "float" else np.float64), dtype=np.float64)
+    return np.asarray(spread_phases(POINTS).astype(np.float32 if real == "float" else np.float64), dtype=np.float64)
 
 
 def _course_findings(

@@ -1,0 +1,154 @@
+"""Judges of `trim_reset`, `trim_step` and `trim_coordinates`: whole rounds, and poses of the carrier."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.contract.status import STATUS_VALUES, status_words
+from mahovik.core.stand.model import Stand
+from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.functions.case import Comparison
+from mahovik.proof.verify.servo.folder import CompiledServo
+from mahovik.proof.verify.servo.law import Array, TrimLaw
+from mahovik.proof.verify.servo.samples import check_status
+
+GIVEN = ("phi", "phi_dot", "tau")
+ROUNDS = ((3, 20, True, 0.1), (0, 7, True, 10.0), (2, 11, False, 1.0), (5, 1, False, 0.05))
+"""Samples of settling and of a window, whether the numbers are the folder's, and the size of what is measured."""
+
+ROUNDS_EACH = 3
+MOST_ROUNDS = 2**31 - 1
+"""Number of rounds at which the count stops."""
+
+SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
+"""Axes about which psi, theta, phi turn, each in the frame that the one before has turned."""
+
+NEAR = 0.05
+"""Poses with |cos theta| (Euler: |sin theta|) below this are left out: there angles lose their digits."""
+
+
+def _design(made: CompiledServo, rng: np.random.Generator, settling: int, window: int, own: bool) -> dict[str, Any]:
+    """The folder's design, or a drawn one that uses every term, with these numbers of samples."""
+    found = made.default("trim_default")
+    if not own:
+        found |= {"smoothing": rng.uniform(0.1, 1.0), "limit": rng.uniform(0.1, 0.5), "omega": rng.uniform(10, 100)}
+        found |= {name: rng.normal(size=np.shape(found[name])) for name in ("inertia", "target", "matrix")}
+        found |= {"inertia": np.abs(found["inertia"])}
+    held = {name: made.held(value) for name, value in found.items()}
+    return held | {"settling": settling, "window": window}
+
+
+def trim_rows(made: CompiledServo, seed: int) -> Iterator[Row]:
+    """Corrected angles, speeds and torques; corrections, error and counts of the state; the status."""
+    rng = np.random.default_rng((seed, 2))
+    terms = int(np.shape(made.default("trim_default")["target"])[1])
+    # cosine and sine of k theta are sums of k angles: their rounding grows with k
+    tolerance = made.bounds.default * max(1, terms // 2)
+    rows = {name: Comparison("trim_step", name, tolerance) for name in (*GIVEN, "wanted", "present", "error")}
+    status_row, counts = Row("trim_step", "status", verdict="ok"), Row("trim_step", "sample, rounds", verdict="ok")
+    for settling, window, own, size in ROUNDS:
+        design = _design(made, rng, settling, window, own)
+        name = f"{'its' if own else 'drawn'} numbers, window {window}"
+        _run(made, rng, design, size, name, (rows, status_row, counts))
+    yield from (each.finished() for each in rows.values())
+    yield from (status_row, counts, _last_round_row(made))
+
+
+def _run(
+    made: CompiledServo,
+    rng: np.random.Generator,
+    design: dict[str, Any],
+    size: float,
+    name: str,
+    into: tuple[dict[str, Comparison], Row, Row],
+) -> None:
+    """Rounds of one design, sample by sample, compared with the law of the whole."""
+    rows, status_row, counts = into
+    law = TrimLaw(design, made.count, rows["phi"].tolerance)
+    ffi = made.library.ffi
+    state, table = ffi.new(f"{made.prefix}_trim_state *"), made.struct("trim_design", design)
+    amplitude = size * float(design["limit"]) / max(float(np.abs(design["matrix"]).sum(axis=1).max()), 1e-12)
+    for number in range(ROUNDS_EACH * (design["settling"] + design["window"] + made.count)):
+        phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
+        phase = min(float(made.held(phase)), 1.0 - 2.0**-24)
+        course = _series(np.asarray(design["target"]), phase)
+        q = made.held(course + amplitude * rng.normal(size=len(course)))
+        given = {key: made.held(rng.normal(size=made.count)) for key in GIVEN}
+        changed = {key: made.reals(value) for key, value in given.items()}
+        status = made.call("trim_step", table, state, phase, made.reals(q), *changed.values())
+        expected, found, where = law.take(phase, q, given), made.members(state), f"{name}, sample {number}"
+        check_status(status_row, status, expected.limited, where)
+        for key in GIVEN:
+            rows[key].note(made.read(changed[key]), expected.values[key], expected.scales[key], where)
+        largest = law.size.max(axis=1, keepdims=True)
+        rows["wanted"].note(found["wanted"], law.wanted, law.size, where)
+        rows["present"].note(found["present"], law.present, np.broadcast_to(largest, law.present.shape), where)
+        if law.measured:
+            rows["error"].note(found["sum"], law.error, law.error_scale, where)
+        counts.states += 1
+        if (found["sample"], found["rounds"]) != (law.sample, law.rounds) and not counts.failed:
+            counts.verdict, counts.state = "FAILED", where
+            counts.reason = f"{found['sample']}, {found['rounds']}, expected {law.sample}, {law.rounds}"
+
+
+def _series(coefficients: Array, phase: float) -> Array:
+    """Values (C) of Fourier series with the coefficients (C, T) at a phase."""
+    k = np.arange(1, coefficients.shape[1] // 2 + 1)
+    spun = np.exp(2j * math.pi * k * phase)
+    return np.asarray(coefficients[:, 0] + coefficients[:, 1::2] @ spun.real + coefficients[:, 2::2] @ spun.imag)
+
+
+def _last_round_row(made: CompiledServo) -> Row:
+    """The count of rounds stays at the largest int."""
+    row = Row("trim_step", "rounds stop at the largest int", 1, verdict="ok")
+    design = made.default("trim_default") | {"settling": 0, "window": 1}
+    state = made.library.ffi.new(f"{made.prefix}_trim_state *")
+    state.sample, state.rounds = made.count, MOST_ROUNDS  # the last flywheel's correction
+    zeros = [made.reals(np.zeros(made.count)) for _ in GIVEN]
+    q = made.reals(np.zeros(len(design["target"])))
+    status = made.call("trim_step", made.struct("trim_design", design), state, 0.25, q, *zeros)
+    if status < 0 or (state.sample, state.rounds) != (0, MOST_ROUNDS):
+        row.verdict = "FAILED"
+        row.reason = f"status {status_words(status)}, sample {state.sample}, rounds {state.rounds}"
+    return row
+
+
+def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, ...], seed: int) -> Iterator[Row]:
+    """Measured coordinates from poses, by SciPy's rotations. `coordinates`: numbers among x, y, z, psi, theta, phi."""
+    rng = np.random.default_rng((seed, 3))
+    row = Comparison("trim_coordinates", "q", made.bounds.default)
+    many = len(made.default("trim_default")["target"])
+    if many != len(coordinates):
+        row.note_difference(math.inf, f"the C measures {many} coordinates, the servo file {len(coordinates)}", "")
+        yield row.finished()
+        return
+    for number in range(200):
+        position = made.held(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
+        attitude = made.held(_turn(rng, number))
+        w, x, y, z = attitude
+        angles = Rotation.from_quat([x, y, z, w]).as_euler(SEQUENCES[stand.angles])
+        away = abs(math.sin(angles[1]) if stand.angles == "euler" else math.cos(angles[1]))
+        if away < NEAR:
+            continue
+        q = made.reals(np.zeros(many))
+        status = made.call("trim_coordinates", made.reals(position), made.reals(attitude), q)
+        if status != STATUS_VALUES["OK"]:
+            row.note_difference(math.inf, f"status {status_words(status)}", f"pose {number}")
+            continue
+        expected = np.concatenate([position, angles])[list(coordinates)]
+        found, angular = made.read(q), np.array(coordinates) >= 3
+        turns = np.where(angular, np.round((found - expected) / math.tau), 0.0)
+        scale = np.where(angular, math.pi / away, np.maximum(np.abs(expected), 1e-300))
+        row.note(found - math.tau * turns, expected, scale, f"pose {number}")
+    yield row.finished()
+
+
+def _turn(rng: np.random.Generator, number: int) -> Array:
+    """A unit quaternion, w first: any attitude, or one near that of E0."""
+    drawn = rng.normal(size=4) if number % 3 else np.array([1.0, *(0.1 * rng.normal(size=3))])
+    return np.asarray(drawn / np.linalg.norm(drawn))
