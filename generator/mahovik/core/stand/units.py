@@ -99,6 +99,16 @@ def split_value_unit(raw: dict[str, Any], outer: str | None) -> tuple[Any, str]:
     return raw["value"], raw["unit"]
 
 
+def unit_of(raw: Any) -> str | None:
+    """The unit of a valid quantity, of a list the first that one of its numbers has; None without a unit."""
+    if isinstance(raw, dict):
+        return str(raw["unit"])
+    if isinstance(raw, list):
+        return next(filter(None, map(unit_of, raw)), None)
+    found = _QUANTITY.fullmatch(raw.strip()) if isinstance(raw, str) else None
+    return None if found is None else found[2]
+
+
 @cache
 def factor(unit: str, dimension: Dimension) -> Fraction:
     """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""
