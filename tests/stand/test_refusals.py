@@ -99,7 +99,7 @@ CASES = {
     ),
     "unknown unit": (
         BASE.replace("mass = 3", 'mass = "3 foo"'),
-        'carrier, mass: "foo" is not a known unit',
+        'carrier, mass: "foo" is not a known unit, expected a mass (kg)',
     ),
     "no unit in a string": (
         BASE.replace("mass = 3", 'mass = "3"'),
@@ -111,7 +111,7 @@ CASES = {
     ),
     "decibel": (
         BASE + WHEEL + 'angles = ["3 dB", 0]',
-        'flywheel "w1", angles[0]: unit "dB" has an offset or is logarithmic',
+        'flywheel "w1", angles[0]: unit "dB" has an offset or is logarithmic, expected an angle (rad)',
     ),
     "two units": (
         BASE + 'center_of_mass = { value = [1, "2 mm", 3], unit = "mm" }\ninertia_about = "origin"',

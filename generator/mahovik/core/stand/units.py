@@ -15,9 +15,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from mahovik.core.stand.unit_spellings import as_product, hint, readings
-from mahovik.core.stand.usual_units import UNITS, usual
-from mahovik.nearest import suggestion
+from mahovik.core.stand.unit_spellings import NAMES, as_product, hint, readings, respellings
+from mahovik.core.stand.usual_units import usual
+from mahovik.nearest import alike
 
 
 @dataclass(frozen=True)
@@ -123,13 +123,32 @@ def factor(unit: str, dimension: Dimension) -> Fraction:
 
 def _refusal(literal: str, unit: str, dimension: Dimension) -> str:
     """The message on a unit without a fitting reading; `literal` is the one on the unit as it is spelt."""
-    more = hint(unit, dimension.si)
+    more = hint(unit, dimension.si) or _advice(unit, dimension, "is not a known unit" in literal)
     product = as_product(unit)
     if product != unit:
         with suppress(QuantityError):
             _root(product)
             return f'unit {show(unit)}, read as "{product}", does not fit, expected {_expected(dimension)}{more}'
-    return literal.partition(", did you mean")[0] + more if more else literal
+    expected = "" if "expected" in literal else f", expected {_expected(dimension)}"
+    return f"{literal}{expected}{more}"
+
+
+def _advice(unit: str, dimension: Dimension, unknown: bool) -> str:
+    """End of the message with the unit that may be meant by an `unknown` one, or by one of another dimension; or ""."""
+    for each in respellings(unit):
+        if _fits(each, dimension):
+            return f', did you mean "{each}"?'
+    if not unknown:
+        return ""
+    near = alike(unit, [name for name in NAMES if _fits(name, dimension)])
+    return "" if near is None else f', did you mean "{near}"?'
+
+
+def _fits(unit: str, dimension: Dimension) -> bool:
+    with suppress(QuantityError):
+        _literal_factor(unit, dimension)
+        return True
+    return False
 
 
 def _literal_factor(unit: str, dimension: Dimension) -> Fraction:
@@ -212,17 +231,13 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     except QuantityError:
         raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
-        raise QuantityError(f"{show(unit)} is not a known unit{_misspelt_unit(unit)}") from error
+        raise QuantityError(f"{show(unit)} is not a known unit") from error
     powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):
-        raise QuantityError(f"unit {show(unit)} has a power that is not whole")
+        # pint's gauss has one by definition
+        reason = "has a power that is not whole" if "." in unit else "does not fit"
+        raise QuantityError(f"unit {show(unit)} {reason}")
     return Fraction(scale), {name: int(power) for name, power in powers.items()}
-
-
-def _misspelt_unit(unit: str) -> str:
-    """The usual unit that a single misspelt word may be; nothing for products and powers."""
-    near = suggestion(unit, UNITS) if unit.isalpha() else ""
-    return near if near.endswith("?") else ""
 
 
 @cache
