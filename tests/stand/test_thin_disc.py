@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from mahovik.core.stand import loads
-from stand.test_refusals import BASE, refusal
+from stand.test_refusals import BASE, WHEEL, refusal
 
 THIN = '[[flywheel]]\nname = "w1"\nmass = "120 g"\nspin_inertia = "450 g cm^2"\ntransverse_inertia = {}\n'
 UNBALANCE = 'unbalance = { static = "30 g mm", dynamic = "200 g cm^2" }\n'
@@ -88,3 +88,11 @@ def test_a_shape_is_answered_by_the_inertia_of_a_thin_disc() -> None:
     (line,) = refusal(BASE + THIN.format('"300 g cm^2"') + 'shape = "thin disc"\n')
     assert 'unknown key "shape": a flywheel has numbers in the place of a shape' in line
     assert line.endswith("for a thin disc transverse_inertia = spin_inertia/2")
+
+
+def test_flat_discs_and_rods_are_bodies() -> None:
+    disc = BASE.replace("[1, 1, 1]", "[0.5, 0.5, 1.0000000004]")
+    rod = BASE + WHEEL.replace("[0.02, 0.01, 0.01]", "[0.02, 0, 0.02]")
+    assert loads(disc).carrier.inertia[2][2] == 1.0000000004
+    assert loads(rod).flywheels[0].inertia[1][1] == 0.0
+    assert refusal(BASE.replace("[1, 1, 1]", "[0.5, 0.5, 1.00000001]"))
