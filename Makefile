@@ -45,6 +45,7 @@ help:
 	@echo "make api-speed  nanoseconds a state of Python's forward beside the batch C, into docs/results/python.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/results/generation.md"
+	@echo "make install-size  time and disk of an install in a fresh clone: docs/results/install.md, README.md; minutes"
 	@echo "make faults     plants faults in the C and in the derivation, each caught: docs/results/planted-faults.md; minutes"
 	@echo "make traceability  mutants of every function, and the tests that notice them: docs/results/traceability.md; a quarter hour"
 	@echo "make traceability-page  the same page with the lines of generated/ as they are now"
@@ -180,6 +181,9 @@ verify-time: setup-test
 
 generation-time: setup-test
 	$(BIN)/python tools/generation_time.py
+
+install-size: setup-test
+	$(BIN)/python tools/install_size.py
 
 faults: setup-test
 	$(BIN)/python tools/planted_faults.py

@@ -124,7 +124,7 @@ class Measurement:
         self._repeat = repeat
         self._env = {**os.environ, VARIABLE: str(folder / "cache")}
 
-    def _held(self, what: str, found: float, most: float) -> None:
+    def _check_limit(self, what: str, found: float, most: float) -> None:
         if found > most:
             self.passed_limits.append(f"{what}: {found:.2f}, at most {most:g}")
 
@@ -152,10 +152,10 @@ class Measurement:
                 rows.append((f"{kind}, {count}", cold.cells, warm.cells, compiled.cells))
                 print(*rows[-1], sep="   ", flush=True)
                 if count <= 64:
-                    self._held(f"generation without a cache, {name}, s", cold.processor, MOST_GENERATION)
-                    self._held(f"generation, {name}, s", warm.processor, MOST_GENERATION)
-                self._held(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
-                self._held(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
+                    self._check_limit(f"generation without a cache, {name}, s", cold.processor, MOST_GENERATION)
+                    self._check_limit(f"generation, {name}, s", warm.processor, MOST_GENERATION)
+                self._check_limit(f"memory, {name}, MB", max(cold.memory, warm.memory), MOST_MEMORY)
+                self._check_limit(f"gcc -O2, {name}, s", compiled.processor, MOST_COMPILE)
         return GENERATION.rows(rows)
 
     def start(self) -> list[dict[str, Any]]:
@@ -167,7 +167,7 @@ class Measurement:
             found, middle = median(self._command(*arguments), self._env, 2 * self._repeat, self._folder)
             rows.append((f"`mahovik {' '.join(arguments)}`", *found.cells, middle, most))
             print(*rows[-1], sep="   ", flush=True)
-            self._held(f"mahovik {' '.join(arguments)}, s", found.processor, most)
+            self._check_limit(f"mahovik {' '.join(arguments)}, s", found.processor, most)
         for what, code in (("Python alone", "pass"), ("Python and `import numpy, pydantic`", "import numpy, pydantic")):
             found, middle = median([sys.executable, "-c", code], self._env, 2 * self._repeat, self._folder)
             rows.append((what, *found.cells, middle, None))

@@ -32,6 +32,7 @@ TOOLS = (
     "api_speed",
     "lanes_table",
     "generation_time",
+    "install_size",
     "fuzz_campaign",
     "static_checks",
     "targets_table",

@@ -78,18 +78,20 @@ class Compiled:
 
     def c(self, function: str, inputs: Mapping[str, Any], fill: float | None = None) -> tuple[int, dict[str, Any]]:
         """Status and outputs of the compiled function."""
-        return self.library.run(self.program.function(function), self._taken(function, inputs, self.default), fill)
+        return self.library.run(
+            self.program.function(function), self._arguments_of(function, inputs, self.default), fill
+        )
 
     def interpreted(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Status and outputs of the interpreter."""
-        return self.interpreter.run(function, self._taken(function, inputs, self.values.table))
+        return self.interpreter.run(function, self._arguments_of(function, inputs, self.values.table))
 
     def table(self) -> dict[str, Any]:
         """The compiled default table as plain data."""
         found: dict[str, Any] = self.library.value(self.program.function("forward"), "table")
         return found
 
-    def _taken(self, function: str, inputs: Mapping[str, Any], table: Any) -> dict[str, Any]:
+    def _arguments_of(self, function: str, inputs: Mapping[str, Any], table: Any) -> dict[str, Any]:
         names = {a.name for a in self.program.function(function).arguments}
         return {name: value for name, value in {"table": table, **inputs}.items() if name in names}
 

@@ -68,7 +68,7 @@ def test_stack_is_as_the_header_says(optimisation: str, source: Path) -> None:
         made = file.with_suffix(".o")
         compile_c(gcc, file, optimisation, *STACK_FLAGS, "-c", "-o", made)
         prints.append(footprint("gcc", made))
-    whole = prints[0].beside(prints[1])
+    whole = prints[0].joined_with(prints[1])
     stated = re.findall(
         r"/\* (recorder_\w+): (?:(?!\*/).)*?Stack: at most (\d+) bytes", source.with_suffix(".h").read_text(), re.S
     )

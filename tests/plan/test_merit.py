@@ -52,7 +52,7 @@ def test_derivatives_are_those_of_differences(free: tuple[bool, ...]) -> None:
     """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
     here, motion = stage(free)
     point = here.at(motion)
-    model = point.model(here.problem.around(here.grid.course, motion.bias))
+    model = point.model(here.problem.bias_perturbations(here.grid.course, motion.bias))
     unknowns = motion.waves.size + sum(free)
     assert model.A.shape == (6 * (2 * H + 1), unknowns)
     step = 1e-6
@@ -74,14 +74,16 @@ def test_curvature_is_positive_and_makes_the_quadratic_model() -> None:
     cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
     here, motion = make_stage(found, cost, H, 0.0), wheels(N, H)
     point = here.at(motion)
-    model = point.model(here.problem.around(here.grid.course, motion.bias))
+    model = point.model(here.problem.bias_perturbations(here.grid.course, motion.bias))
     d = np.random.default_rng(4).normal(size=len(model.gradient)) * 0.1
     there = here.at(motion.moved(d, found.free))
     expected = point.value + model.gradient @ d + d @ model.curvature @ d / 2
     assert there.value == pytest.approx(expected, rel=1e-10)
     all_rows, wheel_motion = stage()
     curvature = (
-        all_rows.at(wheel_motion).model(all_rows.problem.around(all_rows.grid.course, wheel_motion.bias)).curvature
+        all_rows.at(wheel_motion)
+        .model(all_rows.problem.bias_perturbations(all_rows.grid.course, wheel_motion.bias))
+        .curvature
     )
     assert np.linalg.eigvalsh(curvature).min() >= -1e-9 * np.linalg.norm(curvature)
     assert curvature == pytest.approx(curvature.T, rel=1e-12)

@@ -139,7 +139,7 @@ def test_per_minute_is_rpm_where_a_speed_is_asked(unit: str) -> None:
         ("1/s", SPEED, "write rpm or rad/s"),
         ("Hz", SPEED, "write rpm or rad/s"),
         ("oz-in", LENGTH, 'read as "oz in"'),
-        ("foo", MASS, "is not a known unit"),
+        ("foo", MASS, '"foo" is not a known unit, expected a mass (kg)'),
     ],
 )
 def test_a_unit_that_does_not_fit_is_refused_with_a_hint(unit: str, dimension: Dimension, words: str) -> None:

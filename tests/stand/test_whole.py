@@ -119,6 +119,14 @@ def test_wheels_in_a_plane_reach_nothing_across_it(axes: tuple[str, ...]) -> Non
     assert found.direction == 0.0 and found.total == pytest.approx(3.0)
 
 
+@pytest.mark.parametrize(("tilt", "direction"), [(1.2e-9, 0.0), (1.7e-9, 1.7e-9)])
+def test_wheels_reach_across_a_plane_that_they_leave_by_more_than_rounding(tilt: float, direction: float) -> None:
+    """Two wheels along one axis but for a tilt, across which the least singular value of the axes is tilt/sqrt 2."""
+    axes = ("[1, 0, 0]", "[0, 1, 0]", f"[0, 1, {tilt}]")
+    found = torque_capacity(stand(*(wheel(f"w{k}", axis, "motor = { torque = 1 }") for k, axis in enumerate(axes))))
+    assert found.direction == pytest.approx(direction, rel=1e-6, abs=0.0)
+
+
 def test_motors_without_limits_have_no_capacity() -> None:
     found = stand(wheel("a", "[1, 0, 0]"), wheel("b", "[0, 1, 0]", "motor = { torque = 0.2 }"))
     assert torque_capacity(found).each == (None, 0.2)

@@ -141,7 +141,7 @@ def test_drag_pushes_a_free_stand_and_a_wrench_holds_it() -> None:
     stand = load(path("auv6"))
     found = periodic_response(stand, [100.0] + [0.0] * 5, ["sonar"])
     assert 1e-6 < np.abs(found.hold).max() < 1e-2
-    free = found.scene.seen @ found.y.mean(axis=0)
+    free = found.scene.free_displacement @ found.y.mean(axis=0)
     assert np.abs(free).max() < 1e-12
 
 

@@ -53,7 +53,7 @@ def test_one_flywheel_by_hand() -> None:
     force = 2.0 * 0.005 * omega**2  # m e omega^2: about x, so along y and z, at an arm of 0.3 m along x
     wrench = found.wrench(np.array([omega]))[0]
     assert wrench == pytest.approx([0.0, force, force, 0.0, 0.3 * force, 0.3 * force], rel=1e-12, abs=1e-9)
-    static, dynamic = found.each(np.array([omega, 100 * math.pi, 101 * math.pi]))
+    static, dynamic = found.wrenches(np.array([omega, 100 * math.pi, 101 * math.pi]))
     assert static[0, 0] == pytest.approx(force) and dynamic[0, 0] == pytest.approx(0.0, abs=1e-12)
     assert static[1, 0] == pytest.approx(0.01 * (100 * math.pi) ** 2) and math.isnan(static[2, 0])
 

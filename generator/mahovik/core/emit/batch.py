@@ -45,7 +45,7 @@ class _Printer:
         self._wide = made.widener.wide
         table = self._wide.of(generated.layout.table)
         assert isinstance(table, Struct)
-        self._public_structs = [s for s in table.held() if s is not self._wide.real]
+        self._public_structs = [s for s in table.inner_structs() if s is not self._wide.real]
         self._known = {"lanes": made.lanes, "round_up": made.lanes - 1, "bytes": BYTES, "positive": POSITIVE}
 
     def header(self) -> str:
@@ -147,14 +147,14 @@ class _Printer:
             ],
             "loads": [row for a in varying if a.direction == "in" for row in self._rows(a)],
             "stores": [row for a in varying if a.direction != "in" for row in self._rows(a)],
-            "call": call(self._names, batch.wide, lambda a: self._passed(a, batch)),
+            "call": call(self._names, batch.wide, lambda a: self._argument_text(a, batch)),
             "given_zeros": given_zeros(batch.narrow, self._names),
             "null": " || ".join(f"{p} == NULL" for p in [*pointers, "status"]),
             "first": first,
             "passed": ", ".join([*others, "status"]),
         }
 
-    def _passed(self, a: Argument, batch: Batch) -> str:
+    def _argument_text(self, a: Argument, batch: Batch) -> str:
         """Argument of the function in lanes."""
         if a.name == "refused":
             return "&refused"
@@ -205,4 +205,4 @@ def _used_structs(functions: tuple[Function, ...]) -> list[Struct]:
             *(s.variable.type for s in statements(f.body) if isinstance(s, Declare)),
         )
     ]
-    return list(dict.fromkeys(s for type_ in types if isinstance(type_, Struct) for s in type_.held()))
+    return list(dict.fromkeys(s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs()))

@@ -107,7 +107,7 @@ def take_lines(names: Names, place: str, type_: Kind | Struct, shape: Shape) -> 
 def take_functions(names: Names, functions: Iterable[Function]) -> list[dict[str, Any]]:
     """Name, type and lines of the functions that take the structs which results hold."""
     results = (a.type for f in functions for a in f.arguments if a.direction != "in")
-    structs = {s.name: s for type_ in results if isinstance(type_, Struct) for s in type_.held()}
+    structs = {s.name: s for type_ in results if isinstance(type_, Struct) for s in type_.inner_structs()}
     return [
         {
             "name": s.name,

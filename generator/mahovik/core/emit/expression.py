@@ -45,7 +45,7 @@ class Expressions:
             return f"*{root.name}"
         return self._path(place)
 
-    def passed(self, e: Expr) -> str:
+    def call_argument(self, e: Expr) -> str:
         """C text of an argument of a call: structs and scalar results by address."""
         if not isinstance(e, Place):
             return self.text(e)
@@ -155,5 +155,5 @@ class Expressions:
                 assert isinstance(value, Place)
                 arguments.append(self.address(value))
             else:
-                arguments.append(self.passed(value))
+                arguments.append(self.call_argument(value))
         return f"{self._names.function(e.signature.name)}({', '.join(arguments)})"

@@ -151,7 +151,9 @@ class _Printer:
         if layout.own_damped:
             types.append(layout.damper)
             rows = [*_read(Field("frame", layout.frame, (len(layout.own),)), ".damper", layout.damper), *rows]
-        structs = {s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.held() if _reals(s)}
+        structs = {
+            s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs() if _reals(s)
+        }
         found = [(s.name, s, [row for f in s.fields for row in _read(f)]) for s in structs.values()]
         found += [("laws", layout.table, rows)] if rows else []
         return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in found]

@@ -54,7 +54,7 @@ class _Harness:
         """The whole file."""
         code, precision, parameters = self._code, self._code.precision, self._structs["parameters"]
         takes = take_functions(self._names, code.public)
-        draws = [{"name": a.name, "lines": self._drawn(a)} for a in self._inputs]
+        draws = [{"name": a.name, "lines": self._draw_lines(a)} for a in self._inputs]
         vary = over_members(self._names, parameters, self._varied, _argument_name("parameters"))
         functions = [self._function(f) for f in code.public]
         lines = [line for each in (*takes, *draws, *functions) for line in each["lines"]] + vary
@@ -92,7 +92,7 @@ class _Harness:
 
     # ---- drawing inputs ----
 
-    def _drawn(self, a: Argument) -> list[str]:
+    def _draw_lines(self, a: Argument) -> list[str]:
         """Lines that draw one argument."""
         return [line for each in self._plan if each.path[0] == a.name for line in self._drawing.lines(each)]
 

@@ -74,7 +74,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
         "put_functions": [
             {"struct": struct.name, "lines": [line for f in struct.fields for line in _put_statements(f, names)]}
-            for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).held()
+            for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).inner_structs()
         ],
         "start_prototype": prototype(_start(layout), names),
         "start_stack": _rounded(longest + _FRAMES),

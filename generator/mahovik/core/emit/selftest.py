@@ -94,7 +94,7 @@ class _SelfTest:
         out = [(a.name, a.type, a.shape) for a in results if a.direction == "out"]
         out += [("value", Kind.REAL, ())] if number else []
         kept = [(a.name, a.type, a.shape) for a in results if a.direction == "inout"]
-        text = call(self._names, f, lambda a: self._passed(f, a))
+        text = call(self._names, f, lambda a: self._argument_text(f, a))
         returned = "return " if status else f"results.{f.name}.value = " if number else ""
         answers = self._golden.answers[f.name]
         return {
@@ -105,14 +105,14 @@ class _SelfTest:
             "call": wrapped(f"{returned}{text};", INDENT),
             "status": status,
             "out": [name for name, *_ in out],
-            "kept": [line for each in kept for line in self._taken(f, *each)],
-            "lines": [line for each in out for line in self._taken(f, *each)],
+            "kept": [line for each in kept for line in self._take_lines(f, *each)],
+            "lines": [line for each in out for line in self._take_lines(f, *each)],
             "cases": [(a.status, f"0x{a.hash:08x}u", len(a.listed)) for a in answers],
             "numbers": [wrapped(", ".join(map(self._code.hex, a.listed)) + ",", INDENT) for a in answers if a.listed],
             "sweep": f"0x{self._golden.sweep[f.name]:08x}u",
         }
 
-    def _taken(self, f: Function, name: str, type_: Kind | Struct, shape: Shape) -> list[str]:
+    def _take_lines(self, f: Function, name: str, type_: Kind | Struct, shape: Shape) -> list[str]:
         return take_lines(self._names, f"results.{f.name}.{name}", type_, shape)
 
     def _begin(self, f: Function, a: Argument) -> list[str]:
@@ -129,7 +129,7 @@ class _SelfTest:
         varied = table.symbol in ("mounting", "parameters")  # masses are multiplied in each state
         return table.symbol if varied else self._names.function(table.default)
 
-    def _passed(self, f: Function, a: Argument) -> str:
+    def _argument_text(self, f: Function, a: Argument) -> str:
         return argument_text(a, self._source(a) if a.direction == "in" else f"results.{f.name}.{a.name}")
 
     # ---- drawing inputs ----

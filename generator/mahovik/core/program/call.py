@@ -62,6 +62,6 @@ class Call(Expr):
         return Call(self.signature, tuple(part(a) for a in self.arguments))
 
     @property
-    def passed(self) -> Iterator[tuple[Argument, Expr]]:
+    def pairs(self) -> Iterator[tuple[Argument, Expr]]:
         """Each parameter with its argument."""
         return zip(self.signature.arguments, self.arguments, strict=True)

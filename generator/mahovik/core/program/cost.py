@@ -112,7 +112,7 @@ class _Counter:
             case Select() if e.kind is Kind.REAL:
                 return found + Cost(comparisons=1)
             case Call():
-                known = {p.name: int(a.value) for p, a in e.passed if isinstance(a, Const) and a.kind is Kind.INT}
+                known = {p.name: int(a.value) for p, a in e.pairs if isinstance(a, Const) and a.kind is Kind.INT}
                 return found + self.call(e.signature.name, known)
         return found
 

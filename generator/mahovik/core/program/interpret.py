@@ -289,7 +289,7 @@ class _Transpiler:
             case BitCast():
                 return f"{'bits_of' if e.kind is Kind.WORD else 'real_of_bits'}({self._expr(e.operand)})"
             case Call():
-                passed = ", ".join(self._argument(parameter, value) for parameter, value in e.passed)
+                passed = ", ".join(self._argument(parameter, value) for parameter, value in e.pairs)
                 return f"{_function_name(e.signature.name)}({passed})"
         raise TypeError(f"unknown expression {type(e).__name__}")
 

@@ -37,7 +37,7 @@ def _read(body: Statements) -> Iterator[Place]:
                 yield from _places(value)
                 yield from (p for step in place.path if isinstance(step, Expr) for p in _places(step))
             case Do(call):
-                for parameter, value in call.passed:
+                for parameter, value in call.pairs:
                     whole = isinstance(value, Place) and parameter.direction != "in"
                     yield from list(_places(value))[1 if whole else 0 :]
             case _:
@@ -75,5 +75,5 @@ def _dead(call: Call, alive: set[int]) -> bool:
     """A call without status all of whose results nobody reads."""
     if call.signature.returns is not None:
         return False
-    results = [v for p, v in call.passed if p.direction != "in"]
+    results = [v for p, v in call.pairs if p.direction != "in"]
     return all(isinstance(v, Place) and id(v.root) not in alive for v in results)

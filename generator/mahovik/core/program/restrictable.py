@@ -31,7 +31,7 @@ def _calls(function: Function) -> Iterator[Call]:
 
 def _overlapping(caller: Function, call: Call, found: set[tuple[str, str]]) -> Iterator[str]:
     """Results of a call that may overlap another of its arguments."""
-    passed = list(call.passed)
+    passed = list(call.pairs)
     for parameter, value in passed:
         if parameter.direction == "in" or not isinstance(value, Place):
             continue

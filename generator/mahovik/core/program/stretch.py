@@ -128,7 +128,7 @@ class Stretches:
             if isinstance(item, _Stretch):
                 yield from self._loop(item)
             else:
-                yield self._around(item)
+                yield self._nested(item)
 
     def _loop(self, stretch: _Stretch) -> Iterator[Statement]:
         """A stretch as a loop over lanes, after what is the same for all and the arrays that it needs."""
@@ -177,7 +177,7 @@ class Stretches:
                 return replace(s, place=self._place(place, None), value=self._expr(value, None))
         return s
 
-    def _around(self, item: _Nested) -> Statement:
+    def _nested(self, item: _Nested) -> Statement:
         s = item.statement
         match s:
             case Loop():

@@ -94,12 +94,12 @@ class Struct:
         """The member of that name, or None."""
         return next((f for f in self.fields if f.name == name), None)
 
-    def held(self) -> Iterator[Struct]:
+    def inner_structs(self) -> Iterator[Struct]:
         """The structs that it holds, directly or not, each after those that it holds itself; it comes last."""
         found: dict[str, Struct] = {}
         for f in self.fields:
             if isinstance(f.type, Struct):
-                found |= {struct.name: struct for struct in f.type.held() if struct.name not in found}
+                found |= {struct.name: struct for struct in f.type.inner_structs() if struct.name not in found}
         yield from found.values()
         yield self
 

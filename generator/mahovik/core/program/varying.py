@@ -39,7 +39,7 @@ class Varying:
 
     def arguments(self, call: Call) -> frozenset[str]:
         """Names of the parameters of a call that get something that varies, results included."""
-        return frozenset(p.name for p, value in call.passed if p.direction != "in" or self.expression(value))
+        return frozenset(p.name for p, value in call.pairs if p.direction != "in" or self.expression(value))
 
     def _mark(self, place: Expr) -> bool:
         assert isinstance(place, Place)
@@ -60,7 +60,7 @@ class Varying:
                 case Copy(target, source) if condition or self.expression(source):
                     new |= self._mark(target)
                 case Do(call):
-                    for parameter, value in call.passed:
+                    for parameter, value in call.pairs:
                         if parameter.direction != "in":
                             new |= self._mark(value)
             now = condition or (isinstance(s, When) and self.expression(s.condition))

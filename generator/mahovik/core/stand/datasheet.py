@@ -7,9 +7,9 @@ Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. A
 from __future__ import annotations
 
 import math
-from decimal import ROUND_CEILING, Decimal
 
 from mahovik.core.stand.model import Mat3, Vec3
+from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 
 _DIGITS = 40  # rounded once to a double: the same bits on every machine, which no libm promises
@@ -52,7 +52,9 @@ def thin_disc(table: FlywheelTable) -> str:
     least = least_transverse(table.mass, table.spin_inertia, table.unbalance)
     if table.transverse_inertia is None:
         return (
-            "" if least is None or not math.isfinite(least) else f"; a thin disc has {_half(table.spin_inertia, least)}"
+            ""
+            if least is None or not math.isfinite(least)
+            else f"; a thin disc has {_half(table.spin_inertia, least, table.moments)}"
         )
     if (
         least is None
@@ -60,23 +62,17 @@ def thin_disc(table: FlywheelTable) -> str:
         or sum(table.transverse_inertia) / len(table.transverse_inertia) >= least
     ):
         return ""
-    return f"no disc has less than {_half(table.spin_inertia, least)}"
+    return f"no disc has less than {_half(table.spin_inertia, least, table.moments)}"
 
 
-def _half(spin: float, least: float) -> str:
+def _half(spin: float, least: float, moments: Moments) -> str:
     """The transverse inertia of a thin disc, and what to write."""
     half = spin / 2
-    more = "" if least == half else f", with this unbalance {_rounded_up(least)}"
+    more = "" if least == half else f", with this unbalance {moments.at_least(least)} {moments.unit}"
     return (
-        f"spin_inertia/2 = {_rounded_up(half)} kg m^2 across its axis{more}: "
-        f"for a thin disc write transverse_inertia = {_rounded_up(least)}"
+        f"spin_inertia/2 = {moments.at_least(half)} {moments.unit} across its axis{more}: "
+        f"for a thin disc write transverse_inertia = {moments.value(least)}"
     )
-
-
-def _rounded_up(x: float) -> str:
-    """`x` > 0 with six digits, not below it."""
-    exact = Decimal(repr(x))  # the shortest decimal: 2.25e-05 stays that
-    return f"{float(exact.quantize(Decimal(1).scaleb(exact.adjusted() - 5), ROUND_CEILING)):g}"
 
 
 def _polar(length: float, angle: float, divisor: float) -> tuple[float, float]:

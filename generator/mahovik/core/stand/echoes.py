@@ -15,6 +15,11 @@ def written(raw: Any) -> str | None:
     return " ".join(raw.split()) if isinstance(raw, str) else None
 
 
+def as_written(raw: Any, unit: str) -> str:
+    """The text of a number or a list as it is in the file, in `unit`, SI, where it has no unit there."""
+    return written(raw) or f"{_text(raw)} {unit}"
+
+
 def echo(raw: Any, value: float, unit: str) -> str | None:
     """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
     own = written(raw)

@@ -10,7 +10,9 @@ from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
+from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.units import INERTIA
 
 Array = NDArray[np.float64]
 
@@ -22,8 +24,13 @@ LARGEST = BOUNDS["MAX_PARAMETER"].value
 """SI; mass properties and lengths up to here are taken by the emitted C (MAX_PARAMETER)."""
 
 
-def check_size(body: Body, where: str, problems: Problems) -> bool:
+UNITS = {"mass": "kg", "center_of_mass": "m", "inertia": INERTIA.si, "position": "m"}
+"""SI units of what `check_size` looks at; the rest mixes units."""
+
+
+def check_size(body: Body, where: str, problems: Problems, moments: Moments | None = None) -> bool:
     """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
+    shown = moments or Moments()
     given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
     for law in body_schemas():
         given |= {key: getattr(data, key) for key in law.limited if (data := body.law(law.data)) is not None}
@@ -34,21 +41,29 @@ def check_size(body: Body, where: str, problems: Problems) -> bool:
     for key, value in given.items():
         largest = float(np.abs(np.array(value)).max())
         if largest > LARGEST:
+            unit = UNITS.get(key, "in SI")
             problems.add(
-                where, key, f"{largest:.6g} is beyond the range of the emitted C, expected at most {LARGEST:g}"
+                where,
+                shown.place if key == "inertia" else key,
+                f"{largest:.6g} {unit} is beyond the range of the emitted C, expected at most {LARGEST:g} {unit}",
             )
             return False
     return True
 
 
-def check_body(body: Body, where: str, problems: Problems, advice: str = "") -> None:
-    """Note what is unphysical in one body; `advice` says what to write if the triangle inequality is broken."""
-    if not check_size(body, where, problems):
+def check_body(body: Body, where: str, problems: Problems, moments: Moments | None = None, advice: str = "") -> None:
+    """Note what is unphysical in one body.
+
+    moments  how the messages show moments of inertia; None: in SI
+    advice   what is expected if the triangle inequality is broken; "": two moments that would keep it
+    """
+    shown = moments or Moments()
+    if not check_size(body, where, problems, shown):
         return
     with np.errstate(all="ignore"):  # overflow is caught by isfinite
         central, at_origin = inertia_about_center(body), inertia_about_origin(body)
     if not (np.isfinite(central).all() and np.isfinite(at_origin).all()):
-        problems.add(where, "inertia", "overflows double precision when moved between origin and centre of mass")
+        problems.add(where, shown.place, "overflows double precision when moved between origin and centre of mass")
         return
     scale = max(float(np.abs(np.array(body.inertia)).max()), float(np.abs(central).max()))
     if scale > 0.0:
@@ -56,19 +71,23 @@ def check_body(body: Body, where: str, problems: Problems, advice: str = "") -> 
         if a < -RELATIVE * scale:
             problems.add(
                 where,
-                "inertia",
-                f"Theta is not positive semidefinite, a principal moment about the centre of mass is {a:.6g}",
+                shown.place,
+                "Theta is not positive semidefinite, a principal moment about the centre of mass is "
+                f"{shown.number(a)} {shown.unit}, expected none below 0",
             )
         elif a + b < c - RELATIVE * scale:
             problems.add(
                 where,
-                "inertia",
+                shown.place,
                 "principal moments about the centre of mass break the triangle inequality, "
-                f"{a:.12g} + {b:.12g} < {c:.12g}{'; ' * bool(advice)}{advice}",
+                f"{shown.broken(a, b, c)}{f'; {advice}' if advice else f', {shown.closing(a, c)}'}",
             )
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(
-            where, "inertia", f"a flywheel needs inertia about its own axis, J11 at the origin is {at_origin[0, 0]:.6g}"
+            where,
+            shown.place,
+            "a flywheel needs inertia about its own axis, "
+            f"J11 at the origin is {shown.number(at_origin[0, 0])} {shown.unit}, expected above 0",
         )
     if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
         _check_added_mass(np.array(body.added_mass), where, problems)

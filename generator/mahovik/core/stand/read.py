@@ -85,13 +85,13 @@ def read(document: dict[str, Any], source: str) -> Stand:
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
     points: list[Point] = [build.point(table) for _, table in point_tables]
-    if carrier is not None:
-        physical.check_body(carrier, "carrier", problems)
-    for instrument in instruments:
-        physical.check_body(instrument, f'instrument "{instrument.name}"', problems)
+    if carrier is not None and carrier_table is not None:
+        physical.check_body(carrier, "carrier", problems, carrier_table.moments)
+    for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
+        physical.check_body(instrument, f'instrument "{instrument.name}"', problems, own.moments)
     for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
         if wheel is not None:
-            physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, datasheet.thin_disc(table))
+            physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, table.moments, datasheet.thin_disc(table))
 
     if problems.lines or header is None or carrier is None:
         raise StandError(problems.lines)

@@ -7,9 +7,9 @@ whole stand must obey is in `physical` and `read`.
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
-from pydantic import Field
+from pydantic import Field, ModelWrapValidatorHandler, PrivateAttr, model_validator
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
@@ -35,6 +35,7 @@ from mahovik.core.stand.fields import (
 )
 from mahovik.core.stand.model import About, PhaseInput, Vec3
 from mahovik.core.stand.model import Sequence as AngleSequence
+from mahovik.core.stand.moments import Moments, moments_of
 from mahovik.core.stand.shapes import vec3, vector
 from mahovik.core.stand.units import QuantityError, number, show
 
@@ -97,6 +98,20 @@ class BodyTable(Table):
     center_of_mass: Length3 = ZERO3
     inertia_about: Annotated[About, validator(_about)] | None = None
     wrench_input: Flag = False
+
+    _raw: dict[str, Any] = PrivateAttr(default_factory=dict)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _keep_raw(cls, raw: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        table = handler(raw)
+        table._raw = raw
+        return table
+
+    @property
+    def moments(self) -> Moments:
+        """How messages show the moments of inertia of this body."""
+        return moments_of(self._raw)
 
 
 class CarrierTable(BodyTable):

@@ -103,7 +103,7 @@ def _check_symmetric(rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Bloc
 
     def shown(i: int, j: int) -> str:
         si = blocks[i // 3][j // 3].si
-        return f"[{i}][{j}] = " + (echo(list_item(list_item(raw, i), j), rows[i][j], si) or f"{rows[i][j]:.17g}")
+        return f"[{i}][{j}] = " + (echo(list_item(list_item(raw, i), j), rows[i][j], si) or f"{rows[i][j]:.17g} {si}")
 
     for i, row in enumerate(rows):
         for j in range(i):

@@ -14,6 +14,45 @@ _HYPHEN = re.compile(r"(?<=[A-Za-zµμ\d])-(?=[A-Za-zµμ])")
 _JOINED = re.compile(
     r"(?<![A-Za-zµμ])(?:(g|mg)(mm|cm)|(kg|[mcukµμ]?N)(mm|cm|m)|(ozf?|lbf?)(in|ft))(?![A-Za-zµμ])"
 )  # not gm: gram, or gram metre
+_WORD = re.compile(r"[A-Za-zµμΩ]+")
+_WORDS = {
+    word: unit
+    for unit, words in {
+        "kg": "kilo kilos kgs kgr kilogramm kilogramme kilogrammes",
+        "g": "gm gms gs gramm gramme grammes",
+        "m": "meter meters metre metres mtr mtrs",
+        "mm": "mms",
+        "cm": "cms",
+        "s": "second seconds",
+        "deg": "degree degrees grad grads",
+        "rpm": "u/min upm",
+        "N": "n newton newtons",
+        "mN": "mn",
+        "N m": "nm",
+        "mN m": "mnm",
+        "N cm": "ncm",
+        "A": "a amp amps ampere amperes",
+        "V": "v volt volts",
+        "ohm": "r",
+        "Hz": "hz",
+        "T": "t tesla",
+        "mT": "mt",
+        "uT": "ut",
+    }.items()
+    for word in words.split()
+}
+"""Units that words and spellings, in lower case, may mean where they do not fit: `kilos` are kiloseconds for pint."""
+
+GAUSS = {"g": "1e-4", "gs": "1e-4", "gauss": "1e-4", "mg": "1e-7", "kg": "0.1"}
+"""Tesla of one of these, in lower case: the gauss of pint is that of another system of units."""
+
+NAMES = (
+    *("kg", "g", "m", "cm", "mm", "s", "ms", "us", "rad", "deg", "rpm", "N", "mN", "A", "V", "ohm", "T", "mT", "uT"),
+    *("kilogram", "gram", "meter", "centimeter", "millimeter", "second", "millisecond", "radian", "degree", "newton"),
+    *("volt", "ampere", "tesla", "N m", "kg m^2", "g cm^2", "kg cm^2"),
+)
+"""Units to suggest for a misspelt one."""
+
 _WEIGHT = re.compile(r"\b(oz|lb)\b")
 _GRAMS = re.compile(r"\b(k?g) (mm|cm|m)")
 
@@ -36,8 +75,17 @@ def as_product(unit: str) -> str:
     return _JOINED.sub(lambda match: " ".join(filter(None, match.groups())), _HYPHEN.sub(" ", unit.translate(_SIGNS)))
 
 
+def respellings(unit: str) -> list[str]:
+    """Units that may be meant by one that does not fit: usual words and another case, of each factor."""
+    words = _WORD.sub(lambda match: _WORDS.get(match.group().lower(), match.group().lower()), unit)
+    found = [_WORDS.get(unit.lower(), words), words, unit.lower()]
+    return [each for k, each in enumerate(found) if each != unit and each not in found[:k]]
+
+
 def hint(unit: str, dimension: str) -> str:
     """End of the message on a unit with no reading that fits a key of `dimension`, in SI; empty if there is none."""
+    if dimension == "T" and unit.lower() in GAUSS:
+        return f", 1 {unit} is {GAUSS[unit.lower()]} T"
     if unit == "gm":
         return ', did you mean "g" or "g m"?'
     product = as_product(unit)

@@ -15,9 +15,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from mahovik.core.stand.unit_spellings import as_product, hint, readings
-from mahovik.core.stand.usual_units import UNITS, usual
-from mahovik.nearest import suggestion
+from mahovik.core.stand.unit_spellings import NAMES, as_product, hint, readings, respellings
+from mahovik.core.stand.usual_units import usual
+from mahovik.nearest import alike
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,16 @@ def split_value_unit(raw: dict[str, Any], outer: str | None) -> tuple[Any, str]:
     return raw["value"], raw["unit"]
 
 
+def unit_of(raw: Any) -> str | None:
+    """The unit of a valid quantity, of a list the first that one of its numbers has; None without a unit."""
+    if isinstance(raw, dict):
+        return str(raw["unit"])
+    if isinstance(raw, list):
+        return next(filter(None, map(unit_of, raw)), None)
+    found = _QUANTITY.fullmatch(raw.strip()) if isinstance(raw, str) else None
+    return None if found is None else found[2]
+
+
 @cache
 def factor(unit: str, dimension: Dimension) -> Fraction:
     """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""
@@ -113,13 +123,32 @@ def factor(unit: str, dimension: Dimension) -> Fraction:
 
 def _refusal(literal: str, unit: str, dimension: Dimension) -> str:
     """The message on a unit without a fitting reading; `literal` is the one on the unit as it is spelt."""
-    more = hint(unit, dimension.si)
+    more = hint(unit, dimension.si) or _advice(unit, dimension, "is not a known unit" in literal)
     product = as_product(unit)
     if product != unit:
         with suppress(QuantityError):
             _root(product)
             return f'unit {show(unit)}, read as "{product}", does not fit, expected {_expected(dimension)}{more}'
-    return literal.partition(", did you mean")[0] + more if more else literal
+    expected = "" if "expected" in literal else f", expected {_expected(dimension)}"
+    return f"{literal}{expected}{more}"
+
+
+def _advice(unit: str, dimension: Dimension, unknown: bool) -> str:
+    """End of the message with the unit that may be meant by an `unknown` one, or by one of another dimension; or ""."""
+    for each in respellings(unit):
+        if _fits(each, dimension):
+            return f', did you mean "{each}"?'
+    if not unknown:
+        return ""
+    near = alike(unit, [name for name in NAMES if _fits(name, dimension)])
+    return "" if near is None else f', did you mean "{near}"?'
+
+
+def _fits(unit: str, dimension: Dimension) -> bool:
+    with suppress(QuantityError):
+        _literal_factor(unit, dimension)
+        return True
+    return False
 
 
 def _literal_factor(unit: str, dimension: Dimension) -> Fraction:
@@ -202,17 +231,13 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     except QuantityError:
         raise
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
-        raise QuantityError(f"{show(unit)} is not a known unit{_misspelt_unit(unit)}") from error
+        raise QuantityError(f"{show(unit)} is not a known unit") from error
     powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):
-        raise QuantityError(f"unit {show(unit)} has a power that is not whole")
+        # pint's gauss has one by definition
+        reason = "has a power that is not whole" if "." in unit else "does not fit"
+        raise QuantityError(f"unit {show(unit)} {reason}")
     return Fraction(scale), {name: int(power) for name, power in powers.items()}
-
-
-def _misspelt_unit(unit: str) -> str:
-    """The usual unit that a single misspelt word may be; nothing for products and powers."""
-    near = suggestion(unit, UNITS) if unit.isalpha() else ""
-    return near if near.endswith("?") else ""
 
 
 @cache

@@ -57,7 +57,7 @@ class Footprint:
         """Functions of the compiler's library that it calls."""
         return sorted(name for name in self.reached(function) if name not in self.frames and name != _POINTER)
 
-    def beside(self, other: Footprint) -> Footprint:
+    def joined_with(self, other: Footprint) -> Footprint:
         """Both objects as one, so that calls of one lead into the other."""
         return Footprint(
             {**self.code, **other.code},

@@ -138,7 +138,7 @@ class _Merger:
             raise ForeignError(self._problems.lines)
         carrier_name = chosen or first.name
         carrier = self._carrier(on_carrier, base, carrier_name)
-        own = [self._instrument(*each, base) for each in self._apart(on_carrier, carrier_name)]
+        own = [self._instrument(*each, base) for each in self._separate_bodies(on_carrier, carrier_name)]
         wheels = [self._flywheel(link, groups, on_carrier, base) for link in turning]
         motors = [show(s.name) for s in wheels if s.motor is not None]
         if motors:
@@ -243,14 +243,14 @@ class _Merger:
 
     # -- the bodies of the stand ---------------------------------------------------------------------------------------
 
-    def _apart(self, on_carrier: _Group, carrier: str) -> list[tuple[Link, Place]]:
+    def _separate_bodies(self, on_carrier: _Group, carrier: str) -> list[tuple[Link, Place]]:
         """Bodies on the carrier that are kept as separate bodies."""
         if not self._instruments:
             return []
         return [each for each in on_carrier.members.values() if each[0].name != carrier and each[0].mass is not None]
 
     def _carrier(self, on_carrier: _Group, base: Place, carrier: str) -> Carrier:
-        apart = [link.name for link, _ in self._apart(on_carrier, carrier)]
+        apart = [link.name for link, _ in self._separate_bodies(on_carrier, carrier)]
         merged = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None and name not in apart]
         self._comments["carrier"] = [f"Frame: that of {self._called(carrier)}.", self._sources(merged)]
         return Carrier(name="carrier", **_properties(on_carrier.merged(base, apart)), added_mass=None)

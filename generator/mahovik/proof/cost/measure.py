@@ -174,7 +174,7 @@ def _measure_target(stand: Stand, made: Generated, target: Target, real: str) ->
             lines = read(run(target, program, _TIMEOUT))
         found = whole = footprint(target.compiler[0], scratch / f"{stand.name}.o")
         if log:
-            whole = found.beside(footprint(target.compiler[0], scratch / f"{stand.name}_recorder.o"))
+            whole = found.joined_with(footprint(target.compiler[0], scratch / f"{stand.name}_recorder.o"))
     functions = [_function(stand, whole, lines, name) for name in dict.fromkeys(line.function for line in lines)]
     named = sum(found.constants.values())
     return TargetCost(

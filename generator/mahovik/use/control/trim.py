@@ -82,7 +82,7 @@ class TrimDesign:
         share = (self.response / self.unit[:, None])[seen]
         return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
 
-    def left(self, error: Array) -> Array:
+    def unreachable(self, error: Array) -> Array:
         """Part of an error (C T) that no correction reaches, by the nominal model."""
         return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
 

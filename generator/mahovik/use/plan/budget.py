@@ -37,13 +37,13 @@ class Budget:
         """Record Ctrl-C."""
         self.interrupted = True
 
-    def over(self) -> bool:
+    def is_spent(self) -> bool:
         """Whether time has run out or the user interrupted, for work that does not count steps."""
         if self.seconds is not None and self.elapsed > self.seconds:
             self.cut = True
         return self.cut or self.interrupted
 
-    def left(self, share: float = 1.0) -> float | None:
+    def seconds_left(self, share: float = 1.0) -> float | None:
         """This share of the remaining seconds; None: unlimited."""
         return None if self.seconds is None else max(share * (self.seconds - self.elapsed), 0.0)
 

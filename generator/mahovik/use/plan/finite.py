@@ -173,7 +173,7 @@ class FiniteProblem(Problem):
         """All modes of a degree at given times."""
         return Grid(t, self.motion.at(t), self.space(degree).modes(t))
 
-    def between(self, degree: int, each: int) -> Grid:
+    def grid_between_nodes(self, degree: int, each: int) -> Grid:
         """Grid with `each` times in every interval of the samples, none of them a node of the collocation."""
         breaks = self.space(degree).breaks
         inside = (np.arange(each) + 0.381966) / each
@@ -231,14 +231,14 @@ def search_finite(
             residuals = batch.residuals()
             state.starts += DRAWN
             state.tried["finite"] = state.starts
-            state.seen(float(residuals.min()))
+            state.remember(float(residuals.min()))
             state.doing = "improving"
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
                 on_progress(state)
                 if budget.exhausted or len(state.found) >= enough:
                     break
                 solved = collocate(problem, batch.motion(int(k)), budget)
-                state.seen(solved.residual)
+                state.remember(solved.residual)
                 if solved.residual < problem.tolerance:
                     state.found.append(solved)
     except KeyboardInterrupt:
@@ -260,7 +260,7 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved
         first = degree == DEGREES[0]
         reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
         motion, damping, below = reached.motion, reached.damping, space
-        fine = problem.between(degree, 3 * degree)
+        fine = problem.grid_between_nodes(degree, 3 * degree)
         residual = float(np.linalg.norm(problem.rows(fine, motion), axis=1).max())
         if residual < found.residual:
             found = Solved(motion, degree, residual)
@@ -281,7 +281,7 @@ def table_of(problem: FiniteProblem, solved: Solved) -> Samples:
     Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.
     """
     space, each = problem.space(solved.degree), 4
-    between = problem.between(solved.degree, 61)
+    between = problem.grid_between_nodes(solved.degree, 61)
     while True:
         inside = np.arange(each) / each
         t = (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel()

@@ -53,7 +53,7 @@ def plan_motion(
         motion = with_winding(motion, options.winding)
     whole = Budget(0, options.seconds)
     with_tables = motion.runup is not None and motion.periodic
-    options = replace(options, seconds=whole.left(SEARCH if with_tables else 1.0))
+    options = replace(options, seconds=whole.seconds_left(SEARCH if with_tables else 1.0))
     budget = Budget(options.steps, options.seconds_of_search)
     try:
         problem = Problem.of(stand, with_shortest_period(motion))

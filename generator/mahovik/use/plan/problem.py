@@ -222,7 +222,7 @@ class Problem:
         at = prescribe(self.mechanics, grid.course, motion.bias)
         return at, linear(at, *motion.at(grid.basis))
 
-    def around(self, course: Course, bias: Array) -> BiasPerturbations:
+    def bias_perturbations(self, course: Course, bias: Array) -> BiasPerturbations:
         """Prescribed coefficients on both sides of a bias, for differences by its free components."""
         moved = np.flatnonzero(self.free)
         one = np.eye(6)[moved] * _STEP
@@ -233,7 +233,7 @@ class Problem:
 
     def by_bias(self, grid: Grid, motion: Periodic) -> Array:
         """Derivatives (6 M, F) of the scaled residual by the free components of the bias."""
-        R, _ = self.around(grid.course, motion.bias).rates(motion.at(grid.basis))
+        R, _ = self.bias_perturbations(grid.course, motion.bias).rates(motion.at(grid.basis))
         return R[..., self.free].reshape(6 * len(grid.t), -1)
 
     def relative(self, motion: Periodic, times: int = 20) -> float:

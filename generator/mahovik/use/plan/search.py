@@ -90,7 +90,7 @@ class Search(Generic[Found]):
         """One line of progress."""
         return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
 
-    def seen(self, residual: float) -> None:
+    def remember(self, residual: float) -> None:
         """Remember the least residual."""
         self.best = min(self.best, residual)
 
@@ -159,7 +159,7 @@ def _round(
     residuals = chosen.residuals()
     state.starts += K
     state.tried[kind] = state.tried.get(kind, 0) + K
-    state.seen(float(residuals.min()))
+    state.remember(float(residuals.min()))
     here = 0
     order = improver.rank(chosen)
     state.doing = "improving"
@@ -170,7 +170,7 @@ def _round(
             break
         candidate = improver.polish(chosen.motion(int(k)), kind, budget)
         if candidate is not None:
-            state.seen(candidate.residual)
+            state.remember(candidate.residual)
             here += candidate.accepted
             if candidate.accepted:
                 state.found.append(candidate)

@@ -45,7 +45,7 @@ class Reach:
         square = np.minimum(speed[:, None], self.limits) ** 2
         return np.asarray(square @ self.unbalance.T)
 
-    def each(self, speed: Array) -> tuple[Array, Array]:
+    def wrenches(self, speed: Array) -> tuple[Array, Array]:
         """Force m e omega^2 (M, N; N) and moment of dynamic unbalance about its origin (M, N; N m) of each flywheel.
 
         NaN beyond its limit.

@@ -48,7 +48,7 @@ def panels(found: Reach) -> list[Panel]:
     top = float(found.limits.max())
     speed = np.unique(np.concatenate([np.linspace(0.0, top, POINTS + 1), found.limits]))
     together = found.wrench(speed)
-    force, moment = found.each(speed)
+    force, moment = found.wrenches(speed)
     names = [row.name for row in found.rows]
     shown = [
         _panel("unbalance force, all flywheels", "N", AXES, speed, together[:, :3], top),

@@ -104,7 +104,7 @@ def _check_rank(case: Case, scaled: ScaledDemand, rank: int) -> None:
 
 def _options(case: Case, number: int, limit: Array | None = None, **more: float) -> dict[str, Any]:
     """Weights from 1 to 10, and what else is asked; no limits where none are given."""
-    weight = case.held(case.random(100 + number).uniform(1.0, 10.0, case.count))
+    weight = case.nearest_numbers(case.random(100 + number).uniform(1.0, 10.0, case.count))
     none = np.full(case.count, case.backend.layout.precision.largest)
     given: dict[str, Any] = {"weight": list(weight), "limit": list(none if limit is None else limit)}
     return {**given, "near": 1e-6, "damping": 0.0, **more}

@@ -30,7 +30,7 @@ def _angles(case: Case) -> Iterator[tuple[str, Array]]:
     for number in range(ATTITUDES):
         turns = 20.0 if number % 4 == 3 else 1.0
         angles = rng.uniform(-math.pi, math.pi, 3) * turns
-        yield f"attitude {number}", case.held(angles)
+        yield f"attitude {number}", case.nearest_numbers(angles)
 
 
 def quaternion_rows(case: Case) -> Iterator[Row]:
@@ -50,9 +50,12 @@ def coordinate_rows(case: Case) -> Iterator[Row]:
     for name, angles in _angles(case):
         if _singular(sequence, angles):
             continue
-        position, q_dot, q_ddot = (case.held(rng.normal(size=size)) for size in (3, 6, 6))
+        position, q_dot, q_ddot = (case.nearest_numbers(rng.normal(size=size)) for size in (3, 6, 6))
         x = {"position": [0.0] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "V": [0.0] * 6}
-        kept = {"phi": list(case.held(rng.normal(size=count))), "phi_dot": list(case.held(rng.normal(size=count)))}
+        kept = {
+            "phi": list(case.nearest_numbers(rng.normal(size=count))),
+            "phi_dot": list(case.nearest_numbers(rng.normal(size=count))),
+        }
         x |= kept if count else {}
         given = {"position": list(position), "angles": list(angles), "q_dot": list(q_dot), "q_ddot": list(q_ddot)}
         try:

@@ -58,7 +58,7 @@ class Case:
         """Unit in the last place of 1 in the element type."""
         return float(np.finfo(np.float32 if self.real == "float" else np.float64).eps)
 
-    def held(self, numbers: Array) -> Array:
+    def nearest_numbers(self, numbers: Array) -> Array:
         """The nearest numbers that the element type has."""
         return np.asarray(numbers, dtype=np.float32 if self.real == "float" else np.float64).astype(np.float64)
 

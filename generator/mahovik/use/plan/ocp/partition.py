@@ -80,7 +80,7 @@ class PartitionCourse:
         return np.asarray(self.t[k] + share * (self.t[k + 1] - self.t[k]))
 
     @property
-    def near(self) -> list[list[float]]:
+    def weak_intervals(self) -> list[list[float]]:
         """Intervals of time (s) where the least singular value is below NEARLY."""
         below = np.concatenate([[False], self.values[:, -1] < NEARLY, [False]])
         edges = np.flatnonzero(np.diff(below.astype(int)))
@@ -98,7 +98,7 @@ class PartitionCourse:
             "least_at": float(self.t[worst]),
             "det_zero_at": self.crossings,
             "threshold": NEARLY,
-            "below_threshold": self.near,
+            "below_threshold": self.weak_intervals,
             "along": {"t": self.t[rows], "det": self.determinant[rows], "singular_values": self.values[rows]},
         }
 

@@ -82,7 +82,7 @@ def finite_exact(problem: FiniteProblem, start: Solved, found: Collocated) -> So
     reached = refine(
         problem, grid, motion, Rules(1e-3 * problem.tolerance, REFINEMENT_STEPS, 1e-2), Budget(REFINEMENT_STEPS)
     ).motion
-    fine = problem.between(start.degree, 3 * start.degree)
+    fine = problem.grid_between_nodes(start.degree, 3 * start.degree)
     return Solved(reached, start.degree, float(np.linalg.norm(problem.rows(fine, reached), axis=1).max()))
 
 
@@ -178,7 +178,7 @@ class _Run(Generic[Kind]):
         """Names of the flywheels."""
         return [s.name for s in self.problem.stand.flywheels]
 
-    def along(self, one: Kind, plus: Plus | None) -> PartitionCourse:
+    def partition_course(self, one: Kind, plus: Plus | None) -> PartitionCourse:
         """I+ along a programme; if `plus` is None, for the best partition there."""
         t: Array = np.linspace(0.0, self.problem.motion.span, _TIMES)
         phi = self.task.start(one).at(t).phi
@@ -188,7 +188,7 @@ class _Run(Generic[Kind]):
     def run_all(self, warm: Sequence[Kind], plus: Plus | None) -> Candidates[Kind]:
         """Programmes, most promising start first, until the wanted number is found."""
         outcome = Candidates[Kind]()
-        starts = [(each, self.along(each, plus)) for each in warm]
+        starts = [(each, self.partition_course(each, plus)) for each in warm]
         if self.options.method == "ocp-partition":
             starts.sort(key=lambda each: -each[1].least)
             which = "programme {} of {} found: " if len(starts) > 1 else ""
@@ -242,7 +242,7 @@ class _Run(Generic[Kind]):
             why = f"{last}; its motion violates (12) between the nodes; --method fourier has a programme"
             outcome.words = [*outcome.words, why]
             return
-        after = self.along(best[0], along.plus if self.options.method == "ocp-partition" else plus)
+        after = self.partition_course(best[0], along.plus if self.options.method == "ocp-partition" else plus)
         if self.options.method == "ocp-partition" and after.crossings.size:
             outcome.reason = SINGULAR
             outcome.words = [*outcome.words, after.words(self.names)]

@@ -60,7 +60,7 @@ class Scaled:
         problem, M = self.problem, len(t)
         course = problem.motion.at(t)
         at = prescribe(problem.mechanics, course, bias)
-        by_bias, tau_by_bias = problem.around(course, bias).rates(angles)
+        by_bias, tau_by_bias = problem.bias_perturbations(course, bias).rates(angles)
         base = problem.norm.scaled(at.balance)
         fixed, moving = (np.transpose(self._rows(x), (2, 0, 1, 3)) for x in (at.fixed, at.moving * self.Omega))
         parts = (base, fixed, moving, by_bias, (tau_by_bias / self.torque[:, None])[:, self.order])

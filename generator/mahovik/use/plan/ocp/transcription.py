@@ -210,7 +210,7 @@ class Watch(ca.Callback):
             seen.best, seen.best_objective = np.asarray(arg[0]).ravel().copy(), seen.objective
         self._tell(seen)
         seen.iterations += 1
-        seen.cut |= self._time.over()
+        seen.cut |= self._time.is_spent()
         return [int(seen.cut or seen.interrupted)]
 
 

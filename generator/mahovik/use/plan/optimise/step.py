@@ -92,7 +92,7 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
     Ctrl-C or the end of the budget ends the run with its present point.
     """
     point, lam, nu, idle = stage.at(start), 1e-2, 0.0, 0
-    around = stage.problem.around(stage.grid.course, start.bias)
+    around = stage.problem.bias_perturbations(stage.grid.course, start.bias)
     for taken in range(steps):
         if enough is not None and point.used < enough and is_solved(point):
             return Run(point, taken)
@@ -100,7 +100,7 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
             return Run(point, taken)
         try:
             if taken % RENEWED == RENEWED - 1:
-                around = stage.problem.around(stage.grid.course, point.motion.bias)
+                around = stage.problem.bias_perturbations(stage.grid.course, point.motion.bias)
             local = Local.of(stage, point.model(around))
             nu = max(local.penalty(), 0.5 * nu)
             trial, lam = local.reduce_merit(point, lam, nu)
@@ -120,7 +120,7 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
 def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Periodic:
     """Bring residual harmonics 0..H to zero by shortest steps alone, as far as `steps` steps allow."""
     point = stage.at(start)
-    around = stage.problem.around(stage.grid.course, start.bias)
+    around = stage.problem.bias_perturbations(stage.grid.course, start.bias)
     for _ in range(steps):
         if size(point.c) < _SOLVED or not budget.step():
             break

@@ -210,7 +210,7 @@ class Boundary:
         found = course(self.chart, given, self.spacing, start, guess, near)
         return given, rest, found, self.amplitude.shares(rest.held @ (found.y[-1] - end))
 
-    def along(self, flight: Flight) -> Linear:
+    def linearise(self, flight: Flight) -> Linear:
         """Torques along a flight, and derivatives of (8) and of the torques by the flywheels' motion."""
         return linearise_along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
 
@@ -226,7 +226,7 @@ class Boundary:
         """
         N, P = flight.c.shape
         rates = np.zeros((len(self.family.t), 12, N, P))
-        for B, basis in zip(acceleration_rates(flight.given, self.along(flight)), self.family.basis, strict=True):
+        for B, basis in zip(acceleration_rates(flight.given, self.linearise(flight)), self.family.basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = self.family.basis[0, 0 if self.up else -1]
         rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)

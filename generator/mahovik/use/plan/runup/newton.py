@@ -38,7 +38,7 @@ def shoot(problem: Boundary, start: Flight, goal: float, most: int, budget: Budg
     """
     flight = start
     for taken in range(most):
-        if flight.size <= goal or (budget is not None and budget.over()):
+        if flight.size <= goal or (budget is not None and budget.is_spent()):
             return flight, taken
         flight = problem.relinearised(flight)
         J, _ = problem.sensitivity(flight)
@@ -119,7 +119,7 @@ def measure(problem: Boundary, flight: Flight) -> dict[str, Array]:
         "deviation": np.column_stack([np.linalg.norm(x, axis=1) for x in (y[:, :3], y[:, 3:6])]),
         "speed": angles.phi_dot,
         "acceleration": angles.phi_ddot,
-        "torque": problem.along(flight).tau,
+        "torque": problem.linearise(flight).tau,
     }
 
 
@@ -132,7 +132,7 @@ def reduce_excess(problem: Boundary, flight: Flight, bounds: Bounds, budget: Bud
     history = [least]
     for _ in range(_REDUCTIONS):
         if (
-            budget.over()
+            budget.is_spent()
             or least == 0.0
             or weight > 1e6
             or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL])
@@ -170,7 +170,7 @@ def _bounded_step(J: Array, error: Array, h: Array, G: Array, weight: float) -> 
 def _rows(problem: Boundary, flight: Flight, bounds: Bounds, states: Array) -> tuple[Array, Array]:
     """Parts above KEEP (K), and derivatives by the unknowns (K, N P), without the carrier's part in torques."""
     N, P = flight.c.shape
-    values, basis, along = measure(problem, flight), problem.family.basis, problem.along(flight)
+    values, basis, along = measure(problem, flight), problem.family.basis, problem.linearise(flight)
     h, G = [np.zeros(0)], [np.zeros((0, N * P))]
     for name, share in shares(problem, flight, bounds).by_name.items():
         rows, columns = np.nonzero(share > KEEP)

@@ -77,7 +77,7 @@ def solve(
 
     which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
     for number, (splines, spread) in enumerate(_ATTEMPTS):
-        if budget.over():
+        if budget.is_spent():
             ended = "interrupted" if budget.interrupted else "cut by time"
             raise CheckError(f"{which}: {ended} after {number} of {len(_ATTEMPTS)} attempts, none was found")
         coarse = problem(NODES, splines)
@@ -87,7 +87,7 @@ def solve(
             flight, steps = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
             best = min(best, flight.size)
             if flight.size > _COARSE:
-                if not budget.over() and is_out_of_reach(coarse, flight):
+                if not budget.is_spent() and is_out_of_reach(coarse, flight):
                     raise CheckError(
                         f"{which}: the surroundings cannot absorb the momentum of the programme, so no "
                         "run-up or run-down exists; a programme of rocking flywheels may have no momentum"
@@ -123,7 +123,7 @@ def _reduce_excess(
     for splines in RICHER:
         if shares(own, flight, bounds).most <= 1.0:
             return own, flight
-        if budget.over():
+        if budget.is_spent():
             break
         richer = problem(NODES, splines)
         added = own.family.basis[0] @ flight.c.T
@@ -194,7 +194,7 @@ def with_runup(
     report: dict[str, Any] = dict(programme.report)
     whole = budget or Budget(0)
     for key, up in (("runup", True), ("rundown", False)):
-        own = Budget(0, whole.left(0.5 if up else 1.0), interrupted=whole.interrupted)
+        own = Budget(0, whole.seconds_left(0.5 if up else 1.0), interrupted=whole.interrupted)
         if say is not None:
             say("run-up" if up else "run-down")
         try:

@@ -187,7 +187,7 @@ class Search:
         """Try allowed intersections of planes, most promising first; False if time ran out."""
         seen: dict[tuple[float, ...], tuple[float, Array]] = {}
         for speeds in self.planes.intersections(MOST, self.rng):
-            if self.budget.over():
+            if self.budget.is_spent():
                 break
             key = tuple(np.round(speeds, 6).tolist())
             if key in seen or broken_limits(speeds, self.wheels, self.options):
@@ -195,12 +195,12 @@ class Search:
             seen[key] = self._rank(speeds), speeds
         ranked = sorted(seen.values(), key=lambda each: each[0])
         for bound, speeds in ranked:
-            if self.budget.over() and self.found:
+            if self.budget.is_spent() and self.found:
                 return False
             if self.found and bound > self._bound():
                 break
             self.found.append(self.evaluate(speeds))
-        return not self.budget.over()
+        return not self.budget.is_spent()
 
     def _rank(self, speeds: Array) -> float:
         """Rank of speeds: with a wanted reduction the change; otherwise a lower bound of the mean square."""
@@ -238,7 +238,7 @@ class Search:
         step = 0.1 * max(float(np.abs(each.speeds).max()), 1.0)
         smallest = 1e-5 * step
         while step > smallest and len(basis):
-            if self.budget.over():
+            if self.budget.is_spent():
                 return False
             better = each
             for direction in (*basis, *(-basis)):

@@ -300,8 +300,8 @@ class _Search:
         for _ in range(STEPS):
             rate = scene.chart.rate(given, y) + push @ h
             J = scene.jacobian(given, y, rate[:, 6:])
-            linear = Linearised(J, push, scene.seen, base, size)
-            step = linear.solve(rate - derivative(y, base), -scene.seen @ y.mean(axis=0))
+            linear = Linearised(J, push, scene.free_displacement, base, size)
+            step = linear.solve(rate - derivative(y, base), -scene.free_displacement @ y.mean(axis=0))
             if step is None:
                 break
             y, h = y + step[0], h + step[1]

@@ -55,7 +55,7 @@ class Scene:
         return Scene(stand, chart, state, scale.T @ free.T, K)
 
     @property
-    def seen(self) -> Array:
+    def free_displacement(self) -> Array:
         """(f, 12): displacement along the free directions from a state."""
         return np.hstack([self.free.T @ self.K, np.zeros((self.free.shape[1], 6))])
 
