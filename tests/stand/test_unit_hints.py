@@ -64,3 +64,10 @@ def test_a_hint_is_a_unit() -> None:
     for unit in {*NAMES, *_WORDS.values()}:
         with pytest.raises(QuantityError, match="does not fit"):
             number(f"1 {unit}", Dimension("an illuminance", "lx"))
+
+
+@pytest.mark.parametrize("unit", ["gr", "gr mm", "gr/cm^3"])
+def test_grams_are_not_taken_for_grains(unit: str) -> None:
+    dimension = MASS if unit == "gr" else Dimension("a static unbalance", "kg m")
+    assert '"gr" may be grams or grains, write g or grain' in refusal(unit, dimension)
+    assert number("20 grain", MASS) == 1.2959782e-3

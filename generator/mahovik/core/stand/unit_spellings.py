@@ -53,6 +53,9 @@ NAMES = (
 )
 """Units to suggest for a misspelt one."""
 
+GRAMS_OR_GRAINS = re.compile(r"\bgr\b")
+"""A spelling of two masses: 20 gr are 20 g for most people, and 1.3 g for pint."""
+
 _WEIGHT = re.compile(r"\b(oz|lb)\b")
 _GRAMS = re.compile(r"\b(k?g) (mm|cm|m)")
 

@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from mahovik.core.stand.unit_spellings import NAMES, as_product, hint, readings, respellings
+from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
 from mahovik.core.stand.usual_units import usual
 from mahovik.nearest import alike
 
@@ -112,6 +112,8 @@ def unit_of(raw: Any) -> str | None:
 @cache
 def factor(unit: str, dimension: Dimension) -> Fraction:
     """How many SI units of `dimension` one `unit` is, exactly (pi to 50 digits). Raises QuantityError."""
+    if GRAMS_OR_GRAINS.search(unit):
+        raise QuantityError(f'unit {show(unit)}: "gr" may be grams or grains, write g or grain')
     try:
         return _literal_factor(unit, dimension)
     except QuantityError as error:
