@@ -37,7 +37,7 @@ class CompiledServo:
         """Whether the folder's servo has a trim."""
         return self.library.has("trim_default")
 
-    def held(self, values: Any) -> Array:
+    def rounded(self, values: Any) -> Array:
         """The nearest numbers that the element type has."""
         kind = np.float32 if self.real == "float" else np.float64
         with np.errstate(over="ignore"):

@@ -39,8 +39,8 @@ def _design(made: CompiledServo, rng: np.random.Generator, settling: int, window
         found |= {"smoothing": rng.uniform(0.1, 1.0), "limit": rng.uniform(0.1, 0.5), "omega": rng.uniform(10, 100)}
         found |= {name: rng.normal(size=np.shape(found[name])) for name in ("inertia", "target", "matrix")}
         found |= {"inertia": np.abs(found["inertia"])}
-    held = {name: made.held(value) for name, value in found.items()}
-    return held | {"settling": settling, "window": window}
+    inputs = {name: made.rounded(value) for name, value in found.items()}
+    return inputs | {"settling": settling, "window": window}
 
 
 def trim_rows(made: CompiledServo, seed: int) -> Iterator[Row]:
@@ -75,10 +75,10 @@ def _run(
     amplitude = size * float(design["limit"]) / max(float(np.abs(design["matrix"]).sum(axis=1).max()), 1e-12)
     for number in range(ROUNDS_EACH * (design["settling"] + design["window"] + made.count)):
         phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
-        phase = min(float(made.held(phase)), 1.0 - 2.0**-24)
+        phase = min(float(made.rounded(phase)), 1.0 - 2.0**-24)
         course = _series(np.asarray(design["target"]), phase)
-        q = made.held(course + amplitude * rng.normal(size=len(course)))
-        given = {key: made.held(rng.normal(size=made.count)) for key in GIVEN}
+        q = made.rounded(course + amplitude * rng.normal(size=len(course)))
+        given = {key: made.rounded(rng.normal(size=made.count)) for key in GIVEN}
         changed = {key: made.reals(value) for key, value in given.items()}
         status = made.call("trim_step", table, state, phase, made.reals(q), *changed.values())
         expected, found, where = law.take(phase, q, given), made.members(state), f"{name}, sample {number}"
@@ -128,8 +128,8 @@ def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, .
         yield row.finished()
         return
     for number in range(200):
-        position = made.held(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
-        attitude = made.held(_turn(rng, number))
+        position = made.rounded(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
+        attitude = made.rounded(_turn(rng, number))
         w, x, y, z = attitude
         angles = Rotation.from_quat([x, y, z, w]).as_euler(SEQUENCES[stand.angles])
         away = abs(math.sin(angles[1]) if stand.angles == "euler" else math.cos(angles[1]))

@@ -61,7 +61,7 @@ class _Samples:
         for name, every in (("limit", 3), ("change", 4)):
             if number // 2 % every == 0:
                 drawn[name] = np.full(n, BOUNDS["MAX_WRENCH"].value)
-        return {name: self._made.held(value) for name, value in drawn.items()}
+        return {name: self._made.rounded(value) for name, value in drawn.items()}
 
     def torque(self, g: dict[str, Array]) -> Array:
         """Magnitude of torques that limits cut now and then."""
@@ -72,7 +72,7 @@ class _Samples:
         size, n = self.torque(g), self._made.count
         drawn = {name: self._rng.uniform(-1, 1, n) * size for name in ("integral", "torque")}
         drawn["speed"] = self._rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6)
-        return {name: self._made.held(value) for name, value in drawn.items()}
+        return {name: self._made.rounded(value) for name, value in drawn.items()}
 
     def inputs(self, g: dict[str, Array], number: int) -> dict[str, Array]:
         """Wanted and measured values; errors small, of many turns, and just below and above half turns."""
@@ -91,7 +91,7 @@ class _Samples:
             "phi": phi_ref - error,
             "phi_dot": phi_dot_ref - 0.3 * rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6),
         }
-        return {name: self._made.held(value) for name, value in drawn.items()}
+        return {name: self._made.rounded(value) for name, value in drawn.items()}
 
     def mask(self) -> list[int]:
         """Flags of readings that are not good, of any value but 0."""
