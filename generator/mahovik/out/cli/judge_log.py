@@ -19,7 +19,7 @@ def judge_log(
     log_file: str | None = needed_option("--log", "LOG", "Judge this output of the self-test on the board."),
     only: tuple[str, ...] | None = option(
         "--only",
-        "Expect the functions of `generate --only`, as it was given there.",
+        "Judge the log of these functions, those that `generate --only` was given.",
         metavar="NAME,NAME",
         parse=comma_list,
     ),
