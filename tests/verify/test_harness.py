@@ -259,7 +259,7 @@ def test_reports_as_json_and_junit() -> None:
     assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["worst"] is None
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
     assert "?? & <missing>" in str(case.get("message"))
-    assert conclusion(broken) == "FAILED: V_dot"
+    assert conclusion(broken) == "FAILED: forward V_dot"
 
     empty = replace(found, rows=())
     assert not empty.passed

@@ -260,3 +260,11 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     assert "--servo: no C is given; give its folder, as --against DIR" in refused(*given)
     assert "-o: not with --servo" in refused(*given, "--against", str(tmp_path), "-o", "w.jsonl")
     assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
+
+
+def test_the_missing_c_of_the_stand_is_named(tmp_path: Path) -> None:
+    made = exported("spin")
+    for name, text in {**made.programme.files, **made.servo}.items():
+        (tmp_path / name).write_text(text)
+    with pytest.raises(UsageError, match=r"shaker2.h: not there; expected what `mahovik generate -o "):
+        judged(tmp_path, "")

@@ -33,6 +33,10 @@ _CHECKED = {
 _ARRAYS: dict[str, type[Table]] = {"instrument": InstrumentTable, "flywheel": FlywheelTable, "point": PointTable}
 
 
+_OTHERS = {"sample_period": "a file of servos", "default": "a regime", "wrench": "a regime"}
+"""Keys of other files in TOML, and what these are."""
+
+
 def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
     path = Path(path)
@@ -58,7 +62,14 @@ def loads(text: str, source: str = "stand") -> Stand:
     try:
         document = parse(text)
     except (RecursionError, ValueError) as error:
+        if text.lstrip().startswith("{"):
+            raise StandError(
+                [f"{source}: is JSON, as motions and programmes are; expected a stand file (TOML)"]
+            ) from None
         raise StandError([f"{source}: not TOML: {error}"]) from None
+    other = next((what for key, what in _OTHERS.items() if key in document and "carrier" not in document), None)
+    if other is not None:
+        raise StandError([f"{source}: is {other}; expected a stand file, with [carrier]"])
     return read(document, source)
 
 

@@ -194,7 +194,8 @@ def _say(found: Plan) -> None:
     if found.effort:
         spread = found.effort["objective_spread"]
         tried = ", ".join(f"{number} {kind}" for kind, number in found.effort["windings_tried"].items())
-        within = f"{found.effort['found']} programmes found inside the bounds"
+        many = found.effort["found"]
+        within = f"{many} programme{'s' * (many != 1)} found inside the bounds"
         click.echo(f"{found.effort['starts']} starts ({tried or 'none'}), {within}", nl=False)
         click.echo(f", objective {min(spread):.4g} to {max(spread):.4g}" if spread else "")
 

@@ -44,7 +44,8 @@ def conclusion(report: Report) -> str:
     if report.error:
         return f"FAILED: {report.error}"
     if report.failures:
-        return f"FAILED: {', '.join(dict.fromkeys(row.quantity for row in report.failures))}"
+        names = (row.quantity if row.request is not None else f"{row.want} {row.quantity}" for row in report.failures)
+        return f"FAILED: {', '.join(dict.fromkeys(name.strip() for name in names))}"
     if not report.passed:
         return "FAILED: nothing was compared"
     ok = [row for row in report.rows if row.verdict == "ok"]

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -74,7 +75,7 @@ class Case:
         """Results of a function, members of a struct of results by their names. Raises StateError if it refuses."""
         status, outputs = self.backend.call(function, inputs)
         if status < 0:
-            raise StateError(f"{function} refused with status {status}")
+            raise StateError(f"{function} refused with status {status_words(status)}")
         found: dict[str, Any] = outputs.get("out", outputs)
         return found
 

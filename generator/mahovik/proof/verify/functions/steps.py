@@ -30,7 +30,8 @@ STATES = 2
 flywheels."""
 
 RADIANS = 0.25
-"""Length of a motion: time in which the fastest of rotation, vibration and decay turns by this angle."""
+"""Length of a motion: time in which the fastest of rotation, vibration and decay turns by this angle, and the hardest
+driven of flywheels and carrier, from rest, as well."""
 
 SHORTER = (1.0, 1 / 4, 1 / 16, 1 / 64)
 """Parts of this time that are compared: the first on whose way no law has a kink."""
@@ -191,7 +192,7 @@ class Motion:
         return State(**given, phi_ddot=start.phi_ddot, V_dot=start.V_dot, tau=start.tau, wrench=start.wrench)
 
     def _rate(self) -> float:
-        """The fastest rate (1/s): of turning, and of the eigenvalues of the linearised motion."""
+        """The fastest rate (1/s): of turning, of the eigenvalues of the linearised motion, and of turning from rest."""
         y, N = self._start, self._case.count
         base = self._rates(0.0, y)
         steps = 1e-6 * np.maximum(np.abs(y), 1e-2)
@@ -200,7 +201,8 @@ class Motion:
         ]
         fastest = float(np.abs(np.linalg.eigvals(np.column_stack(columns))).max())
         turning = float(np.linalg.norm(y[15:18])) + float(np.abs(y[18 + N :]).max(initial=0.0))
-        return max(fastest, turning, 1e-3)
+        driven = float(np.abs([*base[15:18], *base[18 + N :]]).max())  # rad/s2; a small wheel is driven hard
+        return max(fastest, turning, math.sqrt(0.5 * RADIANS * driven), 1e-3)
 
 
 def _flat(state: State, C: Array) -> Array:

@@ -82,9 +82,11 @@ def load_compiled(stand: Stand, folder: Path, name: str, scratch: Path) -> Compi
     """
     called = f"{stand.name}_{name}"
     header, source, facts = (folder / f"{called}.{suffix}" for suffix in ("h", "c", "json"))
-    for each in (header, source, facts, folder / f"{stand.name}.h"):
+    own = folder / f"{stand.name}.h"
+    for each in (header, source, facts, own):
         if not each.is_file():
-            raise UsageError(f"{each}: not there; expected what `mahovik export programme -o {folder}` writes")
+            command = "generate" if each == own else "export programme"
+            raise UsageError(f"{each}: not there; expected what `mahovik {command} -o {folder}` writes")
     said = _facts(facts)
     if said["physics"] != identities(stand).physics:
         raise UsageError(

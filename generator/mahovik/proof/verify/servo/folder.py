@@ -90,9 +90,11 @@ def load_servo_folder(stand: Stand, folder: Path, name: str, scratch: Path) -> C
     """
     prefix = stand.name if name == "programme" else f"{stand.name}_{name}"
     header, source, facts = (folder / f"{prefix}_servo.{suffix}" for suffix in ("h", "c", "json"))
-    for each in (header, source, facts, folder / f"{stand.name}.h"):
+    own = folder / f"{stand.name}.h"
+    for each in (header, source, facts, own):
         if not each.is_file():
-            raise UsageError(f"{each}: not there; expected what `mahovik export servo -o {folder}` writes")
+            command = "generate" if each == own else "export servo"
+            raise UsageError(f"{each}: not there; expected what `mahovik {command} -o {folder}` writes")
     physics, real = _facts(facts)
     if physics != identities(stand).physics:
         raise UsageError(
