@@ -1,6 +1,5 @@
 """Types of what `import mahovik` offers; the module itself loads each name when it is first asked for."""
 
-from mahovik.core.stand.model import Stand as Stand
 from mahovik.errors import InputError as InputError
 from mahovik.errors import MahovikError as MahovikError
 from mahovik.errors import RefusedError as RefusedError
@@ -8,9 +7,26 @@ from mahovik.errors import StandError as StandError
 from mahovik.errors import StateError as StateError
 from mahovik.errors import ToolchainError as ToolchainError
 from mahovik.errors import UsageError as UsageError
+from mahovik.out.api.functions.evidence import generate as generate
+from mahovik.out.api.functions.evidence import judge as judge
+from mahovik.out.api.functions.evidence import report as report
+from mahovik.out.api.functions.evidence import verify as verify
+from mahovik.out.api.functions.following import follow as follow
+from mahovik.out.api.functions.linear import linearize as linearize
+from mahovik.out.api.functions.linear import modes as modes
+from mahovik.out.api.functions.linear import rest as rest
+from mahovik.out.api.functions.notices import MahovikWarning as MahovikWarning
+from mahovik.out.api.functions.notices import Progress as Progress
+from mahovik.out.api.functions.programmes import design as design
+from mahovik.out.api.functions.programmes import plan as plan
+from mahovik.out.api.functions.programmes import verify_programme as verify_programme
+from mahovik.out.api.functions.simulation import simulate as simulate
+from mahovik.out.api.functions.vibration import quiet as quiet
+from mahovik.out.api.functions.vibration import response as response
 from mahovik.out.api.model import Model as Model
 from mahovik.out.api.model import build as build
 from mahovik.out.api.results import Result as Result
+from mahovik.out.api.stands import Stand as Stand
 from mahovik.out.api.stands import example as example
 from mahovik.out.api.stands import examples as examples
 from mahovik.out.api.stands import load as load

@@ -1,26 +1,82 @@
-"""Stands: read from their files, the example stands, and what notebooks show of them."""
+"""Stands in Python: read from files, made of a mapping, edited by path; the example stands; what notebooks show."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from copy import deepcopy
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from mahovik import stands
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import load as _load
+from mahovik.core.stand import toml
+from mahovik.core.stand import write as writing
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.read import load as load_file
+from mahovik.core.stand.read import read
+from mahovik.core.stand.units import show
+from mahovik.errors import UsageError
+from mahovik.out.api.editing import exact, put
 
 
-def _notebook(stand: Stand) -> str:
-    from mahovik.out.api.fields import bodies
+@dataclass(frozen=True, repr=False)
+class Stand(CoreStand):
+    """A stand: data in SI, checked; its file's keys can be changed by path, with units."""
 
-    return bodies(stand)
+    @staticmethod
+    def from_dict(document: Mapping[str, Any], source: str = "stand") -> Stand:
+        """The stand of a mapping with the keys of a stand file; numbers, or texts with a unit, as there.
 
+        `source` names it in messages. NumPy arrays count as lists. Raises StandError with every problem.
+        """
+        if not isinstance(document, Mapping):
+            raise UsageError(f"{source}: expected a mapping with the keys of a stand file, found {show(document)}")
+        return _of(exact(document), source)
 
-type.__setattr__(Stand, "_repr_html_", _notebook)  # a class variable of the dataclass would count as a field
+    @staticmethod
+    def of(stand: CoreStand | str | Path) -> Stand:
+        """A stand as it is, or the one of a file. Raises StandError."""
+        if isinstance(stand, Stand):
+            return stand
+        if isinstance(stand, CoreStand):
+            return Stand(**vars(stand))
+        return load(stand)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys of its file, as they were given; of a stand that Python code made, all in SI."""
+        document: dict[str, Any] | None = self.__dict__.get("_document")
+        return deepcopy(document) if document is not None else toml.parse(writing.dumps(self))
+
+    def replace(self, changes: Mapping[str, Any]) -> Stand:
+        """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity.2": 0}`.
+
+        A path begins with the name of a body, point or law's part, or with a key of the file; keys follow, and numbers
+        for places in a list, from 0. The value None takes the key away. A flywheel that its file gives by centre of
+        mass and inertia takes `unbalance` too: its axial offset and its moments of inertia about the origin stay.
+        Raises UsageError for a path that leads nowhere, StandError with every problem of the result.
+        """
+        document = self.to_dict()
+        for path, value in changes.items():
+            put(document, path, value)
+        return _of(document, self.name)
+
+    def save(self, path: str | Path) -> None:
+        """Write it as a stand file, in SI, with every digit. Raises UsageError."""
+        from mahovik.writing import write
+
+        write(Path(path), writing.dumps(self))
+
+    def _repr_html_(self) -> str:
+        from mahovik.out.api.fields import bodies
+
+        return bodies(self)
 
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    return _load(path)
+    stand = Stand.of(load_file(path))
+    # read once more only for its keys: the file was in order a moment ago
+    return _with_document(stand, toml.parse(Path(path).read_text(encoding="utf-8-sig")))
 
 
 def examples() -> tuple[str, ...]:
@@ -30,4 +86,14 @@ def examples() -> tuple[str, ...]:
 
 def example(name: str) -> Stand:
     """An example stand by its name. Raises UsageError for an unknown one."""
-    return _load(stands.path(name))
+    return load(stands.path(name))
+
+
+def _of(document: dict[str, Any], source: str) -> Stand:
+    return _with_document(Stand.of(read(document, source)), document)
+
+
+def _with_document(stand: Stand, document: dict[str, Any]) -> Stand:
+    """The stand, which remembers its keys; a copy by `dataclasses.replace` does not, so they are never out of date."""
+    object.__setattr__(stand, "_document", document)
+    return stand

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.api.functions.motor_limits import warn_of_speeds
 from mahovik.out.cli import quantities
-from mahovik.out.cli.motor_limits import warn_of_speeds
 from mahovik.out.cli.options import (
     JSON,
     SEED_OF_STARTS,

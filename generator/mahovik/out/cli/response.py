@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
+from mahovik.out.api.functions.motor_limits import warn_of_speeds
 from mahovik.out.cli import quantities
-from mahovik.out.cli.motor_limits import warn_of_speeds
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
 from mahovik.out.cli.progress import progress

@@ -146,6 +146,14 @@ def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hin
     except ValueError as error:
         raise UsageError(f"{path.name}: not UTF-8 text: {error}") from None
     try:
+        return read_start(text, stand, keys, hint)
+    except UsageError as error:
+        raise UsageError(f"{path.name}: {error}") from None
+
+
+def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint: str = HINT) -> State:
+    """The state that a JSON text gives, as `load_start`. Raises UsageError."""
+    try:
         found = read_object(text)
         refuse_duplicates(found)
         if "state" in found:
@@ -157,7 +165,7 @@ def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hin
         _refuse_unknown(found, keys, hint)
         return read_request(stand, {**found, "want": ["forward"]}).state
     except StateError as error:
-        raise UsageError(f"{path.name}: {error}") from None
+        raise UsageError(str(error)) from None
 
 
 def _refuse_unknown(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any
 
@@ -59,20 +59,44 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
     matplotlib, figures = require("plot")
     with matplotlib.rc_context(STYLE):
-        rows = _rows(panels)
-        heights = [max(panel.height for panel in row) for row in rows]
-        width = WIDTH if len(rows) == len(panels) else WIDE
-        figure = figures.Figure(figsize=(width, HEIGHT * sum(heights) + 0.7), layout="constrained")
-        figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-        grid = figure.add_gridspec(len(rows), 2, height_ratios=heights)
-        for i, row in enumerate(rows):
-            for k, panel in enumerate(row):
-                axes = figure.add_subplot(grid[i, :] if len(row) == 1 else grid[i, k])
-                _draw_whole(figure, axes, panel, len(row) > 1, last=panel is panels[-1])
+        figure, _ = _drawn(figures.Figure, title, panels)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
+
+
+def _drawn(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
+    """A figure that `make` makes, with all panels, and their axes."""
+    rows, found = _rows(panels), []
+    heights = [max(panel.height for panel in row) for row in rows]
+    width = WIDTH if len(rows) == len(panels) else WIDE
+    figure = make(figsize=(width, HEIGHT * sum(heights) + 0.7), layout="constrained")
+    figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+    grid = figure.add_gridspec(len(rows), 2, height_ratios=heights)
+    for i, row in enumerate(rows):
+        for k, panel in enumerate(row):
+            axes = figure.add_subplot(grid[i, :] if len(row) == 1 else grid[i, k])
+            _draw_whole(figure, axes, panel, len(row) > 1, last=panel is panels[-1])
+            found.append(axes)
+    return figure, found
+
+
+def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[Any]:
+    """Panels on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
+
+    Raises UsageError where matplotlib is not installed, or more axes are given than there are panels.
+    """
+    matplotlib, _ = require("plot")
+    with matplotlib.rc_context(STYLE):
+        if axes is None:
+            return _drawn(import_module("matplotlib.pyplot").figure, title, panels)[1]
+        given = list(np.ravel(np.asarray(axes, dtype=object)))
+        if len(given) > len(panels):
+            raise UsageError(f"axes: {len(given)} are given, but there are {len(panels)} panels to draw")
+        for each, panel in zip(given, panels, strict=False):
+            _draw_whole(each.figure, each, panel, True, last=True)
+    return given
 
 
 def _rows(panels: Sequence[Panel]) -> list[list[Panel]]:

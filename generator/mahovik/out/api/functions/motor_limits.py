@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import click
+from mahovik.out.api.functions.notices import warn
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -20,7 +20,7 @@ _EXPONENT = re.compile(r"[eE][+-]?\d+")
 
 
 def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) -> None:
-    """Warn, in one line on standard error, of `speeds` in rad/s, one per flywheel, beyond those of their motors.
+    """Warn of `speeds` in rad/s, one per flywheel, beyond those of their motors.
 
     `texts` are the speeds as the user gave them: a number without unit is asked about if it is above FAST, or if rpm
     would bring it within.
@@ -39,11 +39,11 @@ def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) 
             words += f"; {len(beyond)} flywheels in all are too fast"
         if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
             asked = question(speed)
-        click.echo(f"warning: {words}{asked}", err=True)
+        warn(f"{words}{asked}")
     fast = [(wheel.name, speed) for wheel, speed, text in given if speed > FAST and _is_plain(text)]
     if fast and not asked:
         name, speed = fast[0]
-        click.echo(f"warning: {name} turns at up to {RPM * speed:.6g} rpm{question(speed)}", err=True)
+        warn(f"{name} turns at up to {RPM * speed:.6g} rpm{question(speed)}")
 
 
 def question(speed: float) -> str:

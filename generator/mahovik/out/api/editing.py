@@ -1,0 +1,114 @@
+"""Changes of the keys of a stand file by path, as values of Python."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from decimal import Decimal
+from numbers import Integral, Real
+from typing import Any
+
+from mahovik.core.motion.document import validate_table
+from mahovik.core.stand import build, datasheet
+from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.law import with_laws
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
+from mahovik.core.stand.units import show
+from mahovik.errors import StandError, UsageError
+from mahovik.nearest import suggestion
+
+
+def exact(value: Any) -> Any:
+    """A value as TOML has it: lists, tables, and floats with all their digits."""
+    if hasattr(value, "tolist"):  # a NumPy array or scalar
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {str(key): exact(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [exact(item) for item in value]
+    if isinstance(value, bool | str | Decimal):
+        return value
+    if isinstance(value, Integral):
+        return int(value)
+    return Decimal(repr(float(value))) if isinstance(value, Real) else value
+
+
+def put(document: dict[str, Any], path: str, value: Any) -> None:
+    """Set the value at a path of the document, the keys of a stand file. Raises UsageError, StandError."""
+    *way, last = path.split(".")
+    place: Any = document
+    for k, part in enumerate(way):
+        if part == "unbalance" and isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
+            place.update(_unbalanced(document, place, last, value))
+            return
+        place = _inside(document, place, part, path, first=k == 0)
+    if isinstance(place, list):
+        number = _number(place, last, path)
+        if value is None:
+            del place[number]
+        else:
+            place[number] = exact(value)
+    elif not isinstance(place, dict):
+        raise UsageError(f"{path}: {show(place)} has no keys; expected the path of a key, as w1.unbalance.static")
+    elif value is not None:
+        place[last] = exact(value)
+    elif last in place:
+        del place[last]
+    else:
+        raise UsageError(f"{path}: there is no {show(last)} to take away{suggestion(last, place)}")
+
+
+def _inside(document: dict[str, Any], place: Any, part: str, path: str, first: bool) -> Any:
+    """What a part of the path names inside a table or list; a table that is missing is made."""
+    if isinstance(place, list):
+        named = {item["name"]: item for item in place if isinstance(item, dict) and "name" in item}
+        return named[part] if part in named else place[_number(place, part, path, named)]
+    if not isinstance(place, dict):
+        raise UsageError(f"{path}: {show(place)} has no keys, so there is no {show(part)} in it")
+    if part in place:
+        return place[part]
+    if not first:
+        return place.setdefault(part, {})
+    named = {
+        item["name"]: item
+        for key, items in document.items()
+        if isinstance(items, list) and all(isinstance(item, dict) for item in items)
+        for item in items
+        if "name" in item
+    }
+    if part not in named:
+        known = [*(key for key in document if key != "schema"), *named]
+        raise UsageError(f"{path}: {document.get('name', 'the stand')} has no {show(part)}{suggestion(part, known)}")
+    return named[part]
+
+
+def _number(place: list[Any], part: str, path: str, named: Mapping[str, Any] | None = None) -> int:
+    """The place in a list that a part of a path gives. Raises UsageError."""
+    if part.isascii() and part.isdigit() and int(part) < len(place):
+        return int(part)
+    if named:
+        raise UsageError(f"{path}: no {show(part)}{suggestion(part, named)}")
+    raise UsageError(f"{path}: {show(part)}, expected a place from 0 to {len(place) - 1}")
+
+
+def _unbalanced(document: Mapping[str, Any], table: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
+    """The centre of mass and the inertia of a flywheel after a change of its unbalance, as keys of its table."""
+    problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
+    given = validate_table(with_laws(FlywheelTable), dict(table), problems, where)
+    wheel = None if given is None else build.flywheel(given, where, problems)
+    if wheel is None:
+        raise StandError(problems.lines)
+    (x, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel)
+    now = {
+        "static": wheel.mass * math.hypot(y, z), "static_at": math.atan2(z, y),
+        "dynamic": math.hypot(J[0, 1], J[0, 2]), "dynamic_at": math.atan2(-J[0, 2], -J[0, 1]),
+    }  # fmt: skip
+    changed = {name: exact(number) for name, number in now.items()} | {key: exact(value)}
+    found = validate_table(UnbalanceTable, changed, problems, f"{where} unbalance")
+    if found is None:
+        raise StandError(problems.lines)
+    _, y, z = datasheet.center_of_mass(wheel.mass, found)
+    sheet = datasheet.inertia(float(J[0, 0]), (float(J[1, 1]), float(J[2, 2])), found)
+    J[0, 1:], J[1:, 0] = sheet[0][1:], sheet[0][1:]
+    return {"center_of_mass": exact([x, y, z]), "inertia": exact(J), "inertia_about": "origin"}

@@ -1,0 +1,319 @@
+"""`generate`: the C of a stand. `verify`, `judge`: C or a program against the reference. `report`: one page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.functions.given import StandGiven
+from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
+from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.api.stands import Stand
+
+if TYPE_CHECKING:
+    from mahovik.proof.diagnose.diagnosis import Diagnosis
+    from mahovik.proof.verify.report import Report
+
+
+class Verification(Table):
+    """Verdict on C or on a program: a row per quantity, with differences relative to its natural scale.
+
+    `passed`: something was compared, and nothing failed. `diagnosis` names the fault where `judge` was asked for it.
+    """
+
+    def __init__(self, result: Report, diagnosis: Diagnosis | None = None) -> None:
+        self.result, self.diagnosis = result, diagnosis
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        rows = self.result.rows
+
+        def numbers(values: Sequence[float | None]) -> Any:
+            return np.array([np.nan if x is None else x for x in values])
+
+        return (
+            Column("want", "", np.array([row.want for row in rows], dtype=object)),
+            Column("quantity", "", np.array([row.quantity for row in rows], dtype=object)),
+            Column("states", "", np.array([row.states for row in rows])),
+            Column("worst", "", numbers([row.worst for row in rows])),
+            Column("second", "", numbers([row.second for row in rows])),
+            Column("between", "", numbers([row.between for row in rows])),
+            Column("accepted", "", numbers([row.tolerance or self.result.tolerance for row in rows])),
+            Column("verdict", "", np.array([row.verdict for row in rows], dtype=object)),
+        )
+
+    @property
+    def passed(self) -> bool:
+        """Whether something was compared and nothing failed."""
+        return self.result.passed
+
+    @property
+    def conclusion(self) -> str:
+        """The verdict in one line."""
+        from mahovik.proof.verify.report import conclusion
+
+        return conclusion(self.result)
+
+    @property
+    def explanation(self) -> tuple[str, ...]:
+        """The diagnosis in sentences; none without one."""
+        if self.diagnosis is None:
+            return ()
+        from mahovik.proof.diagnose.words import sentences
+
+        return tuple(sentences(self.diagnosis))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, as `mahovik verify --json` prints it."""
+        from mahovik.proof.verify.report import as_json
+
+        found: dict[str, Any] = json.loads(as_json(self.result, self.more()))
+        return found
+
+    def more(self) -> dict[str, Any]:
+        """What `mahovik judge --json` prints besides the rows."""
+        if self.diagnosis is None:
+            return {}
+        from mahovik.proof.diagnose.words import as_object
+
+        return {"diagnosis": as_object(self.diagnosis)}
+
+    def __repr__(self) -> str:
+        return f"<Verification of {self.result.stand}: {self.conclusion}>"
+
+
+def verify(
+    stand: StandGiven,
+    *,
+    states: int = 200,
+    seed: int = 1,
+    against: str | Path | None = None,
+    real: str = "double",
+    lanes: int | None = None,
+    fast: bool = False,
+    progress: OnProgress = no_progress,
+) -> Verification:
+    """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
+
+    against      folder of the C to judge; None: a fresh copy
+    real         "double" or "float"; lanes, fast: as of `generate`
+
+    Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
+    """
+    from mahovik.proof.verify.harness import verify_c
+
+    own = Stand.of(stand)
+    folder, words = None if against is None else Path(against), f"verify {own.name}"
+
+    def tell(done: float, *_: object) -> None:
+        progress(Progress(words, done, states))
+
+    found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=tell)
+    return Verification(found)
+
+
+def judge(
+    stand: str | Path,
+    command: str,
+    *,
+    explain: bool = False,
+    want: Sequence[str] = (),
+    states: int = 200,
+    seed: int = 1,
+    tolerance: float = 1e-12,
+    timeout: float = 300.0,
+    progress: OnProgress = no_progress,
+) -> Verification:
+    """Judge a program that implements the contract of `eval`, and find its fault.
+
+    stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
+    explain    name the fault where it differs; want: wants it must offer, default those that it offers
+    tolerance  relative to the natural scale; timeout of the program, s
+
+    A program that dies or hangs gives a result with an `error`. Raises StandError, UsageError where it cannot start.
+    """
+    from mahovik.proof.verify.foreign import verify_program
+
+    own = Stand.of(stand)
+    progress(Progress(f"judge {command}"))
+    found = verify_program(
+        own, command, str(stand), wants=tuple(want), seed=seed, count=states, timeout=timeout, tolerance=tolerance
+    )
+    if not explain or found.error:
+        return Verification(found)
+    progress(Progress("distinguish faults"))
+    try:
+        return Verification(found, _diagnosis(own, command, str(stand), found, seed, timeout))
+    except CheckError as error:
+        return Verification(replace(found, error=str(error)))
+
+
+def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
+    """Diagnosis of a program that differs, for the wants that it offers."""
+    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+    from mahovik.proof.verify.foreign import ask
+
+    if found.passed:
+        return Diagnosis("equal")
+    offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
+    if not offered:
+        return Diagnosis("nothing")
+    diagnoser = Diagnoser(stand, seed, offered)
+    results = ask(command, stand_file, diagnoser.requests, timeout)
+    answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
+    return diagnoser.diagnose(lambda request: answers[request.id])
+
+
+class Generated(Table):
+    """The files of a stand's C: a row per file. `files` are their texts by name; `folder`: where they were written."""
+
+    index = "file"
+
+    def __init__(self, stand: CoreStand, files: Mapping[str, str], folder: Path | None, notes: Sequence[str]) -> None:
+        self.stand, self.files, self.folder, self.notes = stand, dict(files), folder, tuple(notes)
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        return (
+            Column("file", "", np.array(list(self.files), dtype=object)),
+            Column("lines", "", np.array([text.count("\n") for text in self.files.values()])),
+            Column("bytes", "", np.array([len(text.encode()) for text in self.files.values()])),
+        )
+
+    def __repr__(self) -> str:
+        where = "" if self.folder is None else f" in {self.folder}"
+        return f"<Generated C of {self.stand.name}: {len(self.files)} files{where}>"
+
+
+def generate(
+    stand: StandGiven,
+    folder: str | Path | None = None,
+    *,
+    real: str = "double",
+    lanes: int | None = None,
+    fast: bool = False,
+    batch: bool = False,
+    only: Sequence[str] = (),
+    prefix: str | None = None,
+    progress: OnProgress = no_progress,
+) -> Generated:
+    """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
+
+    real    "double" or "float"; lanes: flywheels per vector, None: 1, with `fast` chosen by their number
+    fast    optimised for a desktop processor; batch: also functions for many states
+    only    these public functions alone, and what they need
+    prefix  the first word of every name in C, in place of the stand's name
+
+    Raises StandError, UsageError; nothing is written over files of others.
+    """
+    from mahovik.core.emit.delivery import delivery
+    from mahovik.proof.verify.delivery import deliver
+
+    own: CoreStand = Stand.of(stand)
+    if prefix is not None:
+        own = _named(own, prefix)
+    count = lanes_of(own, lanes, fast)
+    progress(Progress(f"generate {own.name}"))
+    chosen = tuple(dict.fromkeys(only))
+    files = delivery(own, real, count, fast, batch, chosen)
+    if real == "float":
+        _warn_of_float(own)
+    if folder is None:
+        return Generated(own, files, None, ())
+    done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
+    written = {path.name: path.read_text(encoding="utf-8") for path in done.paths}
+    return Generated(own, written, Path(folder), done.notes)
+
+
+def lanes_of(stand: CoreStand, lanes: int | None, fast: bool) -> int:
+    """Flywheels per vector of a stand's C. Raises UsageError."""
+    from mahovik.core.emit.generate import host_lanes
+
+    if lanes is None:
+        return host_lanes(len(stand.flywheels)) if fast else 1
+    if lanes > 1 and not stand.flywheels:
+        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels: remove it")
+    return lanes
+
+
+def _named(stand: CoreStand, prefix: str) -> CoreStand:
+    """The stand by another name, which is that of its files and the first word of every name in C."""
+    from mahovik.core.stand.names import stand_name_problem
+
+    problem = stand_name_problem(prefix)
+    if problem is not None:
+        raise UsageError(f"--prefix {prefix}: {problem}")
+    return replace(stand, name=prefix)
+
+
+def _warn_of_float(stand: CoreStand) -> None:
+    """Warn of unbalance that float does not resolve at the speeds of the motors, as `mahovik check` does."""
+    from mahovik.core.stand.summary import summarize
+    from mahovik.use.study.resolution import shortfalls
+
+    for short in shortfalls(stand, [row.speed for row in summarize(stand, None).unbalance]):
+        warn(str(short))
+
+
+class Page:
+    """The report of a stand: `html`, one page that opens offline; `failures` are what it shows as failed."""
+
+    def __init__(self, stand: CoreStand, html: str, failures: Sequence[str]) -> None:
+        self.stand, self.html, self.failures = stand, html, tuple(failures)
+
+    def save(self, path: str | Path) -> None:
+        """Write the page. Raises UsageError."""
+        from mahovik.writing import write
+
+        write(Path(path), self.html)
+
+    def __repr__(self) -> str:
+        return f"<Page on {self.stand.name}: {len(self.html) // 1000} kB, {len(self.failures)} failures>"
+
+
+def report(
+    stand: StandGiven,
+    *,
+    run: str | Path | None = None,
+    programme: str | Path | None = None,
+    motion: str | Path | None = None,
+    cost: str | Path | None = None,
+    targets: str | None = None,
+    progress: OnProgress = no_progress,
+) -> Page:
+    """Report on a stand: bodies, matrices, verification, cost, reach, and the motion of a run or programme.
+
+    run, programme, motion  files of `simulate`, `plan` and its motion; cost: a folder of `mahovik cost`
+    targets                 processors on which the self-test is run, as "quick"; None: none
+
+    Raises StandError, UsageError where matplotlib is missing or a file is of another stand.
+    """
+    from mahovik.out.report.plot.draw import require
+    from mahovik.out.report.stand.material import gather
+    from mahovik.out.report.stand.page import ORDER, page
+
+    require("report")
+
+    def text(path: str | Path | None) -> str | None:
+        return None if path is None else str(path)
+
+    own = Stand.of(stand)
+    source = str(stand) if isinstance(stand, str | Path) else f"{own.name}.toml"
+    material = gather(
+        own,
+        source,
+        run_file=text(run),
+        programme_file=text(programme),
+        motion_file=text(motion),
+        cost_folder=text(cost),
+        targets=targets,
+    )
+    found = page(material, lambda done: progress(Progress("sections of the report", done, len(ORDER))))
+    return Page(own, found.html, found.failures)

@@ -1,0 +1,206 @@
+"""`follow`: sampled servos follow a programme, on a stand that differs a little from its file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.core.motion.servo import COORDINATES
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.functions.given import StandGiven, motion_of, programme_of, servo_of
+from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
+from mahovik.out.api.functions.programmes import MotionGiven, Programme, ProgrammeGiven
+from mahovik.out.api.functions.simulation import Simulation
+from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.api.stands import Stand
+from mahovik.use.control.causes import Contribution, contributions
+from mahovik.use.control.loop import Case, close_loop, step_error
+from mahovik.use.control.record import Following as Errors
+from mahovik.use.control.record import Record, following
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.servo import Servo
+    from mahovik.out.report.plot.panel import Panel
+
+MEASURED = 10
+"""Periods measured at the end of a run."""
+
+SETTLING = 30
+"""Periods before them, by default, without a trim."""
+
+LEFT, MOST_ROUNDS = 1e-2, 60
+"""A trim runs until this part of the error is left, or for this many rounds."""
+
+
+class Following(Table):
+    """How well the carrier follows: a row per coordinate, errors about the mean over the last periods.
+
+    `motion` holds the whole run; `causes` what limits it, if that was asked and the run was complete.
+    """
+
+    index = "coordinate"
+
+    def __init__(self, case: Case, record: Record, errors: Errors | None, causes: Sequence[Contribution]) -> None:
+        self.case, self.record, self.errors, self.causes = case, record, errors, tuple(causes)
+        self.causes_interrupted = False
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        if self.errors is None:
+            return ()
+        found = self.errors
+        share = np.array([math.nan if each is None else each for each in found.shares()])
+        return (
+            Column("coordinate", "", np.array(COORDINATES, dtype=object)),
+            Column("amplitude", "m, rad", found.amplitude),
+            Column("peak_error", "m, rad", found.peak),
+            Column("rms_error", "m, rad", found.rms),
+            Column("mean_error", "m, rad", found.mean),
+            Column("share", "", share),
+        )
+
+    @property
+    def share(self) -> float:
+        """Largest error of all six together, as a share of the largest motion; NaN where the run ended early."""
+        return math.nan if self.errors is None else self.errors.share
+
+    @property
+    def motion(self) -> Simulation:
+        """The run: carrier, flywheels, torques, what is required."""
+        return Simulation(self.case.wanted.stand, self.record.run())
+
+    @property
+    def stopped(self) -> str | None:
+        """Why the run ended early, or None."""
+        return self.record.stopped
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended it."""
+        return self.record.interrupted or self.causes_interrupted
+
+    @property
+    def step_error(self) -> float:
+        """Change of the carrier (m, rad) by steps half as long."""
+        return step_error(self.case, self.record)
+
+    def _panels(self) -> Sequence[Panel]:
+        return self.motion._panels()
+
+    def __repr__(self) -> str:
+        name = self.case.wanted.stand.name
+        if self.errors is None:
+            return f"<Following of {name}: {self.stopped}>"
+        return f"<Following of {name}: error {100 * self.share:.3g} % of the motion's amplitude>"
+
+
+def follow(
+    stand: StandGiven,
+    motion: MotionGiven,
+    programme: ProgrammeGiven | Programme,
+    servo: Servo | str | Path,
+    *,
+    mismatch: float = 0.0,
+    seed: int = 1,
+    periods: int | None = None,
+    begin: str = "settled",
+    table: int | None = 128,
+    backend: str = "c",
+    causes: bool = True,
+    progress: OnProgress = no_progress,
+) -> Following:
+    """Follow a programme by sampled servos, on a stand whose numbers are wrong by `mismatch` (0.01: 1 %).
+
+    seed     of the errors; periods to run, None: until it has settled
+    begin    "settled", "programme" or "rest", with the run-up
+    table    nodes per period of the table in firmware; None: exact
+    backend  "c" or "scipy"; causes: find what limits it, by further runs
+
+    Ctrl-C keeps what was computed. Raises StandError, MotionError, ProgrammeError, ServoError, UsageError, CheckError.
+    """
+    own = Stand.of(stand)
+    case = _case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
+    T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
+    first, last = case.first * T, case.last * T
+    record = close_loop(case, lambda t: progress(Progress(words, t - first, last - first)))
+    if len(record.t) < 2:
+        raise CheckError(f"the run ends at once: {record.stopped}")
+    if record.stopped is not None:
+        return Following(case, record, None, ())
+    found = Following(case, record, following(record, MEASURED), ())
+    try:
+        if causes:
+            found.causes = tuple(contributions(case, lambda cause: progress(Progress(f"what limits it: {cause}"))))
+    except KeyboardInterrupt:  # the run itself is complete
+        found.causes_interrupted = True
+    return found
+
+
+def _name(given: Any, otherwise: str) -> str:
+    """The name of a file in messages; words where no file was given."""
+    return Path(given).name if isinstance(given, str | Path) else otherwise
+
+
+def _case(
+    stand: Stand,
+    motion: MotionGiven,
+    programme: ProgrammeGiven | Programme,
+    servo: Servo | str | Path,
+    mismatch: float,
+    seed: int,
+    periods: int | None,
+    begin: str,
+    table: int | None,
+    backend: str,
+) -> Case:
+    """The run to be made. Raises UsageError and what the files raise."""
+    from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
+    from mahovik.use.control.mismatch import with_mismatch
+    from mahovik.use.control.trim import design_trim
+    from mahovik.use.control.wanted import Wanted
+
+    if not (math.isfinite(mismatch) and mismatch >= 0.0):
+        raise UsageError(f"--mismatch {mismatch:g}: expected 0 or more")
+    found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
+    source = _name(programme, "the programme")
+    if not (whose := stand_finding(stand, found)).passed:
+        raise UsageError(f"{source}: {whose.words}")
+    required = motion_of(motion, stand)
+    if not (whose := motion_finding(required, found)).passed:
+        raise UsageError(f"{source}: {whose.words}")
+    servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
+    if begin == "rest" and found.runup is None:
+        raise UsageError(f"--begin rest: {source} has no run-up; plan with `runup` in the motion file")
+    wanted = Wanted.of(stand, required, found, table)
+    if required.span < 4.0 * servos.period:
+        raise UsageError(
+            f"{servo_source}: sample_period {servos.period:g} s: fewer than 4 samples in a period of the "
+            f"programme, {required.span:g} s"
+        )
+    design = None if servos.trim is None else design_trim(stand, required, found, servos.trim)
+    if periods is None:
+        periods = SETTLING + MEASURED
+        if design is not None:
+            rounds = math.ceil(math.log(LEFT) / math.log(design.radius)) if design.radius > 0.0 else 1
+            each = design.trim.settling + design.trim.averaging + 1
+            periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
+    elif periods < MEASURED + 1:
+        raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
+    _check_loops(stand, servos, servo_source)
+    return Case(wanted, with_mismatch(stand, mismatch, seed), servos, periods, design, begin, backend)
+
+
+def _check_loops(stand: Stand, servo: Servo, source: str) -> None:
+    """Raise CheckError if the loop of a flywheel is unstable; warn if its margins are small."""
+    from mahovik.use.control.servo import check_margins, margins
+
+    found = margins(stand, servo)
+    if found.radius >= 1.0:
+        check_margins(stand, servo, source)
+    if not found.accepted:
+        gain = min(found.gain, found.less)
+        warn(f"{source}: margins are small: gain {gain:.2f}, phase {found.phase:.0f} deg, of each servo's loop")

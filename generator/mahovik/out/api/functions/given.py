@@ -1,0 +1,118 @@
+"""Arguments of the functions: a file's path, a mapping with the file's keys, or the object itself."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.state import State
+from mahovik.core.stand.units import ANGLE, Dimension, QuantityError, number, show
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.api.editing import exact
+from mahovik.out.api.stands import Stand
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.programme import Programme
+    from mahovik.core.motion.regime import Regime
+    from mahovik.core.motion.required import RequiredMotion
+    from mahovik.core.motion.servo import Servo
+
+StandGiven = CoreStand | str | Path
+Keys = Mapping[str, Any]
+Number = float | str
+"""A number in SI, or a text with its unit."""
+
+
+def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
+    """The regime of a run of `until` s. Raises RegimeError."""
+    from mahovik.core import motion
+
+    if isinstance(regime, str | Path):
+        return motion.load(regime, stand, until)
+    if isinstance(regime, Mapping):
+        return motion.loads(text_of_keys(regime), stand, until, is_json=True)
+    return regime
+
+
+def motion_of(motion: RequiredMotion | Keys | str | Path, stand: CoreStand) -> RequiredMotion:
+    """The required motion of the carrier. Raises MotionError."""
+    from mahovik.core.motion.required import load_motion, read_motion
+
+    if isinstance(motion, str | Path):
+        return load_motion(motion, stand)
+    return read_motion(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
+
+
+def programme_of(programme: Programme | Keys | str | Path) -> Programme:
+    """The programme of the flywheels. Raises ProgrammeError."""
+    from mahovik.core.motion.programme import load_programme, read_programme
+
+    if isinstance(programme, str | Path):
+        return load_programme(programme)
+    return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme
+
+
+def servo_of(servo: Servo | str | Path, stand: Stand) -> Servo:
+    """The servos of the flywheels. Raises ServoError."""
+    from mahovik.core.motion.servo import load_servo
+
+    return load_servo(servo, stand) if isinstance(servo, str | Path) else servo
+
+
+def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ...], hint: str) -> State:
+    """A state as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
+    from mahovik.use.simulate.case import load_start, read_start
+
+    if isinstance(state, State):
+        return state
+    if isinstance(state, Mapping):
+        return read_start(text_of_keys(state, schema=False), stand, keys, hint)
+    return load_start(Path(state), stand, keys, hint)
+
+
+def text_of_keys(keys: Keys, schema: bool = True) -> str:
+    """A mapping as the text of its file in JSON; the number of the schema need not be given."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, Mapping):
+            return {key: plain(item) for key, item in value.items()}
+        if isinstance(value, list):
+            return [plain(item) for item in value]
+        return float(value) if isinstance(value, Decimal) else value
+
+    given = plain(exact(keys))
+    return json.dumps({"schema": 1} | given if schema else given)
+
+
+def quantity(name: str, value: Number, dimension: Dimension) -> float:
+    """A number in SI of an argument `name`. Raises UsageError."""
+    try:
+        return number(exact(value), dimension)
+    except QuantityError as error:
+        raise UsageError(f"{name}: {error}") from None
+
+
+def by_flywheel(
+    name: str, given: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension = ANGLE
+) -> list[float]:
+    """Numbers of an argument `name`, one per flywheel: by their names, others 0, or all of them. Raises UsageError."""
+    names = [each.name for each in stand.flywheels]
+    found = [0.0] * len(names)
+    if given is None:
+        return found
+    if isinstance(given, Mapping):
+        for key, value in given.items():
+            if key not in names:
+                raise UsageError(
+                    f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}"
+                )
+            found[names.index(key)] = quantity(f"{name} of {key}", value, dimension)
+        return found
+    if len(given) != len(names):
+        raise UsageError(f"{name}: {len(given)} numbers, but the stand has {len(names)} flywheels")
+    return [quantity(f"{name} of {own}", value, dimension) for own, value in zip(names, given, strict=True)]

@@ -1,0 +1,263 @@
+"""`rest`: the static equilibrium. `modes`, `linearize`: small motions of a stand about rest or a state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.core.stand.state import State
+from mahovik.errors import CheckError
+from mahovik.out.api.fields import Array
+from mahovik.out.api.functions.given import Keys, Number, StandGiven, by_flywheel, state_of
+from mahovik.out.api.functions.table import Column, Table, module
+from mahovik.out.api.stands import Stand
+from mahovik.use.study.linear import LinearModel as CoreModel
+from mahovik.use.study.linear import Modes as CoreModes
+from mahovik.use.study.linear import linear_model
+from mahovik.use.study.linear import modes as modes_of
+from mahovik.use.study.rest import Rest as CoreRest
+from mahovik.use.study.rest import rest as find_rest
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
+
+STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "wrench")
+"""Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
+
+At = State | Keys | str | Path | None
+
+POSE = ("x", "y", "z", "rx", "ry", "rz")
+
+
+class Rest(Table):
+    """The static equilibrium: a row per free direction, a twist in E1 (m, rad per rad or m). `state` is the pose.
+
+    `V_dot` (6): remaining acceleration; `unstable`: the stand would leave the pose.
+    """
+
+    def __init__(self, stand: Stand, result: CoreRest) -> None:
+        self.stand, self.result = stand, result
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        free = np.array(self.result.free).reshape(-1, 6)
+        units = ("m", "m", "m", "rad", "rad", "rad")
+        return tuple(Column(name, unit, free[:, i]) for i, (name, unit) in enumerate(zip(POSE, units, strict=True)))
+
+    @property
+    def state(self) -> State:
+        """The state at rest, which `simulate` and `linearize` take."""
+        return self.result.state
+
+    @property
+    def position(self) -> Array:
+        """O1 in E0 (3), m."""
+        return np.array(self.result.state.position)
+
+    @property
+    def attitude(self) -> Array:
+        """Unit quaternion of the carrier, w first."""
+        return np.array(self.result.state.quaternion or (1.0, 0.0, 0.0, 0.0))
+
+    @property
+    def V_dot(self) -> Array:
+        """Remaining acceleration (6), m/s2, rad/s2."""
+        return np.array(self.result.V_dot)
+
+    @property
+    def unstable(self) -> bool:
+        """Whether the stand would leave this pose."""
+        return self.result.unstable
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, as `mahovik rest --json` prints it."""
+        from mahovik.proof.verify.states import state_object
+
+        return {
+            "name": self.stand.name,
+            "state": state_object(self.state),
+            "V_dot": self.result.V_dot,
+            "free": [list(direction) for direction in self.result.free],
+            "unstable": self.unstable,
+        }
+
+    def __repr__(self) -> str:
+        x, y, z = (f"{round(value, 9) + 0.0:.6g}" for value in self.position)
+        return f"<Rest of {self.stand.name}: O1 at ({x}, {y}, {z}) m; {len(self)} free directions>"
+
+
+def rest(stand: StandGiven, phases: Mapping[str, Number] | Sequence[Number] | None = None) -> Rest:
+    """Find the static equilibrium, with flywheels at rest at `phases` (rad, or texts with a unit; default 0).
+
+    Raises StandError, UsageError; CheckError: there is no equilibrium.
+    """
+    own = Stand.of(stand)
+    return Rest(own, find_rest(own, by_flywheel("phases", phases, own)))
+
+
+class Modes(Table):
+    """Natural frequencies, damping ratios and shapes: a row per mode, free directions first."""
+
+    def __init__(self, stand: Stand, result: CoreModes, steady: bool) -> None:
+        self.stand, self.result, self.steady = stand, result, steady
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        modes = self.result.modes
+        shapes = [
+            Column(channel.name, channel.unit, self.shapes[:, i]) for i, channel in enumerate(self.result.coordinates)
+        ]
+        return (
+            Column("kind", "", np.array([mode.kind for mode in modes], dtype=object)),
+            Column("frequency", "Hz", self.frequency),
+            Column("damping", "", self.damping),
+            *shapes,
+        )
+
+    @property
+    def frequency(self) -> Array:
+        """Natural frequencies, Hz."""
+        return np.array([mode.frequency for mode in self.result.modes])
+
+    @property
+    def damping(self) -> Array:
+        """Damping ratios; negative: the mode grows."""
+        return np.array([mode.damping for mode in self.result.modes])
+
+    @property
+    def eigenvalue(self) -> Array:
+        """Eigenvalues, 1/s, complex."""
+        return np.array([mode.eigenvalue for mode in self.result.modes])
+
+    @property
+    def shapes(self) -> Array:
+        """(modes, coordinates), complex; the largest of a shape is 1."""
+        return np.array([mode.shape for mode in self.result.modes]).reshape(-1, len(self.result.coordinates))
+
+    @property
+    def unstable(self) -> bool:
+        """Whether some mode grows; where the state is not `steady` that shows nothing."""
+        return self.result.unstable
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.panel import Line, Panel
+
+        lines: list[Line] = []
+        for i, mode in enumerate(self.result.modes):
+            if mode.kind != "free":
+                height = np.array([0.0, max(abs(mode.damping), 1e-6)])
+                lines.append(Line(f"mode {i + 1}", np.full(2, mode.frequency), height, len(lines)))
+        return [Panel("damping ratio of the modes", tuple(lines), abscissa="frequency, Hz", log_abscissa=True)]
+
+    def __repr__(self) -> str:
+        free = sum(mode.kind == "free" for mode in self.result.modes)
+        found = [f"{f:.4g}" for f in self.frequency if f > 0.0]
+        return f"<Modes of {self.stand.name}: {free} free, {', '.join(found) or 'no others'} Hz>"
+
+
+def modes(stand: StandGiven, at: At = None, *, locked: bool = True) -> Modes:
+    """Find natural frequencies, damping and shapes of small motions about a state; `at` None: about rest.
+
+    locked   flywheels keep their motion, as under a stiff servo; else they are free under constant torques
+
+    Raises StandError, UsageError, CheckError where there is no equilibrium.
+    """
+    own = Stand.of(stand)
+    model = linear_model(own, _nominal(own, at), [], locked=locked)
+    return Modes(own, modes_of(model), model.steady)
+
+
+class LinearModel(Table):
+    """x' = A x + B u, y = C x + D u of small deviations: the table has a row per state, with its row of A and B.
+
+    `states`, `inputs`, `outputs` are names, `A`, `B`, `C`, `D` arrays, SI.
+    """
+
+    index = "state"
+
+    def __init__(self, stand: Stand, result: CoreModel) -> None:
+        self.stand, self.result = stand, result
+        self.A, self.B, self.C, self.D = result.A, result.B, result.C, result.D
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        names = np.array([str(each) for each in self.result.states], dtype=object)
+        channels = (*self.result.states, *self.result.inputs)
+        whole = np.hstack([self.A, self.B])
+        return (Column("state", "", names), *(Column(c.name, c.unit, whole[:, i]) for i, c in enumerate(channels)))
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the states, with their units."""
+        return tuple(str(each) for each in self.result.states)
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of the inputs, with their units."""
+        return tuple(str(each) for each in self.result.inputs)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs, with their units."""
+        return tuple(str(each) for each in self.result.outputs)
+
+    def to_xarray(self) -> Any:
+        """A, B, C, D as an xarray.Dataset labelled by states, inputs and outputs."""
+        rows = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        axes = {
+            "A": ("states", "states_of"), "B": ("states", "inputs"),
+            "C": ("outputs", "states_of"), "D": ("outputs", "inputs"),
+        }  # fmt: skip
+        coords = {name: list(labels) for name, labels in (rows | {"states_of": self.states}).items()}
+        return module("xarray").Dataset({key: (dims, getattr(self, key)) for key, dims in axes.items()}, coords=coords)
+
+    def save(self, path: str | Path) -> None:
+        """Write the model to a file .json or .mat. Raises UsageError."""
+        from mahovik.use.study.linear.model import check_model_file, rendered
+        from mahovik.writing import write
+
+        write(Path(path), rendered(self.result, check_model_file(Path(path))))
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.panel import Line, Panel
+
+        poles = np.linalg.eigvals(self.A)
+        lines = []
+        for i, pole in enumerate(sorted(poles, key=abs)):
+            x, y = np.array([0.0, pole.real]), np.array([0.0, pole.imag])
+            lines.append(Line("", x, y, i % 8))
+        return [Panel("eigenvalues of A, imaginary part, 1/s", tuple(lines), abscissa="real part, 1/s")]
+
+    def __repr__(self) -> str:
+        sizes = f"{len(self.A)} states, {self.B.shape[1]} inputs, {len(self.C)} outputs"
+        return f"<LinearModel of {self.stand.name}: {sizes}>"
+
+
+def linearize(
+    stand: StandGiven, at: At = None, *, points: Sequence[str] | None = None, locked: bool = False
+) -> LinearModel:
+    """Linearise a stand about a state by exact derivatives; `at` None: about rest.
+
+    points   whose displacement, velocity and acceleration are the outputs; None: all, else the carrier
+    locked   flywheels keep their motion; else they are driven by torques
+
+    Raises StandError, UsageError, CheckError where there is no equilibrium.
+    """
+    own = Stand.of(stand)
+    names = None if points is None else list(points)
+    if names is None and not (own.points or own.instruments):
+        names = ["carrier"]
+    return LinearModel(own, linear_model(own, _nominal(own, at), names, locked=locked))
+
+
+def _nominal(stand: Stand, at: At) -> State:
+    """The state to linearise about. Raises UsageError, CheckError."""
+    if at is not None and at != "rest":
+        return state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them")
+    try:
+        return find_rest(stand).state
+    except CheckError as error:
+        raise CheckError(f"{error}; give a state by --at STATE.json") from None

@@ -1,0 +1,341 @@
+"""`plan`: motions of the flywheels that make the carrier move as required; `verify_programme`; `design`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from mahovik.core.motion.programme import Programme as CoreProgramme
+from mahovik.core.motion.programme import programme_text
+from mahovik.core.motion.required import RequiredMotion, Winding
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.errors import UsageError
+from mahovik.out.api.functions.given import Keys, StandGiven, motion_of, programme_of
+from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
+from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.api.stands import Stand
+from mahovik.use.plan import Plan as CorePlan
+from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan.outcome import Method
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
+    from mahovik.proof.verify.programme import Finding
+    from mahovik.use.design import Freedom, Outcome
+
+_KINDS = (("phi", "rad"), ("phi_dot", "rad/s"), ("phi_ddot", "rad/s2"))
+
+ROWS = 400
+"""Rows of a programme's table."""
+
+MotionGiven = RequiredMotion | Keys | str | Path
+ProgrammeGiven = CoreProgramme | Keys | str | Path
+
+
+class Programme(Table):
+    """The motion of the flywheels over one period, or over its duration: a row per time, 400 of them.
+
+    `at(t)` gives phi, phi_dot, phi_ddot (M, N) at any times; `report` the figures of the search and the verification.
+    """
+
+    index = "t"
+
+    def __init__(self, stand: CoreStand, motion: RequiredMotion | None, programme: CoreProgramme) -> None:
+        self.stand, self.motion, self.programme = stand, motion, programme
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        t = np.linspace(0.0, self.programme.span, ROWS + 1)
+        found = self.programme.at(t)
+        columns = [Column("t", "s", t)]
+        for s, name in enumerate(self.programme.flywheels):
+            for (kind, unit), values in zip(_KINDS, found, strict=True):
+                columns.append(Column(f"{kind} {name}", unit, values[:, s]))
+        return tuple(columns)
+
+    @property
+    def report(self) -> Mapping[str, Any]:
+        """Figures: residual, simulation error, peaks, objective."""
+        return self.programme.report
+
+    def at(self, t: Any) -> tuple[Any, Any, Any]:
+        """phi (rad), phi_dot, phi_ddot (M, N) at times t (M, s)."""
+        phi, phi_dot, phi_ddot = self.programme.at(np.atleast_1d(np.asarray(t, dtype=np.float64)))
+        return phi, phi_dot, phi_ddot
+
+    def save(self, path: str | Path) -> None:
+        """Write it as a programme file. Raises UsageError."""
+        from mahovik.writing import write
+
+        write(Path(path), programme_text(self.programme))
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.programme import panels
+
+        return panels(self.programme, self.stand, self.motion)
+
+    def __repr__(self) -> str:
+        own = self.programme
+        size = f"{len(own.flywheels)} flywheels, {'period' if own.periodic else 'duration'} {own.span:g} s"
+        return f"<Programme of {own.stand} for {own.motion}: {size}>"
+
+
+class Plan(Table):
+    """Outcome of planning: a row per flywheel with the peaks of the best programme; none without one.
+
+    `status` is OK, OK_LIMIT (a bound is exceeded), NO_PROGRAM or SINGULAR_ATTITUDE; `reason` and `words` say why.
+    """
+
+    index = "flywheel"
+
+    def __init__(self, stand: CoreStand, motion: RequiredMotion, result: CorePlan) -> None:
+        self.stand, self.motion, self.result = stand, motion, result
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        if not self.result.programmes:
+            return ()
+        best: Any = self.result.programmes[0]
+        return (
+            Column("flywheel", "", np.array(best.flywheels, dtype=object)),
+            Column("peak_speed", "rad/s", np.asarray(best.report["peak_speed"])),
+            Column("peak_acceleration", "rad/s2", np.asarray(best.report["peak_acceleration"])),
+            Column("peak_torque", "N m", np.asarray(best.report["peak_torque"])),
+        )
+
+    @property
+    def status(self) -> str:
+        """OK, OK_LIMIT, NO_PROGRAM, SINGULAR_ATTITUDE."""
+        return self.result.status
+
+    @property
+    def reason(self) -> str | None:
+        """Why there is none: proven by the preflight, or SEARCH."""
+        return self.result.reason
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """The reason, or the exceeded bounds, a line each."""
+        return self.result.words
+
+    @property
+    def effort(self) -> Mapping[str, Any]:
+        """Starts, steps, windings tried, best residual, seed."""
+        return self.result.effort
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the search."""
+        return self.result.interrupted
+
+    @property
+    def programmes(self) -> tuple[Programme, ...]:
+        """The programmes, best first."""
+        return tuple(Programme(self.stand, self.motion, each) for each in self.result.programmes)
+
+    @property
+    def programme(self) -> Programme:
+        """The best programme. Raises UsageError without one."""
+        if not self.result.programmes:
+            raise UsageError(f"{self.status} {self.reason or ''}: {'; '.join(self.words)}")
+        return self.programmes[0]
+
+    def _panels(self) -> Sequence[Panel]:
+        return self.programme._panels()
+
+    def __repr__(self) -> str:
+        found = f"{self.status}, programmes: {len(self.result.programmes)}"
+        return f"<Plan of {self.stand.name} for {self.motion.name}: {found}>"
+
+
+def plan(
+    stand: StandGiven,
+    motion: MotionGiven,
+    *,
+    seconds: float | None = None,
+    seed: int = 0,
+    winding: str | Sequence[int] | None = None,
+    keep: int = 1,
+    method: Method = "fourier",
+    partition: Sequence[str] | None = None,
+    progress: OnProgress = no_progress,
+) -> Plan:
+    """Plan a programme: motions of the flywheels that make the carrier move exactly as required; (12), (13).
+
+    seconds    limits the search; None: a budget of starts and steps alone
+    winding    "any", "spin", "rock" or turns per period; None: as the motion has it
+    keep       programmes to find; method: "fourier", or from it "ocp-partition", "ocp" by IPOPT
+    partition  the six dependent flywheels of (13)
+
+    Programmes are verified by the literal reference. Ctrl-C gives the best so far. Raises StandError, MotionError,
+    UsageError.
+    """
+    own = Stand.of(stand)
+    required = motion_of(motion, own)
+    chosen = _winding(winding, len(own.flywheels), required.periodic)
+    six = None if partition is None else tuple(partition)
+    options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
+    found = plan_motion(own, required, options, lambda state: progress(Progress(state.words)))
+    for line in found.warnings:
+        warn(line)
+    return Plan(own, required, found)
+
+
+def _winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
+    """The winding of a motion. Raises UsageError."""
+    if given is None:
+        return None
+    if not periodic:
+        raise UsageError("--winding needs a periodic motion; this one is finite")
+    if isinstance(given, str) and given in {"any", "spin", "rock"}:
+        return cast("Winding", given)
+    try:
+        turns = tuple(int(each) for each in (given.split(",") if isinstance(given, str) else given))
+    except ValueError:
+        raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
+    if len(turns) != N:
+        raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
+    return turns
+
+
+class Verdict(Table):
+    """Verdict on a programme: a row per item, with what was found and what is accepted; `passed` if all are right."""
+
+    index = "item"
+
+    def __init__(self, stand: CoreStand, motion: RequiredMotion, findings: Sequence[Finding]) -> None:
+        self.stand, self.motion, self.findings = stand, motion, tuple(findings)
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        return (
+            Column("item", "", np.array([each.name for each in self.findings], dtype=object)),
+            Column("found", "", np.array([each.value for each in self.findings])),
+            Column("accepted", "", np.array([each.limit for each in self.findings])),
+            Column("passed", "", np.array([each.passed for each in self.findings])),
+            Column("words", "", np.array([each.words for each in self.findings], dtype=object)),
+        )
+
+    @property
+    def passed(self) -> bool:
+        """Whether every item is right."""
+        return all(each.passed for each in self.findings)
+
+    def __repr__(self) -> str:
+        failed = [each.name for each in self.findings if not each.passed]
+        return f"<Verdict on {self.motion.name}: {'passed' if self.passed else 'refused, ' + ', '.join(failed)}>"
+
+
+def verify_programme(
+    stand: StandGiven,
+    motion: MotionGiven,
+    programme: ProgrammeGiven | Programme,
+    *,
+    tolerance: float | None = None,
+    against: str | Path | None = None,
+    name: str = "programme",
+    progress: OnProgress = no_progress,
+) -> Verdict:
+    """Verify that a programme makes the carrier move as required, by the literal reference alone.
+
+    tolerance  of the relative residual; None: 1e-6, with damping of V|V| 1e-5
+    against    folder of the C that `export programme` wrote: each of its functions is judged too; `name`: of that C
+
+    Raises StandError, MotionError, ProgrammeError, ToolchainError.
+    """
+    from mahovik.proof.verify import programme as verification
+
+    own = Stand.of(stand)
+    required = motion_of(motion, own)
+    found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
+    progress(Progress("by the reference"))
+    folder = None if against is None else Path(against)
+    findings = verification.verify_programme(own, required, found, tolerance=tolerance, against=folder, name=name)
+    return Verdict(own, required, findings)
+
+
+class Design(Table):
+    """Outcome of a design: a row per number that was free, before and after; `stand` and `programme`, or None."""
+
+    def __init__(self, result: Outcome) -> None:
+        self.result = result
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        changes = self.result.changes
+        return (
+            Column("flywheel", "", np.array([each.flywheel for each in changes], dtype=object)),
+            Column("key", "", np.array([each.name for each in changes], dtype=object)),
+            Column("unit", "", np.array([each.unit for each in changes], dtype=object)),
+            Column("before", "", np.array([each.before for each in changes])),
+            Column("after", "", np.array([each.after for each in changes])),
+        )
+
+    @property
+    def status(self) -> str:
+        """OK, OK_LIMIT, APPROXIMATE, NO_DESIGN."""
+        return self.result.status
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """Reasons, a line each."""
+        return self.result.words
+
+    @property
+    def stand(self) -> Stand | None:
+        """The stand, or None."""
+        return None if self.result.stand is None else Stand.of(self.result.stand)
+
+    @property
+    def programme(self) -> Programme | None:
+        """Its programme, or None."""
+        found = self.result
+        return None if found.stand is None or found.programme is None else Programme(found.stand, None, found.programme)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended the search."""
+        return self.result.interrupted
+
+    def _panels(self) -> Sequence[Panel]:
+        if self.programme is None:
+            return super()._panels()
+        return self.programme._panels()
+
+    def __repr__(self) -> str:
+        return f"<Design: {self.status}, {len(self)} free numbers>"
+
+
+def design(
+    stand: StandGiven,
+    motion: MotionGiven,
+    free: str | Path | Freedom,
+    *,
+    seconds: float | None = None,
+    seed: int = 0,
+    pareto: int = 0,
+    progress: OnProgress = no_progress,
+) -> Design:
+    """Design a stand together with its programme: choose free numbers so that the carrier moves as required.
+
+    free     "position,angles,unbalance" of all flywheels, or a file FREE.toml
+    pareto   number of weights of unbalance against torque; 0: no front
+
+    Ctrl-C gives the best so far. Raises StandError, MotionError, DesignError, UsageError.
+    """
+    from mahovik.use.design import DesignOptions, Freedom, design_stand, freedom_of_keys, load_freedom
+
+    own = Stand.of(stand)
+    if isinstance(free, Freedom):
+        freedom = free
+    else:
+        freedom = load_freedom(free, own) if str(free).endswith(".toml") else freedom_of_keys(str(free), own)
+    options = DesignOptions(seed, seconds, pareto=pareto)
+
+    def tell(state: Any) -> None:
+        progress(Progress(state.words))
+
+    return Design(design_stand(own, lambda part: motion_of(motion, part), freedom, options, tell))

@@ -1,0 +1,135 @@
+"""`simulate`: a stand under a regime, in time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.contract.quantities import BOUNDS
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.state import State
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.fields import Array
+from mahovik.out.api.functions.given import Keys, StandGiven, regime_of, state_of
+from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
+from mahovik.out.api.functions.table import Column, Table, split_unit
+from mahovik.out.api.stands import Stand
+from mahovik.use.simulate.case import HINT, START_KEYS, Case
+from mahovik.use.simulate.run import Run
+from mahovik.use.simulate.run import simulate as run_case
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.regime import Regime
+    from mahovik.out.report.plot.panel import Panel
+
+
+class Simulation(Table):
+    """A motion in time: columns of carrier, flywheels and points, a row per time of output.
+
+    `stopped` says why it ended early, or is None; `interrupted`: whether that was Ctrl-C.
+    """
+
+    index = "t"
+
+    def __init__(self, stand: CoreStand, run: Run) -> None:
+        self.stand, self.run = stand, run
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        return tuple(Column(*split_unit(name), self.run.data[:, i]) for i, name in enumerate(self.run.names))
+
+    @property
+    def t(self) -> Array:
+        """Times of the rows, s."""
+        return np.asarray(self.run.data[:, 0])
+
+    @property
+    def stopped(self) -> str | None:
+        """Why it ended early, or None."""
+        return self.run.stopped
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether Ctrl-C ended it."""
+        return self.run.interrupted
+
+    @property
+    def weak_motors(self) -> dict[str, tuple[float, float]]:
+        """Flywheels with too weak a motor: time of the worst moment (s), missing torque (N m)."""
+        return self.run.weak_motors
+
+    def save(self, path: str | Path) -> None:
+        """Write the columns to a file .csv or .parquet. Raises UsageError."""
+        from mahovik.use.simulate.run import save_run
+
+        save_run(self.run, Path(path))
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.run import panels
+
+        return panels({name: self.run.data[:, i] for i, name in enumerate(self.run.names)})
+
+    def __repr__(self) -> str:
+        end = self.t[-1] if len(self.run.data) else 0.0
+        return f"<Simulation of {self.stand.name}: {len(self.run.data)} rows to {end:g} s, {len(self.names)} columns>"
+
+
+def simulate(
+    stand: StandGiven,
+    until: float,
+    *,
+    regime: Regime | Keys | str | Path | None = None,
+    start: State | Keys | str | Path | None = None,
+    dt: float = 1e-4,
+    every: float = 1e-3,
+    order: int = 4,
+    backend: str = "c",
+    mounts: bool = False,
+    progress: OnProgress = no_progress,
+) -> Simulation:
+    """Simulate a stand for `until` s.
+
+    regime   speeds or torques of the flywheels and wrenches; None: the flywheels keep the speeds of `start`
+    start    the state at t = 0; None: the static equilibrium
+    dt       the longest step, s; every: time between rows, s; order of the step: 4 or 2
+    backend  "c", the generated C, or "scipy", the literal reference
+    mounts   also the wrench of the mount on each flywheel
+
+    Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
+    where there is no equilibrium to begin from.
+    """
+    own = Stand.of(stand)
+    chosen, state = _beginning(own, regime, start, until)
+    case = Case(own, chosen, state, until, every, dt, order)
+    _warn_of_long_steps(case)
+    words = f"simulate {own.name}"
+    return Simulation(own, run_case(case, backend, mounts, lambda t: progress(Progress(words, t, until))))
+
+
+def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
+    """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
+    from mahovik.core.motion import steady
+    from mahovik.use.study.rest import rest
+
+    if not (math.isfinite(until) and until > 0.0):
+        raise UsageError(f"--until {until:g}: expected a time above 0, in s")
+    first = None if start is None else state_of(start, stand, START_KEYS, HINT)
+    chosen = None if regime is None else regime_of(regime, stand, until)
+    if first is not None:
+        return chosen or steady(stand, first.phi_dot), first
+    chosen = chosen or steady(stand, [0.0] * len(stand.flywheels))
+    try:
+        return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
+    except CheckError as error:
+        raise CheckError(f"{error}; give an initial state by --start") from None
+
+
+def _warn_of_long_steps(case: Case) -> None:
+    _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
+    fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
+    if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
+        warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
