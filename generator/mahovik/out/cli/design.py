@@ -60,24 +60,20 @@ def design(
     Exit status: 0 a design; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
-    from mahovik.core.motion.required import load_motion
-    from mahovik.use.design import DesignOptions, design_stand, freedom_of_keys, load_freedom
+    from mahovik.out.api.functions.programmes import design as find
+    from mahovik.out.api.functions.programmes import read_freedom
 
     in_file = free.endswith(".toml")
-    freedom = load_freedom(free, stand) if in_file else freedom_of_keys(free, stand)
+    freedom = read_freedom(free, stand)
     path = Path(output)
     require_suffix(output, [".toml"])
     programme_path = path.with_suffix(".json")
     for each in (path, programme_path):
         require_other_file(each, (stand_file, motion_file, *((free,) if in_file else ())), f"-o {output}", "design")
     with progress("searching") as stage:
-        found = design_stand(
-            stand,
-            lambda part: load_motion(Path(motion_file), part),
-            freedom,
-            DesignOptions(seed, seconds, pareto=pareto or 0),
-            lambda state: stage.say(state.words),
-        )
+        found = find(
+            stand, motion_file, freedom, seconds=seconds, seed=seed, pareto=pareto or 0, progress=stage.show
+        ).result
     if found.stand is not None and found.programme is not None:
         from mahovik.use.design.outcome import save_design
 

@@ -9,26 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.cli.options import load_stand
 from mahovik.out.cli.output import INTERRUPTED, print_json, print_table
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.core.motion.servo import Servo
-    from mahovik.core.stand.model import Stand
     from mahovik.use.control.causes import Contribution
     from mahovik.use.control.loop import Case
     from mahovik.use.control.record import Following, Record
-
-MEASURED = 10
-"""Periods measured at the end of a run."""
-
-SETTLING = 30
-"""Periods before them, by default, without a trim."""
-
-LEFT, MOST_ROUNDS = 1e-2, 60
-"""A trim runs until this part of the error is left, or for this many rounds."""
 
 
 @dataclass(frozen=True)
@@ -48,45 +37,39 @@ class FollowOptions:
 
 def follow(stand_file: str, options: FollowOptions, output: str | None, as_json: bool, causes: bool) -> None:
     """Follow a programme, and print how well. Raises UsageError, CheckError and what the files raise."""
-    from mahovik.use.control.causes import contributions
-    from mahovik.use.control.loop import close_loop, step_error
-    from mahovik.use.control.record import following
-    from mahovik.use.simulate.run import check_output, save_run
+    from mahovik.out.api.functions.following import follow as run
+    from mahovik.use.simulate.run import check_output
 
     if output is not None:
         check_output(Path(output))
     stand = load_stand(stand_file)
-    case = _case(stand, options)
-    T = case.servo.period
-    with progress(f"follow {Path(options.programme).name}", (case.last - case.first) * T, "s") as stage:
-        record = close_loop(case, lambda t: stage.at(t - case.first * T))
-    if len(record.t) < 2:
-        raise CheckError(f"the run ends at once: {record.stopped}")
+    if options.servo is None or options.motion is None:
+        missing = "--servo S.toml" if options.servo is None else "--motion M.json"
+        raise UsageError(f"--programme {options.programme}: needs {missing}, which is missing")
+    share, table = share_of(options.mismatch), _rows(options.table)
+    with progress(f"follow {Path(options.programme).name}", unit="s") as stage:
+        found = run(
+            stand, options.motion, options.programme, options.servo, mismatch=share, seed=options.seed,
+            periods=options.periods, begin=options.begin, table=table, backend=options.backend, causes=causes,
+            progress=stage.show,
+        )  # fmt: skip
     if output is not None:
-        save_run(record.run(), Path(output))
-    if record.stopped is not None:
+        found.motion.save(output)
+    record = found.record
+    if found.errors is None:
         kept = "; what was computed is kept" if output is not None else ""
         click.echo(f"error: {record.stopped}{kept}", err=True)
         if as_json:
             print_json({"error": [record.stopped]})
         raise SystemExit(INTERRUPTED if record.interrupted else 1)
-    found = following(record, MEASURED)
-    limits: list[Contribution] = []
-    ended = False
-    try:
-        if causes:
-            with progress("what limits it") as stage:
-                limits = contributions(case, lambda cause: stage.say(f"what limits it: {cause}"))
-    except KeyboardInterrupt:  # the run itself is complete
-        ended = True
-    summary = _Summary(options, case, record, found, limits, step_error(case, record))
+    summary = _Summary(options, found.case, record, found.errors, list(found.causes), found.step_error)
     if as_json:
         print_json(_plain(summary))
     else:
         if output is not None:
             click.echo(f"{click.format_filename(output)}   {len(record.t)} rows")
         _print(summary)
-    if ended:
+    if found.causes_interrupted:
         click.echo("interrupted: the run is complete, but its limits were not determined", err=True)
         raise SystemExit(INTERRUPTED)
 
@@ -105,72 +88,12 @@ def share_of(text: str) -> float:
     return found
 
 
-def _case(stand: Stand, options: FollowOptions) -> Case:
-    """The run to be made. Raises UsageError and what the files raise."""
-    from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
-    from mahovik.core.motion.servo import load_servo
-    from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
-    from mahovik.use.control.loop import Case
-    from mahovik.use.control.mismatch import with_mismatch
-    from mahovik.use.control.trim import design_trim
-    from mahovik.use.control.wanted import Wanted
-
-    if options.servo is None or options.motion is None:
-        missing = "--servo S.toml" if options.servo is None else "--motion M.json"
-        raise UsageError(f"--programme {options.programme}: needs {missing}, which is missing")
-    share = share_of(options.mismatch)
-    programme, source = load_programme(options.programme), Path(options.programme).name
-    if not (whose := stand_finding(stand, programme)).passed:
-        raise UsageError(f"{source}: {whose.words}")
-    motion = load_motion(options.motion, stand)
-    if not (whose := motion_finding(motion, programme)).passed:
-        raise UsageError(f"{source}: {whose.words}")
-    servo, servo_source = load_servo(options.servo, stand), Path(options.servo).name
-    if options.begin == "rest" and programme.runup is None:
-        raise UsageError(f"--begin rest: {source} has no run-up; plan with `runup` in the motion file")
-    wanted = Wanted.of(stand, motion, programme, _rows(options.table))
-    if motion.span < 4.0 * servo.period:
-        raise UsageError(
-            f"{servo_source}: sample_period {servo.period:g} s: fewer than 4 samples in a period of the "
-            f"programme, {motion.span:g} s"
-        )
-    periods = options.periods
-    design = None if servo.trim is None else design_trim(stand, motion, programme, servo.trim)
-    if periods is None:
-        periods = SETTLING + MEASURED
-        if design is not None:
-            rounds = math.ceil(math.log(LEFT) / math.log(design.radius)) if design.radius > 0.0 else 1
-            each = design.trim.settling + design.trim.averaging + 1
-            periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
-    elif periods < MEASURED + 1:
-        raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
-    _warn(stand, servo, servo_source)
-    real = with_mismatch(stand, share, options.seed)
-    return Case(wanted, real, servo, periods, design, options.begin, options.backend)
-
-
 def _rows(text: str) -> int | None:
     if text == "exact":
         return None
     if not text.isascii() or not text.isdigit():
         raise UsageError(f"--table {text}: expected a number of nodes per period, or exact")
     return int(text)
-
-
-def _warn(stand: Stand, servo: Servo, source: str) -> None:
-    """Raise CheckError if the loop of a flywheel is unstable; warn if its margins are small."""
-    from mahovik.use.control.servo import check_margins, margins
-
-    found = margins(stand, servo)
-    if found.radius >= 1.0:
-        check_margins(stand, servo, source)
-    if not found.accepted:
-        gain = min(found.gain, found.less)
-        click.echo(
-            f"warning: {source}: margins are small: gain {gain:.2f}, phase {found.phase:.0f} deg, of each servo's loop",
-            err=True,
-        )
 
 
 def _limiting(limits: list[Contribution]) -> str | None:

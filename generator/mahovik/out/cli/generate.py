@@ -23,7 +23,7 @@ from mahovik.out.cli.output import print_paths
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
+    pass
 
 
 @command()
@@ -58,52 +58,22 @@ def generate(
 
         without_cache()
     stand = load_stand(stand_file)
-    if prefix is not None:
-        stand = _named(stand, prefix)
-    from mahovik.core.emit.delivery import delivery
-    from mahovik.core.emit.generate import host_lanes
-    from mahovik.errors import CheckError, UsageError
-    from mahovik.proof.verify.delivery import deliver, differences
+    from mahovik.errors import CheckError
+    from mahovik.out.api.functions.evidence import generate as make
+    from mahovik.proof.verify.delivery import differences
 
-    chosen = only or ()
-    if lanes is None:
-        lanes = host_lanes(len(stand.flywheels)) if fast else 1
-    if lanes > 1 and not stand.flywheels:
-        raise UsageError(f"--lanes {lanes}: {stand.name} has no flywheels: remove it")
-    with progress(f"generate {stand.name}"):
-        files = delivery(stand, real, lanes, fast, batch, chosen)
-    folder = Path(output if output is not None else stand.name)
+    folder, chosen = Path(output or prefix or stand.name), only or ()
+    with progress(f"generate {stand.name}") as stage:
+        made = make(
+            stand, None if check else folder, real=real, lanes=lanes, fast=fast, batch=batch, only=chosen,
+            prefix=prefix, progress=stage.show,
+        )  # fmt: skip
     if check:
-        found = differences(folder, stand, real, files, lanes, fast, chosen)
+        found = differences(folder, made.stand, real, made.files, made.lanes, fast, chosen)
         if found:
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
         return
-    if real == "float":
-        _warn(stand)
-    done = deliver(folder, stand, real, files, lanes=lanes, fast=fast, only=chosen)
-    for path in done.paths:
-        click.echo(f"{click.format_filename(path)}   {path.read_text(encoding='utf-8').count(chr(10))} lines")
-    print_paths((), done.notes)
-
-
-def _named(stand: Stand, prefix: str) -> Stand:
-    """The stand by another name, which is that of its files and the first word of every name in C."""
-    from dataclasses import replace
-
-    from mahovik.core.stand.names import stand_name_problem
-    from mahovik.errors import UsageError
-
-    problem = stand_name_problem(prefix)
-    if problem is not None:
-        raise UsageError(f"--prefix {prefix}: {problem}")
-    return replace(stand, name=prefix)
-
-
-def _warn(stand: Stand) -> None:
-    """Warn of unbalance that float does not resolve at the speeds of the motors, as `mahovik check` does."""
-    from mahovik.core.stand.summary import summarize
-    from mahovik.use.study.resolution import shortfalls
-
-    for short in shortfalls(stand, [row.speed for row in summarize(stand, None).unbalance]):
-        click.echo(f"warning: {short}", err=True)
+    for name, lines in zip(made["file"], made["lines"], strict=True):
+        click.echo(f"{click.format_filename(folder / name)}   {lines} lines")
+    print_paths((), made.notes)

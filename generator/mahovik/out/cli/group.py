@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+import warnings
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -12,6 +13,7 @@ import click
 
 from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
+from mahovik.out.api.functions.notices import MahovikWarning
 from mahovik.out.cli.output import INTERRUPTED, print_failure
 
 INTERRUPTION = "error: interrupted; no file is half written"
@@ -41,6 +43,23 @@ def _usage_in_a_line() -> Iterator[None]:
         see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
         click.echo(f"error: {what}{see}", err=True)
         raise SystemExit(error.exit_code) from None
+
+
+@contextlib.contextmanager
+def _warnings_as_lines() -> Iterator[None]:
+    """Warnings of the functions of the Python interface, each a line on standard error."""
+    with warnings.catch_warnings():
+        others = warnings.showwarning
+
+        def show(message: Warning | str, category: type[Warning], *more: Any, **named: Any) -> None:
+            if issubclass(category, MahovikWarning):
+                click.echo(f"warning: {message}", err=True)
+            else:
+                others(message, category, *more, **named)
+
+        warnings.simplefilter("always", MahovikWarning)
+        warnings.showwarning = show
+        yield
 
 
 class Commands(click.Group):
@@ -89,7 +108,7 @@ class Commands(click.Group):
 
     def invoke(self, ctx: click.Context) -> Any:
         try:
-            with _formulas(), _usage_in_a_line():
+            with _formulas(), _warnings_as_lines(), _usage_in_a_line():
                 return super().invoke(ctx)
         except MahovikError as error:
             lines = str(error).splitlines() or [type(error).__name__]

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mahovik.errors import CheckError
 from mahovik.out.cli.options import (
     JUNIT,
     SEED_OF_STATES,
@@ -16,16 +15,13 @@ from mahovik.out.cli.options import (
     command,
     flag,
     json_option,
-    load_stand,
     option,
 )
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verify import finish, read_wants
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
-    from mahovik.proof.diagnose.diagnosis import Diagnosis
-    from mahovik.proof.verify.report import Report
+    pass
 
 
 @command(short_help="Judge a program, and find its fault.")
@@ -64,40 +60,12 @@ def judge(
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """
-    from mahovik.proof.diagnose.words import as_object, sentences
-    from mahovik.proof.verify.foreign import verify_program
+    from mahovik.out.api.functions.evidence import judge as judged
 
     wants = read_wants(want)
-    stand = load_stand(stand_file)
-    with progress(f"judge {command}"):
-        found = verify_program(
-            stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
-        )
-    if not explain or found.error:
-        finish(found, as_json, junit, worst)
-        return
-    try:
-        with progress("distinguish faults"):
-            diagnosis = _diagnosis(stand, command, stand_file, found, seed, timeout)
-    except CheckError as error:
-        from dataclasses import replace
-
-        finish(replace(found, error=str(error)), as_json, junit, worst)
-        return
-    finish(found, as_json, junit, worst, {"diagnosis": as_object(diagnosis)}, sentences(diagnosis))
-
-
-def _diagnosis(stand: Stand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
-    """Diagnosis of a program that differs, for the wants that it offers."""
-    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.verify.foreign import ask
-
-    if found.passed:
-        return Diagnosis("equal")
-    offered = tuple(dict.fromkeys(row.want for row in found.rows if row.verdict in ("ok", "FAILED")))
-    if not offered:
-        return Diagnosis("nothing")
-    diagnoser = Diagnoser(stand, seed, offered)
-    results = ask(command, stand_file, diagnoser.requests, timeout)
-    answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
-    return diagnoser.diagnose(lambda request: answers[request.id])
+    with progress(f"judge {command}") as stage:
+        found = judged(
+            stand_file, command, explain=explain, want=wants, states=states, seed=seed, tolerance=tolerance,
+            timeout=timeout, progress=stage.show,
+        )  # fmt: skip
+    finish(found.result, as_json, junit, worst, found.more(), found.explanation)

@@ -9,14 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.errors import CheckError
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, load_stand, option
 from mahovik.out.cli.output import print_json_text, print_line, print_table
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
-    from mahovik.core.stand.state import State
     from mahovik.use.study.linear import Modes
 
 SMALL = 5e-4
@@ -25,9 +22,6 @@ SMALL = 5e-4
 ALIGNED = 1.0
 """deg: a phase this near to 0 or 180 deg is printed as a sign."""
 
-
-KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "phi_ddot", "wrench")
-"""Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 AT = option("--at", "Linearise about this state, as `eval` reads it.", metavar="rest|STATE.json", default="rest")
 
@@ -52,19 +46,17 @@ def modes(
     largest number is 1, in m or rad. Free directions come first.
     """
     stand = load_stand(stand_file)
-    from mahovik.use.study.linear import linear_model
-    from mahovik.use.study.linear import modes as modes_of
+    from mahovik.out.api.functions.linear import modes as find
 
     with progress(f"modes of {stand.name}"):
-        model = linear_model(stand, nominal_state(stand, at), [], locked=flywheels == "locked")
-        found = modes_of(model)
+        found = find(stand, None if at == "rest" else at, locked=flywheels == "locked")
     if as_json:
         from mahovik.use.study.linear.model import encode_lines
 
-        print_json_text(encode_lines(_values(found, stand.name, at, flywheels) | {"steady": model.steady}))
+        print_json_text(encode_lines(_values(found.result, stand.name, at, flywheels) | {"steady": found.steady}))
         return
     title = f"{stand.name} at {'rest' if at == 'rest' else click.format_filename(at)}, flywheels {flywheels}"
-    _print(found, title, model.steady)
+    _print(found.result, title, found.steady)
 
 
 def _values(found: Modes, name: str, at: str, flywheels: str) -> dict[str, Any]:
@@ -148,32 +140,16 @@ def linearize(
     displacement, velocity and acceleration of points. Names and units are in the file.
     """
     stand = load_stand(stand_file)
-    from mahovik.use.study.linear import linear_model
-    from mahovik.use.study.linear.model import check_model_file, rendered
-    from mahovik.writing import probe, write
+    from mahovik.out.api.functions.linear import linearize as find
+    from mahovik.use.study.linear.model import check_model_file
+    from mahovik.writing import probe
 
     target = Path(output)
-    suffix = check_model_file(target)
+    check_model_file(target)
     probe(target)
     names = [name.strip() for name in points.split(",") if name.strip()] if points is not None else None
-    if names is None and not (stand.points or stand.instruments):
-        names = ["carrier"]
     with progress(f"linearize {stand.name}"):
-        model = linear_model(stand, nominal_state(stand, at), names, locked=flywheels == "locked")
-    write(target, rendered(model, suffix))
+        model = find(stand, None if at == "rest" else at, points=names, locked=flywheels == "locked")
+    model.save(target)
     sizes = ((len(model.states), "states"), (len(model.inputs), "inputs"), (len(model.outputs), "outputs"))
     click.echo(f"{click.format_filename(output)}   {', '.join(f'{number} {name}' for number, name in sizes)}")
-
-
-def nominal_state(stand: Stand, at: str) -> State:
-    """The state that `--at` names. Raises UsageError, CheckError."""
-    if at != "rest":
-        from mahovik.use.simulate.case import load_start
-
-        return load_start(Path(at), stand, KEYS, "; V_dot and tau follow from them")
-    from mahovik.use.study.rest import rest
-
-    try:
-        return rest(stand).state
-    except CheckError as error:
-        raise CheckError(f"{error}; give a state by --at STATE.json") from None

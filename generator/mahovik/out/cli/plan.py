@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.errors import UsageError
 from mahovik.out.cli.options import (
     MOTION,
     SEED_OF_STARTS,
@@ -25,7 +24,6 @@ from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
-    from mahovik.core.motion.required.model import Winding
     from mahovik.use.plan import Plan
     from mahovik.use.plan.outcome import Method
 
@@ -68,21 +66,24 @@ def plan(
     """
     stand = load_stand(stand_file)
     from mahovik.core.motion.programme import programme_text
-    from mahovik.core.motion.required import load_motion
-    from mahovik.use.plan import PlanOptions, plan_motion
+    from mahovik.out.api.functions.given import motion_of
+    from mahovik.out.api.functions.programmes import plan as find
+    from mahovik.out.api.functions.programmes import read_winding
     from mahovik.writing import write_all
 
-    motion = load_motion(Path(motion_file), stand)
-    chosen = _winding(winding, len(stand.flywheels), motion.periodic)
+    motion = motion_of(motion_file, stand)
+    chosen = read_winding(winding, len(stand.flywheels), motion.periodic)
     paths = [
         Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
     ]
     for path in paths:
         require_other_file(path, (stand_file, motion_file), f"-o {output}", "programme")
     with progress("searching") as stage:
-        six = None if partition is None else tuple(partition.split(","))
-        options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
-        found = plan_motion(stand, motion, options, lambda state: stage.say(state.words))
+        six = None if partition is None else partition.split(",")
+        found = find(
+            stand, motion, seconds=seconds, seed=seed, winding=chosen, keep=keep, method=method, partition=six,
+            progress=stage.show,
+        ).result  # fmt: skip
     for line in found.warnings:
         click.echo(f"warning: {line}", err=True)
     texts = {path.name: programme_text(each) for path, each in zip(paths, found.programmes, strict=False)}
@@ -96,23 +97,6 @@ def plan(
     if found.programmes and len(found.programmes) < keep:
         _leftover(paths[len(found.programmes) :], f"{len(found.programmes)} of {keep} programmes found")
     _end(found)
-
-
-def _winding(given: str | None, N: int, periodic: bool) -> Winding | None:
-    """The option's value. Raises UsageError."""
-    if given is None:
-        return None
-    if not periodic:
-        raise UsageError("--winding needs a periodic motion; this one is finite")
-    if given in {"any", "spin", "rock"}:
-        return cast("Winding", given)
-    try:
-        turns = tuple(int(each) for each in given.split(","))
-    except ValueError:
-        raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
-    if len(turns) != N:
-        raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
-    return turns
 
 
 def _report(programme: Programme, path: Path) -> None:

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from rich.progress import Progress, Task
     from rich.text import Text
 
+    from mahovik.out.api.functions.notices import Progress as Now
+
 PATIENCE = 1.0
 """s before the line appears: shorter work needs none."""
 
@@ -51,6 +53,13 @@ class Stage:
         if self._first is None:  # work before the first step, such as compiling, does not count for the rate
             self._first = (now, done)
         self.done, self._last = done, now
+
+    def show(self, now: Now) -> None:
+        """Set both, as a function of the Python interface tells them."""
+        self.say(now.words)
+        if now.done is not None:
+            self.total = now.total if self.total is None else self.total
+            self.at(now.done)
 
     def say(self, words: str) -> None:
         """Set the present activity."""

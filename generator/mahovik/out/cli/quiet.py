@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +10,6 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.api.functions.motor_limits import warn_of_speeds
 from mahovik.out.cli import quantities
 from mahovik.out.cli.options import (
     JSON,
@@ -139,30 +137,26 @@ def quiet(
             require_other_file(Path(name), [stand_file], f"{option_name} {name}", "result")
     if None not in (output, state_file) and Path(str(output)).resolve() == Path(str(state_file)).resolve():
         raise UsageError(f"-o and --state {state_file}: one file for both; give the state another name")
-    from mahovik.use.study.quiet import QuietOptions
-    from mahovik.use.study.quiet import quiet as find
-    from mahovik.use.study.quiet.result import as_object, regime_text
+    from mahovik.out.api.functions.vibration import quiet as find
 
     if speeds is not None and len(speeds) != len(stand.flywheels):
         raise UsageError(f"--speeds: {len(speeds)} speeds, but the stand has {len(stand.flywheels)} flywheels")
-    if speeds is not None:
-        warn_of_speeds(stand, speeds, [""] * len(speeds))
-    options = QuietOptions(
-        point, band, momentum, speeds, axes, measure, limit, least, change, reduction, _intervals(avoid, margin),
-        orders, "modes" in avoid, margin, guard, seed,
-    )  # fmt: skip
     with progress("searching") as stage:
-        found = find(stand, options, seconds, None if backend == "none" else backend, stage.say)
-    plain = as_object(found)
+        found = find(
+            stand, point, band, momentum=momentum, speeds=speeds, axes=axes, measure=measure, limit=limit, least=least,
+            change=change, reduction=reduction, avoid=_intervals(avoid, margin), modes="modes" in avoid, margin=margin,
+            orders=orders, guard=guard, seed=seed, seconds=seconds, backend=None if backend == "none" else backend,
+            progress=stage.show,
+        )  # fmt: skip
     if output is not None:
-        write(Path(output), regime_text(found))
+        found.save(output)
     if state_file is not None:
-        write(Path(state_file), json.dumps(plain["after"]["start"], indent=1, allow_nan=False) + "\n")
+        write(Path(state_file), found.start + "\n")
     if as_json:
-        print_json(plain)
+        print_json(found.to_dict())
     else:
-        _print(found)
-    _end(found)
+        _print(found.result)
+    _end(found.result)
 
 
 def _intervals(avoid: tuple[str, ...], margin: float) -> tuple[tuple[float, float], ...]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.options import STAND_FILE, command, file_option, load_stand, option
+from mahovik.out.cli.options import STAND_FILE, command, file_option, option
 from mahovik.out.cli.output import require_suffix
 from mahovik.out.cli.progress import progress
 
@@ -33,25 +33,18 @@ def report(
     comparison fails; the page is written and shows it.
     """
     require_suffix(output, [".html"])
+    from mahovik.out.api.functions.evidence import report as make
     from mahovik.out.report.plot.draw import require
-    from mahovik.out.report.stand.material import gather
-    from mahovik.out.report.stand.page import ORDER, page
-    from mahovik.writing import probe, write
+    from mahovik.writing import probe
 
     require("report")
     probe(Path(output))
-    material = gather(
-        load_stand(stand_file),
-        stand_file,
-        run_file=run_file,
-        programme_file=programme_file,
-        motion_file=motion_file,
-        cost_folder=cost_folder,
-        targets=targets,
-    )
-    with progress("sections of the report", len(ORDER)) as stage:
-        found = page(material, stage.at)
-    write(Path(output), found.html)
+    with progress("sections of the report") as stage:
+        found = make(
+            stand_file, run=run_file, programme=programme_file, motion=motion_file, cost=cost_folder, targets=targets,
+            progress=stage.show,
+        )  # fmt: skip
+    found.save(output)
     click.echo(click.format_filename(output))
     for line in found.failures:
         click.echo(f"error: {line}", err=True)

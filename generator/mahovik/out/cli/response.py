@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.api.functions.motor_limits import warn_of_speeds
 from mahovik.out.cli import quantities
 from mahovik.out.cli.options import JSON, STAND_FILE, choice, command, file_option, is_given, load_stand, option
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
@@ -17,8 +16,6 @@ from mahovik.out.cli.progress import progress
 from mahovik.out.cli.rest import read_phases
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
-    from mahovik.use.study.response.speeds import SpeedPlan
     from mahovik.use.study.response.sweep import Sweep
 
 PICTURES = (".svg", ".png")
@@ -76,30 +73,26 @@ def response(
     """
     stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
+    from mahovik.out.api.functions.vibration import response as run
     from mahovik.use.study.linear.model import places
     from mahovik.use.study.response.speeds import read_speeds
-    from mahovik.use.study.response.sweep import sweep
 
     places(stand, [point])
-    asked = read_speeds(stand, speeds)
-    if asked.sweep is None and is_given("steps"):
+    if read_speeds(stand, speeds).sweep is None and is_given("steps"):
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)
     if output is not None:
         _check_place(Path(output), suffix)
-    _warn(stand, asked, speeds)
     end = None if seconds is None else time.monotonic() + seconds
 
-    count = 1 if asked.sweep is None else steps
-    with progress(f"response of {stand.name}, speeds", count) as stage:
+    def go_on(done: int) -> bool:
+        return end is None or done == 0 or time.monotonic() < end
 
-        def go_on(done: int) -> bool:
-            stage.at(done)
-            return end is None or done == 0 or time.monotonic() < end
-
-        found = sweep(stand, asked, steps, point, quantity=quantity, band=band, phases=turned, go_on=go_on)
-    if not found.steps:
-        raise KeyboardInterrupt
+    with progress(f"response of {stand.name}, speeds") as stage:
+        found = run(
+            stand, speeds, point, steps=steps, quantity=quantity, band=band, phases=turned, go_on=go_on,
+            progress=stage.show,
+        ).sweep  # fmt: skip
     if output is not None:
         _write(found, Path(output), suffix)
     if as_json:
@@ -114,18 +107,6 @@ def response(
         click.echo(f"{'warning' if cut[0] == '-' else 'error'}: {cut}: {done}", err=True)
         if cut == "interrupted":
             raise SystemExit(INTERRUPTED)
-
-
-def _warn(stand: Stand, asked: SpeedPlan, given: tuple[str, ...]) -> None:
-    """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
-    from mahovik.use.study.response.speeds import ALL
-
-    fastest = [max(map(abs, each)) for each in zip(*(asked.speeds(x) for x in asked.sweep or (0.0,)), strict=True)]
-    texts = dict.fromkeys(asked.names, "")
-    for each in given:
-        name, _, text = each.partition("=")
-        texts |= dict.fromkeys(asked.names if name == ALL else [name], text)
-    warn_of_speeds(stand, fastest, list(texts.values()))
 
 
 def _check_place(path: Path, suffix: str) -> None:

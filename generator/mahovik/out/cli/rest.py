@@ -28,18 +28,13 @@ def rest(
     """
     stand = load_stand(stand_file)
     phi = read_phases(stand, phases)
-    from mahovik.use.study.rest import rest as find
+    from mahovik.out.api.functions.linear import rest as find
 
     found = find(stand, phi)
     if as_json:
-        from mahovik.proof.verify.states import state_object
-
-        free = [list(direction) for direction in found.free]
-        state = state_object(found.state)
-        values = {"name": stand.name, "state": state, "V_dot": found.V_dot, "free": free, "unstable": found.unstable}
-        print_json(values)
+        print_json(found.to_dict())
         return
-    _print(found, stand)
+    _print(found.result, stand)
 
 
 def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.cli.options import (
     STAND_FILE,
     choice,
@@ -23,10 +23,7 @@ from mahovik.out.cli.output import INTERRUPTED, print_json
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.core.motion.regime import Regime
-    from mahovik.core.stand.model import Stand
-    from mahovik.core.stand.state import State
-    from mahovik.use.simulate import Case, Run
+    from mahovik.out.api.functions.simulation import Simulation
 
 
 @command(short_help="Simulate a stand, or a programme on it.")
@@ -97,21 +94,20 @@ def simulate(
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
     stand = load_stand(stand_file)
-    from mahovik.use.simulate import Case
-    from mahovik.use.simulate import simulate as run
-    from mahovik.use.simulate.run import check_output, save_run
+    from mahovik.out.api.functions.simulation import simulate as run
+    from mahovik.use.simulate.run import check_output
 
     check_output(Path(output))
-    chosen, state = _beginning(stand, regime, start, until)
-    case = Case(stand, chosen, state, until, every, dt, int(order))
-    _warn(case)
     with progress(f"simulate {stand.name}", until, "s") as stage:
-        found = run(case, backend, mounts, stage.at)
-    save_run(found, Path(output))
+        found = run(
+            stand, until, regime=regime, start=start, dt=dt, every=every, order=int(order), backend=backend,
+            mounts=mounts, progress=stage.show,
+        )  # fmt: skip
+    found.save(output)
     if as_json:
         print_json(_plain(found, output))
     else:
-        click.echo(f"{click.format_filename(output)}   {len(found.data)} rows, {len(found.names)} columns")
+        click.echo(f"{click.format_filename(output)}   {len(found)} rows, {len(found.names)} columns")
     _report(found, as_json)
 
 
@@ -124,53 +120,18 @@ def _only(follows: bool) -> None:
             raise UsageError(f"--{name}: {'not allowed with' if follows else 'needs'} --programme")
 
 
-def _beginning(stand: Stand, regime: str | None, start: str | None, until: float) -> tuple[Regime, State]:
-    """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
-    import math
-
-    from mahovik.core import motion
-    from mahovik.use.simulate.case import load_start
-    from mahovik.use.study.rest import rest
-
-    if not (math.isfinite(until) and until > 0.0):
-        raise UsageError(f"--until {until:g}: expected a time above 0, in s")
-    first = load_start(Path(start), stand) if start is not None else None
-    chosen = motion.load(regime, stand, until) if regime is not None else None
-    if first is not None:
-        return chosen or motion.steady(stand, first.phi_dot), first
-    chosen = chosen or motion.steady(stand, [0.0] * len(stand.flywheels))
-    try:
-        return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
-    except CheckError as error:
-        raise CheckError(f"{error}; give an initial state by --start") from None
-
-
-def _warn(case: Case) -> None:
-    """Warn of steps that are long for the initial speeds."""
-    import numpy as np
-
-    from mahovik.contract.quantities import BOUNDS
-
-    _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
-    fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
-    if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
-        click.echo(
-            f"warning: a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long", err=True
-        )
-
-
-def _plain(found: Run, output: str) -> dict[str, Any]:
+def _plain(found: Simulation, output: str) -> dict[str, Any]:
     return {
         "file": output,
-        "rows": len(found.data),
-        "columns": found.names,
-        "t_end": float(found.data[-1, 0]) if len(found.data) else None,
+        "rows": len(found),
+        "columns": found.run.names,
+        "t_end": float(found.t[-1]) if len(found) else None,
         "motors_short": {name: {"t": t, "torque": missing} for name, (t, missing) in found.weak_motors.items()},
         "stopped": found.stopped,
     }
 
 
-def _report(found: Run, as_json: bool) -> None:
+def _report(found: Simulation, as_json: bool) -> None:
     """Print weak motors, and why a run ended early. Exit status 1, or 130 for Ctrl-C."""
     for name, (t, missing) in found.weak_motors.items():
         click.echo(

@@ -107,33 +107,27 @@ def verify(
         sweep = states if is_given("states") else None
         _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
         return
+    from mahovik.out.api.functions import evidence
+
     wants = read_wants(want)
     stand, folder = load_stand(stand_file), None if against is None else Path(against)
-    if folder is not None:
+    if rigorous:
         from mahovik.proof.verify.folder_stand import stand_in
 
-        stand = stand_in(folder, stand)
-    if rigorous:
+        stand = stand if folder is None else stand_in(folder, stand)
         _conclude(_verify_rigorously(stand, seed, states, folder, real, as_json), as_json, junit, worst)
         return
-    if judges:
-        from mahovik.proof.verify.judges.compare import verify_judges
-
-        with progress(f"judge {stand.name}", states) as stage:
-            found = verify_judges(stand, seed=seed, count=states, bare=bare, progress=stage.at)
-    elif command is not None:
-        from mahovik.proof.verify.foreign import verify_program
-
-        with progress(f"judge {command}"):
-            found = verify_program(stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout)
-    else:
-        from mahovik.proof.verify.harness import verify_c
-
-        with progress(f"verify {stand.name}", states) as stage:
-            found = verify_c(
-                stand, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=stage.at
+    with progress(f"verify {stand.name}") as stage:
+        if command is not None:
+            found = evidence.judge(
+                stand_file, command, want=wants, states=states, seed=seed, timeout=timeout, progress=stage.show
             )
-    finish(found, as_json, junit, worst)
+        else:
+            found = evidence.verify(
+                stand, states=states, seed=seed, against=folder, real=real, lanes=lanes, fast=fast, judges=judges,
+                bare=bare, progress=stage.show,
+            )  # fmt: skip
+    finish(found.result, as_json, junit, worst)
 
 
 WITHOUT_SERVO = (

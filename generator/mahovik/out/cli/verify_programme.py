@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -43,9 +42,7 @@ def verify_programme(
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
-    from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
-    from mahovik.proof.verify import programme as verification
+    from mahovik.out.api.functions.programmes import verify_programme as judged
 
     given = {"--motion": motion, "--programme": programme}
     stand_file, (motion_file, programme_file) = stand_first(
@@ -54,19 +51,18 @@ def verify_programme(
     if against is None and is_given("name"):
         raise UsageError("--name: no C is judged; give its folder, as --against DIR")
     stand = load_stand(stand_file)
-    required = load_motion(motion_file, stand)
-    found = load_programme(programme_file)
-    with progress("by the reference"):
-        findings = verification.verify_programme(
-            stand, required, found, tolerance=tolerance, against=None if against is None else Path(against), name=name
+    with progress("by the reference") as stage:
+        found = judged(
+            stand, motion_file, programme_file, tolerance=tolerance, against=against, name=name, progress=stage.show
         )
+    findings = found.findings
     if as_json:
         from mahovik.proof.verify.programme.finding import findings_object
 
-        print_json(findings_object(stand.name, required.name, findings))
+        print_json(findings_object(stand.name, found.motion.name, findings))
     else:
         _print(findings)
-    if not all(each.passed for each in findings):
+    if not found.passed:
         raise SystemExit(1)
 
 

@@ -98,23 +98,38 @@ def verify(
     real: str = "double",
     lanes: int | None = None,
     fast: bool = False,
+    judges: bool = False,
+    bare: bool = False,
     progress: OnProgress = no_progress,
 ) -> Verification:
     """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
 
     against      folder of the C to judge; None: a fresh copy
     real         "double" or "float"; lanes, fast: as of `generate`
+    judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without fluid, suspension and the
+                 like, which they do not have
 
     Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
     """
+    from mahovik.proof.verify.folder_stand import stand_in
     from mahovik.proof.verify.harness import verify_c
 
-    own = Stand.of(stand)
+    own: CoreStand = Stand.of(stand)
     folder, words = None if against is None else Path(against), f"verify {own.name}"
+    if judges and folder is not None:
+        raise UsageError("--judges judges a fresh copy: not with --with, --against")
+    if bare and not judges:
+        raise UsageError("--bare needs --judges")
+    if folder is not None:
+        own = stand_in(folder, own)
 
     def tell(done: float, *_: object) -> None:
         progress(Progress(words, done, states))
 
+    if judges:
+        from mahovik.proof.verify.judges.compare import verify_judges
+
+        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=tell))
     found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=tell)
     return Verification(found)
 
@@ -176,8 +191,10 @@ class Generated(Table):
 
     index = "file"
 
-    def __init__(self, stand: CoreStand, files: Mapping[str, str], folder: Path | None, notes: Sequence[str]) -> None:
-        self.stand, self.files, self.folder, self.notes = stand, dict(files), folder, tuple(notes)
+    def __init__(
+        self, stand: CoreStand, files: Mapping[str, str], lanes: int, folder: Path | None, notes: Sequence[str]
+    ) -> None:
+        self.stand, self.files, self.lanes, self.folder, self.notes = stand, dict(files), lanes, folder, tuple(notes)
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -223,13 +240,13 @@ def generate(
     progress(Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
     files = delivery(own, real, count, fast, batch, chosen)
+    if folder is None:
+        return Generated(own, files, count, None, ())
     if real == "float":
         _warn_of_float(own)
-    if folder is None:
-        return Generated(own, files, None, ())
     done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
     written = {path.name: path.read_text(encoding="utf-8") for path in done.paths}
-    return Generated(own, written, Path(folder), done.notes)
+    return Generated(own, written, count, Path(folder), done.notes)
 
 
 def lanes_of(stand: CoreStand, lanes: int | None, fast: bool) -> int:

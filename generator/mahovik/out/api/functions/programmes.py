@@ -14,7 +14,7 @@ from mahovik.core.motion.required import RequiredMotion, Winding
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.functions.given import Keys, StandGiven, motion_of, programme_of
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
+from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress
 from mahovik.out.api.functions.table import Column, Table
 from mahovik.out.api.stands import Stand
 from mahovik.use.plan import Plan as CorePlan
@@ -122,6 +122,11 @@ class Plan(Table):
         return self.result.words
 
     @property
+    def warnings(self) -> tuple[str, ...]:
+        """Further remarks, a line each."""
+        return self.result.warnings
+
+    @property
     def effort(self) -> Mapping[str, Any]:
         """Starts, steps, windings tried, best residual, seed."""
         return self.result.effort
@@ -175,16 +180,13 @@ def plan(
     """
     own = Stand.of(stand)
     required = motion_of(motion, own)
-    chosen = _winding(winding, len(own.flywheels), required.periodic)
+    chosen = read_winding(winding, len(own.flywheels), required.periodic)
     six = None if partition is None else tuple(partition)
     options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
-    found = plan_motion(own, required, options, lambda state: progress(Progress(state.words)))
-    for line in found.warnings:
-        warn(line)
-    return Plan(own, required, found)
+    return Plan(own, required, plan_motion(own, required, options, lambda state: progress(Progress(state.words))))
 
 
-def _winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
+def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
     """The winding of a motion. Raises UsageError."""
     if given is None:
         return None
@@ -326,16 +328,22 @@ def design(
 
     Ctrl-C gives the best so far. Raises StandError, MotionError, DesignError, UsageError.
     """
-    from mahovik.use.design import DesignOptions, Freedom, design_stand, freedom_of_keys, load_freedom
+    from mahovik.use.design import DesignOptions, design_stand
 
     own = Stand.of(stand)
-    if isinstance(free, Freedom):
-        freedom = free
-    else:
-        freedom = load_freedom(free, own) if str(free).endswith(".toml") else freedom_of_keys(str(free), own)
+    freedom = read_freedom(free, own)
     options = DesignOptions(seed, seconds, pareto=pareto)
 
     def tell(state: Any) -> None:
         progress(Progress(state.words))
 
     return Design(design_stand(own, lambda part: motion_of(motion, part), freedom, options, tell))
+
+
+def read_freedom(free: str | Path | Freedom, stand: CoreStand) -> Freedom:
+    """The numbers that are free: of keys, or of a file .toml. Raises DesignError."""
+    from mahovik.use.design import Freedom, freedom_of_keys, load_freedom
+
+    if isinstance(free, Freedom):
+        return free
+    return load_freedom(free, stand) if str(free).endswith(".toml") else freedom_of_keys(str(free), stand)
