@@ -15,7 +15,7 @@ from cli.run import run
 from mahovik import stands
 from mahovik.core.stand import Stand
 from mahovik.core.stand.random import BARE, random_stand
-from mahovik.out.api.functions.table import Table
+from mahovik.out.functions.table import Table
 
 SHAKER2 = str(stands.path("shaker2"))
 SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")

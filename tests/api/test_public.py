@@ -32,7 +32,7 @@ def signatures() -> list[str]:
         if inspect.isclass(value):
             bases = ", ".join(base.__name__ for base in value.__bases__ if issubclass(base, Exception))
             lines.append(f"class {name}({bases})")
-            if value.__module__.startswith("mahovik.out.api"):
+            if value.__module__.startswith("mahovik.out.api") and not issubclass(value, Exception):
                 lines += [f"{name}.{line}" for line in attributes(value)]
         else:
             lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)
@@ -44,7 +44,7 @@ def signatures() -> list[str]:
 def attributes(value: type) -> list[str]:
     """Public attributes of a class, its own and inherited, methods with their signatures."""
     found = []
-    for name in dir(value):
+    for name in getattr(value, "_fields", dir(value)):
         attribute = inspect.getattr_static(value, name)
         if not name.startswith("_"):
             kind = isinstance(attribute, property)

@@ -60,7 +60,7 @@ def put(document: dict[str, Any], path: str, value: Any) -> None:
 
 
 def _inside(document: dict[str, Any], place: Any, part: str, path: str, first: bool) -> Any:
-    """What a part of the path names inside a table or list; a table that is missing is made."""
+    """The value that a part of the path names inside a table or list; a missing table is made."""
     if isinstance(place, list):
         named = {item["name"]: item for item in place if isinstance(item, dict) and "name" in item}
         return named[part] if part in named else place[_number(place, part, path, named)]

@@ -31,7 +31,7 @@ class Stand(CoreStand):
         """
         if not isinstance(document, Mapping):
             raise UsageError(f"{source}: expected a mapping with the keys of a stand file, found {show(document)}")
-        return _of(exact(document), source)
+        return _read(exact(document), source)
 
     @staticmethod
     def of(stand: CoreStand | str | Path) -> Stand:
@@ -58,7 +58,7 @@ class Stand(CoreStand):
         document = self.to_dict()
         for path, value in changes.items():
             put(document, path, value)
-        return _of(document, self.name)
+        return _read(document, self.name)
 
     def save(self, path: str | Path) -> None:
         """Write it as a stand file, in SI, with every digit. Raises UsageError."""
@@ -89,7 +89,7 @@ def example(name: str) -> Stand:
     return load(stands.path(name))
 
 
-def _of(document: dict[str, Any], source: str) -> Stand:
+def _read(document: dict[str, Any], source: str) -> Stand:
     return _with_document(Stand.of(read(document, source)), document)
 
 

@@ -60,8 +60,8 @@ def design(
     Exit status: 0 a design; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
     """
     stand = load_stand(stand_file)
-    from mahovik.out.api.functions.programmes import design as find
-    from mahovik.out.api.functions.programmes import read_freedom
+    from mahovik.out.functions.programmes import design as find
+    from mahovik.out.functions.programmes import read_freedom
 
     in_file = free.endswith(".toml")
     freedom = read_freedom(free, stand)

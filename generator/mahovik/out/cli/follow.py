@@ -37,7 +37,7 @@ class FollowOptions:
 
 def follow(stand_file: str, options: FollowOptions, output: str | None, as_json: bool, causes: bool) -> None:
     """Follow a programme, and print how well. Raises UsageError, CheckError and what the files raise."""
-    from mahovik.out.api.functions.following import follow as run
+    from mahovik.out.functions.following import follow as run
     from mahovik.use.simulate.run import check_output
 
     if output is not None:

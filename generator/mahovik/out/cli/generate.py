@@ -59,7 +59,7 @@ def generate(
         without_cache()
     stand = load_stand(stand_file)
     from mahovik.errors import CheckError
-    from mahovik.out.api.functions.evidence import generate as make
+    from mahovik.out.functions.evidence import generate as make
     from mahovik.proof.verify.delivery import differences
 
     folder, chosen = Path(output or prefix or stand.name), only or ()

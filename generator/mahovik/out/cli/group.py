@@ -13,7 +13,7 @@ import click
 
 from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
-from mahovik.out.api.functions.notices import MahovikWarning
+from mahovik.out.functions.notices import MahovikWarning
 from mahovik.out.cli.output import INTERRUPTED, print_failure
 
 INTERRUPTION = "error: interrupted; no file is half written"

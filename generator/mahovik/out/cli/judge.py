@@ -60,7 +60,7 @@ def judge(
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """
-    from mahovik.out.api.functions.evidence import judge as judged
+    from mahovik.out.functions.evidence import judge as judged
 
     wants = read_wants(want)
     with progress(f"judge {command}") as stage:

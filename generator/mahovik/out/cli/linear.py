@@ -46,7 +46,7 @@ def modes(
     largest number is 1, in m or rad. Free directions come first.
     """
     stand = load_stand(stand_file)
-    from mahovik.out.api.functions.linear import modes as find
+    from mahovik.out.functions.linear import modes as find
 
     with progress(f"modes of {stand.name}"):
         found = find(stand, None if at == "rest" else at, locked=flywheels == "locked")
@@ -140,7 +140,7 @@ def linearize(
     displacement, velocity and acceleration of points. Names and units are in the file.
     """
     stand = load_stand(stand_file)
-    from mahovik.out.api.functions.linear import linearize as find
+    from mahovik.out.functions.linear import linearize as find
     from mahovik.use.study.linear.model import check_model_file
     from mahovik.writing import probe
 

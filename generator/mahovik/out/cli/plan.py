@@ -66,9 +66,9 @@ def plan(
     """
     stand = load_stand(stand_file)
     from mahovik.core.motion.programme import programme_text
-    from mahovik.out.api.functions.given import motion_of
-    from mahovik.out.api.functions.programmes import plan as find
-    from mahovik.out.api.functions.programmes import read_winding
+    from mahovik.out.functions.given import motion_of
+    from mahovik.out.functions.programmes import plan as find
+    from mahovik.out.functions.programmes import read_winding
     from mahovik.writing import write_all
 
     motion = motion_of(motion_file, stand)

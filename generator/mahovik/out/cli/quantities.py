@@ -9,7 +9,7 @@ from decimal import Decimal, InvalidOperation
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.api.functions.motor_limits import FAST, RPM, question
+from mahovik.out.functions.motor_limits import FAST, RPM, question
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![\d./])")  # the 1 of 1/min is its unit's
 

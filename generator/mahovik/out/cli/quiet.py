@@ -137,7 +137,7 @@ def quiet(
             require_other_file(Path(name), [stand_file], f"{option_name} {name}", "result")
     if None not in (output, state_file) and Path(str(output)).resolve() == Path(str(state_file)).resolve():
         raise UsageError(f"-o and --state {state_file}: one file for both; give the state another name")
-    from mahovik.out.api.functions.vibration import quiet as find
+    from mahovik.out.functions.vibration import quiet as find
 
     if speeds is not None and len(speeds) != len(stand.flywheels):
         raise UsageError(f"--speeds: {len(speeds)} speeds, but the stand has {len(stand.flywheels)} flywheels")

@@ -33,7 +33,7 @@ def report(
     comparison fails; the page is written and shows it.
     """
     require_suffix(output, [".html"])
-    from mahovik.out.api.functions.evidence import report as make
+    from mahovik.out.functions.evidence import report as make
     from mahovik.out.report.plot.draw import require
     from mahovik.writing import probe
 

@@ -73,7 +73,7 @@ def response(
     """
     stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
-    from mahovik.out.api.functions.vibration import response as run
+    from mahovik.out.functions.vibration import response as run
     from mahovik.use.study.linear.model import places
     from mahovik.use.study.response.speeds import read_speeds
 

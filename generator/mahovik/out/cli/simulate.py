@@ -23,7 +23,7 @@ from mahovik.out.cli.output import INTERRUPTED, print_json
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.out.api.functions.simulation import Simulation
+    from mahovik.out.functions.simulation import Simulation
 
 
 @command(short_help="Simulate a stand, or a programme on it.")
@@ -94,7 +94,7 @@ def simulate(
     if until is None or output is None:
         raise click.UsageError(f"Missing option '{'--until' if until is None else '-o'}'.")
     stand = load_stand(stand_file)
-    from mahovik.out.api.functions.simulation import simulate as run
+    from mahovik.out.functions.simulation import simulate as run
     from mahovik.use.simulate.run import check_output
 
     check_output(Path(output))

@@ -107,7 +107,7 @@ def verify(
         sweep = states if is_given("states") else None
         _verify_on_targets(load_stand(stand_file), targets, reals, sweep, as_json, junit, lanes or 1)
         return
-    from mahovik.out.api.functions import evidence
+    from mahovik.out.functions import evidence
 
     wants = read_wants(want)
     stand, folder = load_stand(stand_file), None if against is None else Path(against)

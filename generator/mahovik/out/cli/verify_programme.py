@@ -42,7 +42,7 @@ def verify_programme(
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """
-    from mahovik.out.api.functions.programmes import verify_programme as judged
+    from mahovik.out.functions.programmes import verify_programme as judged
 
     given = {"--motion": motion, "--programme": programme}
     stand_file, (motion_file, programme_file) = stand_first(

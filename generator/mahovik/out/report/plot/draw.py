@@ -59,14 +59,14 @@ def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
     """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
     matplotlib, figures = require("plot")
     with matplotlib.rc_context(STYLE):
-        figure, _ = _drawn(figures.Figure, title, panels)
+        figure, _ = _figure(figures.Figure, title, panels)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
 
 
-def _drawn(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
+def _figure(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
     """A figure that `make` makes, with all panels, and their axes."""
     rows, found = _rows(panels), []
     heights = [max(panel.height for panel in row) for row in rows]
@@ -90,7 +90,7 @@ def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[
     matplotlib, _ = require("plot")
     with matplotlib.rc_context(STYLE):
         if axes is None:
-            return _drawn(import_module("matplotlib.pyplot").figure, title, panels)[1]
+            return _figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
         given = list(np.ravel(np.asarray(axes, dtype=object)))
         if len(given) > len(panels):
             raise UsageError(f"axes: {len(given)} are given, but there are {len(panels)} panels to draw")

@@ -11,11 +11,11 @@ import numpy as np
 
 from mahovik.core.motion.servo import COORDINATES
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.functions.given import StandGiven, motion_of, programme_of, servo_of
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
-from mahovik.out.api.functions.programmes import MotionGiven, Programme, ProgrammeGiven
-from mahovik.out.api.functions.simulation import Simulation
-from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.functions.given import StandGiven, motion_of, programme_of, servo_of
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.functions.programmes import MotionGiven, Programme, ProgrammeGiven
+from mahovik.out.functions.simulation import Simulation
+from mahovik.out.functions.table import Column, Table
 from mahovik.out.api.stands import Stand
 from mahovik.use.control.causes import Contribution, contributions
 from mahovik.use.control.loop import Case, close_loop, step_error
@@ -111,7 +111,7 @@ def follow(
     table: int | None = 128,
     backend: str = "c",
     causes: bool = True,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Following:
     """Follow a programme by sampled servos, on a stand whose numbers are wrong by `mismatch` (0.01: 1 %).
 
@@ -126,7 +126,7 @@ def follow(
     case = _case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
-    record = close_loop(case, lambda t: progress(Progress(words, t - first, last - first)))
+    record = close_loop(case, lambda t: tell(progress, Progress(words, t - first, last - first)))
     if len(record.t) < 2:
         raise CheckError(f"the run ends at once: {record.stopped}")
     if record.stopped is not None:
@@ -134,7 +134,9 @@ def follow(
     found = Following(case, record, following(record, MEASURED), ())
     try:
         if causes:
-            found.causes = tuple(contributions(case, lambda cause: progress(Progress(f"what limits it: {cause}"))))
+            found.causes = tuple(
+                contributions(case, lambda cause: tell(progress, Progress(f"what limits it: {cause}")))
+            )
     except KeyboardInterrupt:  # the run itself is complete
         found.causes_interrupted = True
     return found

@@ -14,9 +14,9 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
-from mahovik.out.api.functions.given import Keys, StandGiven, regime_of, state_of
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
-from mahovik.out.api.functions.table import Column, Table, split_unit
+from mahovik.out.functions.given import Keys, StandGiven, regime_of, state_of
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.functions.table import Column, Table, split_unit
 from mahovik.out.api.stands import Stand
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
 from mahovik.use.simulate.run import Run
@@ -89,7 +89,7 @@ def simulate(
     order: int = 4,
     backend: str = "c",
     mounts: bool = False,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Simulation:
     """Simulate a stand for `until` s.
 
@@ -107,7 +107,7 @@ def simulate(
     case = Case(own, chosen, state, until, every, dt, order)
     _warn_of_long_steps(case)
     words = f"simulate {own.name}"
-    return Simulation(own, run_case(case, backend, mounts, lambda t: progress(Progress(words, t, until))))
+    return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, until))))
 
 
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:

@@ -11,10 +11,10 @@ import numpy as np
 
 from mahovik.core.stand.units import SPEED
 from mahovik.out.api.fields import Array
-from mahovik.out.api.functions.given import Number, StandGiven, by_flywheel, quantity
-from mahovik.out.api.functions.motor_limits import warn_of_speeds
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress
-from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity
+from mahovik.out.functions.motor_limits import warn_of_speeds
+from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.functions.table import Column, Table
 from mahovik.out.api.stands import Stand
 from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
 from mahovik.use.study.response.sweep import AXES, Sweep
@@ -77,8 +77,8 @@ def response(
     quantity: str = "acceleration",
     band: tuple[float, float] | None = None,
     phases: Mapping[str, Number] | Sequence[Number] | None = None,
-    go_on: Callable[[int], bool] = lambda done: True,
-    progress: OnProgress = no_progress,
+    go_on: Callable[[int], bool] | None = None,
+    progress: OnProgress | None = None,
 ) -> Response:
     """Find the steady vibration at constant speeds, exact for the full equations.
 
@@ -87,7 +87,7 @@ def response(
     at       a point or instrument, "carrier" for O1; steps of the sweep
     quantity "acceleration", "velocity" or "displacement"; band (Hz) of a second RMS
     phases   at t = 0, rad or a text, by flywheel
-    go_on    is told the number of speeds done, and ends the sweep with False
+    go_on    gets the number of speeds done, and ends the sweep with False
 
     Ctrl-C keeps the speeds that are done. Raises StandError, UsageError, CheckError.
     """
@@ -100,12 +100,12 @@ def response(
     _warn(own, asked, texts)
     count, words = 1 if asked.sweep is None else steps, f"response of {own.name}, speeds"
 
-    def tell(done: int) -> bool:
-        progress(Progress(words, done, count))
-        return go_on(done)
+    def shall_go_on(done: int) -> bool:
+        tell(progress, Progress(words, done, count))
+        return go_on is None or go_on(done)
 
     phi = by_flywheel("phases", phases, own)
-    found = sweep_speeds(own, asked, steps, at, quantity=quantity, band=band, phases=phi, go_on=tell)
+    found = sweep_speeds(own, asked, steps, at, quantity=quantity, band=band, phases=phi, go_on=shall_go_on)
     if not found.steps:
         raise KeyboardInterrupt
     return Response(found)
@@ -231,7 +231,7 @@ def quiet(
     seed: int = 0,
     seconds: float | None = None,
     backend: str | None = "c",
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Quiet:
     """Find speeds and phases of redundant flywheels that make a point quiet; their momentum is kept exactly.
 
@@ -239,7 +239,7 @@ def quiet(
     momentum      to hold, in E1, N m s; None: that of `speeds`, with which the search begins
     axes          directions of the point that count; measure: acceleration, velocity, displacement, rate, angle
     limit, least  of every speed; change: of a speed at most; rad/s, or texts with a unit
-    reduction     choose the least change that makes it so many times lower; None: the lowest
+    reduction     choose the least change that makes it lower by this factor; None: the lowest
     avoid, modes  frequencies (from, to; Hz) that no order may meet; also the natural ones, with a margin
     orders        whose lines avoid them; guard: at the band's ends
     backend       simulates before and after: "c", "scipy"; None: no simulation
@@ -263,4 +263,4 @@ def quiet(
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip
-    return Quiet(find(own, options, seconds, backend, lambda words: progress(Progress(words))))
+    return Quiet(find(own, options, seconds, backend, lambda words: tell(progress, Progress(words))))

@@ -94,7 +94,7 @@ class Table(ABC):
         return repr(self).strip("<>")
 
     def _panels(self) -> Sequence[Panel]:
-        """What a picture shows."""
+        """Contents of its picture."""
         raise UsageError(f"{type(self).__name__}: there is no picture of it")
 
     def _repr_html_(self) -> str:

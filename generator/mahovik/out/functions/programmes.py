@@ -13,9 +13,9 @@ from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import RequiredMotion, Winding
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
-from mahovik.out.api.functions.given import Keys, StandGiven, motion_of, programme_of
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress
-from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of
+from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.functions.table import Column, Table
 from mahovik.out.api.stands import Stand
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
@@ -166,12 +166,12 @@ def plan(
     keep: int = 1,
     method: Method = "fourier",
     partition: Sequence[str] | None = None,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Plan:
     """Plan a programme: motions of the flywheels that make the carrier move exactly as required; (12), (13).
 
     seconds    limits the search; None: a budget of starts and steps alone
-    winding    "any", "spin", "rock" or turns per period; None: as the motion has it
+    winding    "any", "spin", "rock" or turns per period; None: that of the motion
     keep       programmes to find; method: "fourier", or from it "ocp-partition", "ocp" by IPOPT
     partition  the six dependent flywheels of (13)
 
@@ -183,7 +183,7 @@ def plan(
     chosen = read_winding(winding, len(own.flywheels), required.periodic)
     six = None if partition is None else tuple(partition)
     options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
-    return Plan(own, required, plan_motion(own, required, options, lambda state: progress(Progress(state.words))))
+    return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
 
 
 def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
@@ -239,7 +239,7 @@ def verify_programme(
     tolerance: float | None = None,
     against: str | Path | None = None,
     name: str = "programme",
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Verdict:
     """Verify that a programme makes the carrier move as required, by the literal reference alone.
 
@@ -253,7 +253,7 @@ def verify_programme(
     own = Stand.of(stand)
     required = motion_of(motion, own)
     found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
-    progress(Progress("by the reference"))
+    tell(progress, Progress("by the reference"))
     folder = None if against is None else Path(against)
     findings = verification.verify_programme(own, required, found, tolerance=tolerance, against=folder, name=name)
     return Verdict(own, required, findings)
@@ -319,7 +319,7 @@ def design(
     seconds: float | None = None,
     seed: int = 0,
     pareto: int = 0,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Design:
     """Design a stand together with its programme: choose free numbers so that the carrier moves as required.
 
@@ -334,10 +334,10 @@ def design(
     freedom = read_freedom(free, own)
     options = DesignOptions(seed, seconds, pareto=pareto)
 
-    def tell(state: Any) -> None:
-        progress(Progress(state.words))
+    def report_progress(state: Any) -> None:
+        tell(progress, Progress(state.words))
 
-    return Design(design_stand(own, lambda part: motion_of(motion, part), freedom, options, tell))
+    return Design(design_stand(own, lambda part: motion_of(motion, part), freedom, options, report_progress))
 
 
 def read_freedom(free: str | Path | Freedom, stand: CoreStand) -> Freedom:

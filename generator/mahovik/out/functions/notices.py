@@ -1,4 +1,4 @@
-"""What a function says while it works: its progress, and warnings."""
+"""Progress and warnings of a function that works."""
 
 from __future__ import annotations
 
@@ -27,5 +27,7 @@ class Progress(NamedTuple):
 OnProgress = Callable[[Progress], None]
 
 
-def no_progress(_: Progress) -> None:
-    """Tell nobody."""
+def tell(progress: OnProgress | None, now: Progress) -> None:
+    """Tell the caller how far a function is, if it has asked."""
+    if progress is not None:
+        progress(now)

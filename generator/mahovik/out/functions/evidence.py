@@ -12,9 +12,9 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.functions.given import StandGiven
-from mahovik.out.api.functions.notices import OnProgress, Progress, no_progress, warn
-from mahovik.out.api.functions.table import Column, Table
+from mahovik.out.functions.given import StandGiven
+from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.functions.table import Column, Table
 from mahovik.out.api.stands import Stand
 
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ def verify(
     fast: bool = False,
     judges: bool = False,
     bare: bool = False,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Verification:
     """Judge the generated C by the literal reference and the second derivation, at random and extreme states.
 
@@ -123,14 +123,16 @@ def verify(
     if folder is not None:
         own = stand_in(folder, own)
 
-    def tell(done: float, *_: object) -> None:
-        progress(Progress(words, done, states))
+    def report_progress(done: float, *_: object) -> None:
+        tell(progress, Progress(words, done, states))
 
     if judges:
         from mahovik.proof.verify.judges.compare import verify_judges
 
-        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=tell))
-    found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=tell)
+        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=report_progress))
+    found = verify_c(
+        own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=report_progress
+    )
     return Verification(found)
 
 
@@ -144,7 +146,7 @@ def judge(
     seed: int = 1,
     tolerance: float = 1e-12,
     timeout: float = 300.0,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Verification:
     """Judge a program that implements the contract of `eval`, and find its fault.
 
@@ -157,13 +159,13 @@ def judge(
     from mahovik.proof.verify.foreign import verify_program
 
     own = Stand.of(stand)
-    progress(Progress(f"judge {command}"))
+    tell(progress, Progress(f"judge {command}"))
     found = verify_program(
         own, command, str(stand), wants=tuple(want), seed=seed, count=states, timeout=timeout, tolerance=tolerance
     )
     if not explain or found.error:
         return Verification(found)
-    progress(Progress("distinguish faults"))
+    tell(progress, Progress("distinguish faults"))
     try:
         return Verification(found, _diagnosis(own, command, str(stand), found, seed, timeout))
     except CheckError as error:
@@ -219,7 +221,7 @@ def generate(
     batch: bool = False,
     only: Sequence[str] = (),
     prefix: str | None = None,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Generated:
     """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
 
@@ -237,7 +239,7 @@ def generate(
     if prefix is not None:
         own = _named(own, prefix)
     count = lanes_of(own, lanes, fast)
-    progress(Progress(f"generate {own.name}"))
+    tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
     files = delivery(own, real, count, fast, batch, chosen)
     if folder is None:
@@ -303,7 +305,7 @@ def report(
     motion: str | Path | None = None,
     cost: str | Path | None = None,
     targets: str | None = None,
-    progress: OnProgress = no_progress,
+    progress: OnProgress | None = None,
 ) -> Page:
     """Report on a stand: bodies, matrices, verification, cost, reach, and the motion of a run or programme.
 
@@ -332,5 +334,5 @@ def report(
         cost_folder=text(cost),
         targets=targets,
     )
-    found = page(material, lambda done: progress(Progress("sections of the report", done, len(ORDER))))
+    found = page(material, lambda done: tell(progress, Progress("sections of the report", done, len(ORDER))))
     return Page(own, found.html, found.failures)

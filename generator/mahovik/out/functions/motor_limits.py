@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from mahovik.out.api.functions.notices import warn
+from mahovik.out.functions.notices import warn
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
