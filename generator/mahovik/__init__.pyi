@@ -7,6 +7,14 @@ from mahovik.errors import StandError as StandError
 from mahovik.errors import StateError as StateError
 from mahovik.errors import ToolchainError as ToolchainError
 from mahovik.errors import UsageError as UsageError
+from mahovik.out.api.model import Model as Model
+from mahovik.out.api.model import build as build
+from mahovik.out.api.results import Result as Result
+from mahovik.out.api.stands import Stand as Stand
+from mahovik.out.api.stands import example as example
+from mahovik.out.api.stands import examples as examples
+from mahovik.out.api.stands import load as load
+from mahovik.out.api.states import States as States
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
@@ -23,13 +31,5 @@ from mahovik.out.functions.programmes import verify_programme as verify_programm
 from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
-from mahovik.out.api.model import Model as Model
-from mahovik.out.api.model import build as build
-from mahovik.out.api.results import Result as Result
-from mahovik.out.api.stands import Stand as Stand
-from mahovik.out.api.stands import example as example
-from mahovik.out.api.stands import examples as examples
-from mahovik.out.api.stands import load as load
-from mahovik.out.api.states import States as States
 
 __version__: str

@@ -44,7 +44,7 @@ def test_ctrl_c_while_causes_are_asked_keeps_the_figures(given: list[str], monke
     def pressed(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("mahovik.use.control.causes.contributions", pressed)
+    monkeypatch.setattr("mahovik.out.functions.following.contributions", pressed)
     said = run(*given, "--periods", "11")
     assert said.exit_code == 130
     assert "error of the carrier" in said.stdout

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
-from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.cli.fitting import fitted, fitting_unit
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
 from mahovik.out.cli.output import console, print_json, print_line, print_table
+from mahovik.out.functions.motor_limits import warn_of_speeds
 
 if TYPE_CHECKING:
     from mahovik.core.stand.capacity import Capacity

@@ -13,8 +13,8 @@ import click
 
 from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
-from mahovik.out.functions.notices import MahovikWarning
 from mahovik.out.cli.output import INTERRUPTED, print_failure
+from mahovik.out.functions.notices import MahovikWarning
 
 INTERRUPTION = "error: interrupted; no file is half written"
 

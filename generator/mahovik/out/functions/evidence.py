@@ -12,10 +12,10 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.api.stands import Stand
 
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
@@ -123,16 +123,14 @@ def verify(
     if folder is not None:
         own = stand_in(folder, own)
 
-    def report_progress(done: float, *_: object) -> None:
+    def on_state(done: float, *_: object) -> None:
         tell(progress, Progress(words, done, states))
 
     if judges:
         from mahovik.proof.verify.judges.compare import verify_judges
 
-        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=report_progress))
-    found = verify_c(
-        own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=report_progress
-    )
+        return Verification(verify_judges(own, seed=seed, count=states, bare=bare, progress=on_state))
+    found = verify_c(own, seed=seed, count=states, against=folder, real=real, lanes=lanes, fast=fast, progress=on_state)
     return Verification(found)
 
 

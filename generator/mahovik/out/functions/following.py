@@ -11,12 +11,12 @@ import numpy as np
 
 from mahovik.core.motion.servo import COORDINATES
 from mahovik.errors import CheckError, UsageError
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import StandGiven, motion_of, programme_of, servo_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.programmes import MotionGiven, Programme, ProgrammeGiven
 from mahovik.out.functions.simulation import Simulation
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.api.stands import Stand
 from mahovik.use.control.causes import Contribution, contributions
 from mahovik.use.control.loop import Case, close_loop, step_error
 from mahovik.use.control.record import Following as Errors

@@ -11,9 +11,9 @@ import numpy as np
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.out.api.fields import Array
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, Number, StandGiven, by_flywheel, state_of
 from mahovik.out.functions.table import Column, Table, module
-from mahovik.out.api.stands import Stand
 from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes
 from mahovik.use.study.linear import linear_model

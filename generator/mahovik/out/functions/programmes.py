@@ -13,10 +13,10 @@ from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import RequiredMotion, Winding
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.api.stands import Stand
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.outcome import Method

@@ -14,10 +14,10 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Keys, StandGiven, regime_of, state_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table, split_unit
-from mahovik.out.api.stands import Stand
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
 from mahovik.use.simulate.run import Run
 from mahovik.use.simulate.run import simulate as run_case

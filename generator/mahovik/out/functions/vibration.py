@@ -11,11 +11,11 @@ import numpy as np
 
 from mahovik.core.stand.units import SPEED
 from mahovik.out.api.fields import Array
+from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
-from mahovik.out.api.stands import Stand
 from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
 from mahovik.use.study.response.sweep import AXES, Sweep
 from mahovik.use.study.response.sweep import sweep as sweep_speeds
