@@ -69,7 +69,7 @@ _PLACES = {
     "quiet": "out.functions.vibration",
     "report": "out.functions.evidence",
     "response": "out.functions.vibration",
-    "rest": "out.functions.linear",
+    "rest": "out.functions.equilibrium",
     "simulate": "out.functions.simulation",
     "verify": "out.functions.evidence",
     "verify_programme": "out.functions.programmes",

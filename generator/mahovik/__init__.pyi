@@ -15,6 +15,7 @@ from mahovik.out.api.stands import example as example
 from mahovik.out.api.stands import examples as examples
 from mahovik.out.api.stands import load as load
 from mahovik.out.api.states import States as States
+from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import judge as judge
 from mahovik.out.functions.evidence import report as report
@@ -22,7 +23,6 @@ from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes
-from mahovik.out.functions.linear import rest as rest
 from mahovik.out.functions.notices import MahovikWarning as MahovikWarning
 from mahovik.out.functions.notices import Progress as Progress
 from mahovik.out.functions.programmes import design as design

@@ -28,7 +28,7 @@ def rest(
     """
     stand = load_stand(stand_file)
     phi = read_phases(stand, phases)
-    from mahovik.out.functions.linear import rest as find
+    from mahovik.out.functions.equilibrium import rest as find
 
     found = find(stand, phi)
     if as_json:

@@ -1,8 +1,8 @@
-"""`rest`: the static equilibrium. `modes`, `linearize`: small motions of a stand about rest or a state."""
+"""`modes`, `linearize`: small motions of a stand about rest or a state."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,13 +12,12 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Keys, Number, StandGiven, by_flywheel, state_of
+from mahovik.out.functions.given import Keys, StandGiven, state_of
 from mahovik.out.functions.table import Column, Table, module
 from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear import modes as modes_of
-from mahovik.use.study.rest import Rest as CoreRest
 from mahovik.use.study.rest import rest as find_rest
 
 if TYPE_CHECKING:
@@ -28,74 +27,6 @@ STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "phi", "phi_dot", "
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 At = State | Keys | str | Path | None
-
-POSE = ("x", "y", "z", "rx", "ry", "rz")
-
-
-class Rest(Table):
-    """The static equilibrium: a row per free direction, a twist in E1 (m, rad per rad or m). `state` is the pose.
-
-    `V_dot` (6): remaining acceleration; `unstable`: the stand would leave the pose.
-    """
-
-    def __init__(self, stand: Stand, result: CoreRest) -> None:
-        self.stand, self.result = stand, result
-
-    @property
-    def columns(self) -> tuple[Column, ...]:
-        free = np.array(self.result.free).reshape(-1, 6)
-        units = ("m", "m", "m", "rad", "rad", "rad")
-        return tuple(Column(name, unit, free[:, i]) for i, (name, unit) in enumerate(zip(POSE, units, strict=True)))
-
-    @property
-    def state(self) -> State:
-        """The state at rest, which `simulate` and `linearize` take."""
-        return self.result.state
-
-    @property
-    def position(self) -> Array:
-        """O1 in E0 (3), m."""
-        return np.array(self.result.state.position)
-
-    @property
-    def attitude(self) -> Array:
-        """Unit quaternion of the carrier, w first."""
-        return np.array(self.result.state.quaternion or (1.0, 0.0, 0.0, 0.0))
-
-    @property
-    def V_dot(self) -> Array:
-        """Remaining acceleration (6), m/s2, rad/s2."""
-        return np.array(self.result.V_dot)
-
-    @property
-    def unstable(self) -> bool:
-        """Whether the stand would leave this pose."""
-        return self.result.unstable
-
-    def to_dict(self) -> dict[str, Any]:
-        """All of it, as `mahovik rest --json` prints it."""
-        from mahovik.proof.verify.states import state_object
-
-        return {
-            "name": self.stand.name,
-            "state": state_object(self.state),
-            "V_dot": self.result.V_dot,
-            "free": [list(direction) for direction in self.result.free],
-            "unstable": self.unstable,
-        }
-
-    def __repr__(self) -> str:
-        x, y, z = (f"{round(value, 9) + 0.0:.6g}" for value in self.position)
-        return f"<Rest of {self.stand.name}: O1 at ({x}, {y}, {z}) m; {len(self)} free directions>"
-
-
-def rest(stand: StandGiven, phases: Mapping[str, Number] | Sequence[Number] | None = None) -> Rest:
-    """Find the static equilibrium, with flywheels at rest at `phases` (rad, or texts with a unit; default 0).
-
-    Raises StandError, UsageError; CheckError: there is no equilibrium.
-    """
-    own = Stand.of(stand)
-    return Rest(own, find_rest(own, by_flywheel("phases", phases, own)))
 
 
 class Modes(Table):
