@@ -32,7 +32,7 @@ def signatures() -> list[str]:
         if inspect.isclass(value):
             bases = ", ".join(base.__name__ for base in value.__bases__ if issubclass(base, Exception))
             lines.append(f"class {name}({bases})")
-            if value.__module__.startswith("mahovik.out.api") and not issubclass(value, Exception):
+            if value.__module__.startswith("mahovik.out.") and not issubclass(value, Exception):
                 lines += [f"{name}.{line}" for line in attributes(value)]
         else:
             lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)
