@@ -44,8 +44,8 @@ narrow terminals and never in a pipe.
 
 **Files** are written whole or not at all, also after Ctrl-C; searches and runs keep their results so far and say
 so. Folders given with `-o` are created. `new`, `generate` and `export` never overwrite a file that mahovik did not
-write. A device, a FIFO, or a link to one may have any name after `-o`, as `/dev/null`: it gets the first of the formats
-that the help lists, unless its name ends in another.
+write. `-o` also takes a device or a FIFO, such as `/dev/null`: it gets the format that its name ends in, else the first
+one that the help lists.
 
 How long a start takes is [measured](results/generation.md). The rest of this page is written by `make
 commands-page`.

@@ -159,7 +159,7 @@ class _Printer:
         return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in found]
 
     def _suspects(self) -> Iterator[dict[str, str]]:
-        """Members of the parameters that may be refused: the place of each, of a body, and whose they are."""
+        """Parameters that may be refused: member in C, the name of its body, and its place within that."""
         named = {
             "instrument": [p.name for p in self._stand.instruments],
             "flywheel": [s.name for s in self._stand.flywheels],

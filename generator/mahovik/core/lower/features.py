@@ -168,7 +168,7 @@ class Features:
 
     @property
     def sensors(self) -> tuple[str, ...]:
-        """Instruments and points, which `measure` reads."""
+        """Instruments and points, which `points` reads."""
         return (*self.structure.instruments, *self.structure.points)
 
     @property

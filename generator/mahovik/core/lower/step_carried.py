@@ -90,7 +90,7 @@ def _advance(lib: Library) -> Function:
 
 
 def _finish(lib: Library) -> Function:
-    """Unit length for the quaternion, likewise; and is the state still in its ranges?"""
+    """Normalises the quaternion, keeping what rounding takes in the carry; refuses a state beyond its ranges."""
     x = Argument("x", lib.layout.state, (), "inout")
     carry = Argument("carry", lib.layout.carry, (), "inout")
     body = Body()

@@ -36,7 +36,7 @@ def lines(law: Legs) -> tuple[list[str], list[str]]:
 
 
 def content(law: Legs | None) -> dict[str, Any]:
-    """All numbers."""
+    """The numbers from which the identity of a stand is made."""
     return asdict(law or Legs(()))
 
 

@@ -43,7 +43,7 @@ def lines(law: Suspension) -> tuple[list[str], list[str]]:
 
 
 def content(law: Suspension | None) -> dict[str, Any]:
-    """All numbers."""
+    """The numbers from which the identity of a stand is made."""
     return {"suspension": None if law is None else asdict(law)}
 
 

@@ -67,7 +67,7 @@ def wheel(key: str, change: Callable[[float], float]) -> Edit:
 
 
 def wheel_at(key: str, change: Callable[[float, Flywheel, Case], float]) -> Edit:
-    """Edit of the same, by a change that depends on the flywheel and the state."""
+    """Edit of `phi`, `phi_dot` or `phi_ddot` by a change that depends on the flywheel and the state."""
 
     def edit(state: State, case: Case) -> State:
         pairs = zip(getattr(state, key), case.stand.flywheels, strict=True)

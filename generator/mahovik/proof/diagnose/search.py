@@ -110,9 +110,9 @@ class Finding:
 
     @property
     def cost(self) -> float:
-        """Its score, and what it must be better by than a whole single fault; of parts, those of a half to all.
+        """Score plus penalties: for a second fault, for a share that is not 1, for a fault of a single flywheel.
 
-        Of a fault in all flywheels and in one that look the same, that in all comes first.
+        So a whole fault of all flywheels comes first among explanations that fit alike.
         """
         alone = 0.01 * PENALTY * sum(part.wheel is not None for part in self.suspect)
         a_part = PENALTY * (1.0 + 0.1 * min(abs(self.share - 1.0), 1.0)) if self.share != 1.0 else 0.0

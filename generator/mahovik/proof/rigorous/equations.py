@@ -41,7 +41,7 @@ def mount_on_flywheel(at: Pieces, s: Spinning, V_dot: arb_mat, phi_ddot: arb) ->
 
 
 def mount_wrenches(at: Pieces, V_dot: Sequence[float], phi_ddot: Sequence[float]) -> list[arb_mat]:
-    """The same of every flywheel (6 each)."""
+    """Wrench of the mount on every flywheel (6 each)."""
     given = column(V_dot)
     return [
         mount_on_flywheel(at, s, given, acceleration)

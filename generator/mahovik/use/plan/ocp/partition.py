@@ -132,7 +132,10 @@ def order_of(plus: Plus, N: int) -> NDArray[np.intp]:
 
 
 def requested_partition(stand: Stand, options: PlanOptions) -> Plus | None:
-    """The six dependent flywheels of `--partition`, None: the best. UsageError: not possible on this stand."""
+    """The six dependent flywheels named by `--partition`; None: the best six are chosen.
+
+    Raises UsageError: the stand or the method has no such six.
+    """
     if options.method == "fourier":
         if options.partition is not None:
             raise UsageError("--partition needs --method ocp-partition or ocp; the method is fourier")
