@@ -1,4 +1,4 @@
-"""C that CasADi generates of the literal equations, as contestants."""
+"""C that CasADi generates of the literal equations, and of a table of harmonics found by hand, as contestants."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ FORMS = {
     "ldl": ("forward", "coupled", "torque"),
     "torque": ("torque",),
     "jacobian": ("forward_jacobian",),
+    "table": ("forward", "coupled", "torque"),
 }
 """Works of each form. `torque` is one of `ldl`, alone: for numbers of flywheels at which the others take long."""
 BUILDS = {"-O2": ("-O2",), "-O3 native": ("-O3", "-march=native")}
-USUAL = {"naive": range(13), "ldl": range(13), "torque": range(13, 65), "jacobian": range(3)}
+USUAL = {"naive": range(13), "ldl": range(13), "torque": range(13, 65), "jacobian": range(3), "table": range(65)}
 """Flywheels for which compiling fits into the budget."""
 PATIENT = {**USUAL, "ldl": range(65), "torque": range(0)}
 """Flywheels for `full --patient`: compiling a library takes a quarter of an hour and more."""

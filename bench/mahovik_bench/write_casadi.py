@@ -2,7 +2,7 @@
 
 FORM naive: (8) with `solve(K, b)`, no common subexpressions taken out. FORM ldl: `cse`, and CasADi's symbolic LDL^T;
 coupled by the sparse LDL^T of the (N + 6) unknowns, flywheels first. FORM torque: that of it alone. FORM
-jacobian: slopes of the latter forward.
+jacobian: slopes of the latter forward. FORM table: harmonics of the phases found by hand, in place of the equations.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from typing import Any
 import casadi as ca
 
 from mahovik_bench.cases import case
+from mahovik_bench.harmonic import Harmonic
 from mahovik_bench.literal import Literal, inputs
 
 
@@ -28,6 +29,10 @@ def solved(matrix: Any, right: Any) -> Any:
 def functions(N: int, form: str) -> list[Any]:
     """Text of one file."""
     symbols = inputs(N)
+    if form == "table":
+        told = Harmonic(case(N).stand, symbols)
+        works = {"forward": told.forward(), "coupled": told.coupled(), "torque": told.torque()}
+        return [ca.Function(name, symbols, [expression], {"cse": True}) for name, expression in works.items()]
     at = Literal(case(N).stand, symbols)
     if form == "naive":
         return [ca.Function("forward", symbols, [ca.solve(at.K, at.right())])]

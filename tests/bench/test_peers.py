@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from importlib import import_module
 
+import casadi as ca
 import numpy as np
 import pytest
 from mahovik_bench.agree import ACCEPTED, differences, failures
 from mahovik_bench.cases import case
 from mahovik_bench.counting import instructions
+from mahovik_bench.harmonic import Harmonic
+from mahovik_bench.literal import inputs
 from mahovik_bench.loaded import Contestant
 from mahovik_bench.own import SCALAR, peer
 from mahovik_bench.peer import Peer
@@ -58,6 +61,18 @@ def test_own_slopes_are_finite() -> None:
     own = own_scalar()
     for name in ("step", "inverse_fast", "forward_jacobian", "coupled_jacobian"):
         assert np.all(np.isfinite(own.results(WORKS[name]))), name
+
+
+def test_harmonics_found_by_hand_are_the_equations() -> None:
+    """The expressions of CasADi's table, before they are C."""
+    for N in (1, 3):
+        given, symbols = case(N), inputs(N)
+        told = Harmonic(given.stand, symbols)
+        for work, expression in (("forward", told.forward()), ("coupled", told.coupled()), ("torque", told.torque())):
+            function = ca.Function(work, symbols, [expression])
+            expected, sizes = given.expected(WORKS[work])
+            found = [function(s.V, s.phi, s.phi_dot, s.phi_ddot, s.tau, s.V_dot).full().ravel() for s in given.states]
+            assert np.abs((np.array(found) - expected) / sizes).max() < 1e-14, (N, work)
 
 
 def test_a_wrong_result_is_a_failure() -> None:
