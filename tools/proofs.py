@@ -2,7 +2,7 @@
 
 python tools/proofs.py [--stands demo3,...] [--quick] [--tried] [--jobs 2] [--page]
 
-Outcomes are kept in build/proofs by the SHA-256 of C and drivers: a second run repeats only what has changed.
+Outcomes are kept in build/proofs by the SHA-256 of C, drivers and script: a second run repeats only what has changed.
 Exit status 1 where anything that is claimed is not proved.
 """
 
@@ -47,7 +47,7 @@ def written(stand: str, real: str) -> tuple[Path, tuple[Driver, ...]]:
     given = load(path(stand))
     generated = generate_all(given, real)
     files = {**generated.files, **eva_files(generated.program, identities(given))}
-    read = "".join(text for name, text in sorted(files.items()) if not name.endswith(".sh"))
+    read = "".join(text for _, text in sorted(files.items()))
     digest = hashlib.sha256(read.encode()).hexdigest()[:16]
     folder = KEPT / f"{stand}-{real}-{digest}"
     folder.mkdir(parents=True, exist_ok=True)
