@@ -31,7 +31,7 @@ NOT_SAMPLED = {
     "install": "times of one machine and its network",
     "fuzzing": "its inputs grow from campaign to campaign; `make fuzz-quick` runs the same harnesses",
     "benchmarks": "times of one machine beside those of peers; `make bench-gate` counts our instructions again",
-    "proofs": "hours of Frama-C; `make proofs-quick` repeats some",
+    "proofs": "a quarter of an hour of Frama-C; `make proofs-quick` repeats some",
 }
 """Results that no test measures again, and why."""
 
