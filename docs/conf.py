@@ -34,24 +34,29 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_copyright = False
 
+LISTS = {"index": "", "results/index": "", "python": "python/"}
+"""Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
-def contents(page: str) -> str:
-    """The lists of links under the headings of an index.md, as tables of contents with these headings."""
+
+def contents(page: str, folder: str) -> str:
+    """The lists of links to pages in `folder` under the headings of a page, as tables of contents."""
     text = ""
     for section in page.split("\n## ")[1:]:
         heading, _, listed = section.partition("\n")
         pages = re.findall(r"^\* .*?\]\((\S+\.md)\)", listed, re.MULTILINE)
-        text += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
+        pages = [each for each in pages if each.startswith(folder)]
+        if pages:
+            text += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
     return text
 
 
 def read(app: Sphinx, name: str, source: list[str]) -> None:
     """Turn a page of the repository into one of the site.
 
-    The lists of an index.md become tables of contents too; links to Markdown outside this folder become files.
+    The lists of LISTS become tables of contents too; links to Markdown outside this folder become files.
     """
-    if name in ("index", "results/index"):
-        source[0] += contents(source[0])
+    if name in LISTS:
+        source[0] += contents(source[0], LISTS[name])
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
 
 
