@@ -10,7 +10,7 @@ def test_what_is_required_is_reached() -> None:
     found = tool.CAMPAIGN.figures()
     for line, row in zip(found["sat4"], tool.SAT4, strict=True):
         assert (line["momentum, N m s"], line[""], line["axes"]) == (list(row.momentum), row.name, row.axes)
-        assert line["simulated after"] <= line["RMS before, m/s2"]
+        assert line["simulated after"] <= line["RMS before, m/s2"] * (1 + 1e-6), "beyond what simulation resolves"
         if row.required:
             assert row.change is not None
             assert line["times lower"] >= tool.REQUIRED

@@ -106,8 +106,8 @@ def verify(
 
     against      folder of the C to judge; None: a fresh copy
     real         "double" or "float"; lanes, fast: as of `generate`
-    judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without fluid, suspension and the
-                 like, which they do not have
+    judges       judge by Pinocchio, MuJoCo and, if possible, Basilisk instead; bare: without the laws that they do
+                 not have
 
     Raises StandError, ToolchainError where it does not compile, CheckError where it is of another stand.
     """
