@@ -80,7 +80,7 @@ REFUSED = {
     ),
     "twice": (
         task('["wx", "vx", { point = "mast", rows = ["wx"] }, "vx"]'),
-        'task "sight", rows: vx is there twice',
+        'task "sight", rows: vx is given twice',
     ),
     "dependent": (
         task('["wx", { point = "mast", rows = ["wy", "wx"] }]'),

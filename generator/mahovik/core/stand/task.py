@@ -26,7 +26,7 @@ _DEPENDENT = 1e-9
 _TAKEN = frozenset(("fast", "options", "result", "work", "at", "batch"))
 _BEGINNINGS = ("fast_", "work_")
 _ENDINGS = ("_at", "_batch", "_result", "_options", "_work")
-"""What the names of a task's functions and types begin and end with besides the task's name."""
+"""Beginnings and ends of names of functions and types that have the name of a task in them."""
 
 
 def _component(raw: Any) -> Component:
@@ -39,10 +39,10 @@ def _component(raw: Any) -> Component:
 
 
 def _components(raw: Any) -> tuple[Component, ...]:
-    return tuple(_each(raw, _component))
+    return tuple(_items(raw, _component))
 
 
-def _each(raw: Any, read: Callable[[Any], Any]) -> Iterator[Any]:
+def _items(raw: Any, read: Callable[[Any], Any]) -> Iterator[Any]:
     """The items of a list that is not empty, each read; QuantityError names the place."""
     if not isinstance(raw, list) or not raw:
         found = "an empty list" if isinstance(raw, list) else show(raw)
@@ -62,7 +62,7 @@ class PointRowsTable(Table):
 
 
 def _rows(raw: Any) -> tuple[TaskRow, ...]:
-    return tuple(row for rows in _each(raw, _item) for row in rows)
+    return tuple(row for rows in _items(raw, _item) for row in rows)
 
 
 def _item(raw: Any) -> tuple[TaskRow, ...]:
@@ -112,7 +112,7 @@ def row_name(row: TaskRow) -> str:
 def check_tasks(
     problems: Problems, tasks: tuple[Task, ...], instruments: tuple[Instrument, ...], points: tuple[Point, ...]
 ) -> None:
-    """Note rows of unknown points, rows that are there twice, and rows that depend on one another."""
+    """Note rows of unknown points, repeated rows, and rows that depend on one another."""
     places = places_of(instruments, points)
     for task in tasks:
         where = f"task {show(task.name)}"
@@ -127,7 +127,7 @@ def check_tasks(
         names = [row_name(row) for row in task.rows]
         twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
         if twice is not None:
-            problems.add(where, "rows", f"{twice} is there twice")
+            problems.add(where, "rows", f"{twice} is given twice")
         elif (found := dependent(task, places)) is not None:
             new, *others = found
             problems.add(
