@@ -180,7 +180,9 @@ def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[s
             what = f"{member.name} {stand.flywheels[i].name}" if member.shape else member.name
             if member.name == "weight" and not x >= least:
                 yield f"{what} is {x:.9g}, expected at least {least:g}"
-            elif member.name == "limit" and not x > 0:
+            elif member.name == "motor_torque" and not x >= 0:
+                yield f"{what} is {x:.9g} {member.unit}, expected at least 0"
+            elif member.name in ("limit", "most", "motor_speed") and not x > 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected above 0"
             elif member.name in ("near", "damping") and not 0 <= x <= 1:
                 yield f"{what} is {x:.9g}, expected 0 to 1"

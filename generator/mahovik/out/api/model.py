@@ -175,6 +175,9 @@ class Model(Built):
         *,
         weight: Given | None = None,
         limit: Given | None = None,
+        most: Given | None = None,
+        motor_torque: Given | None = None,
+        motor_speed: Given | None = None,
         near: float | None = None,
         damping: float | None = None,
         wrench: Wrenches = None,
@@ -182,15 +185,20 @@ class Model(Built):
     ) -> results.Inverse:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
 
-        weight   of each flywheel in the norm of phi''; of those not given what the stand file says
-        limit    rad/s2; of each |phi''|; of those not given none
-        near     NEAR_SINGULAR below this part of the largest singular value
-        damping  of small singular values, a part of the largest; else none
+        weight        of each flywheel in the norm of phi''; of those not given what the stand file says
+        limit         rad/s2; of each |phi''|; of those not given none
+        most          rad/s2; EXCESSIVE above this |phi''|; by default `inverse_most` of flywheels without a motor
+        motor_torque  N m; EXCESSIVE if the drive torque is above it; by default that of the motor
+        motor_speed   rad/s; no-load speed, where the torque that drives has fallen to 0; by default that of the motor
+        near          NEAR_SINGULAR below this part of the largest singular value
+        damping       of small singular values, a part of the largest; else none
 
         Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`; positive statuses say what
         to know. State by state. Raises InputError, RefusedError.
         """
-        options = self._options({"weight": weight, "limit": limit}, {"near": near, "damping": damping})
+        each = {"weight": weight, "limit": limit, "most": most}
+        each |= {"motor_torque": motor_torque, "motor_speed": motor_speed}
+        options = self._options(each, {"near": near, "damping": damping})
         return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
 
     def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
