@@ -21,6 +21,7 @@ from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.task import Demanded
 from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions import allocation
+from mahovik.proof.verify.functions.abilities import excess_rows
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
@@ -74,6 +75,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
     for row in (plain, freed, damped, damped_by, limited):
         yield row.finished()
     yield from beside.rows()
+    yield from excess_rows(case, function)
 
 
 def fast_rows(case: Case, function: str) -> Iterator[Row]:
