@@ -14,7 +14,7 @@ from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.read import load
 from mahovik.proof.rigorous.evaluate import ANSWERS
 from mahovik.proof.second.evaluate import PROBLEMS
-from mahovik.proof.verify.c_backend import with_all_inputs
+from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.stands import path
 
 

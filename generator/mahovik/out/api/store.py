@@ -12,6 +12,7 @@ import hashlib
 import json
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -35,14 +36,15 @@ _DECIDE = ("contract", "laws", *(f"core/{stage}" for stage in ("emit", "lower", 
 _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
 
 
-def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool) -> str:
+def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool, batches: bool = True) -> str:
     """Structure, element type, compiler with this processor, generator. Raises ToolchainError."""
-    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel))
+    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel), str(batches))
 
 
 def numbers_key(stand: Stand, real: str) -> str:
     """Stand, element type, generator."""
-    return _key(repr(stand), real)
+    laws = [type(law).__name__ for owner in (stand, *stand.bodies) for law in owner.laws]
+    return _key(repr(asdict(stand)), repr(laws), real)
 
 
 def _key(*parts: str) -> str:

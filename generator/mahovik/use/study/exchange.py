@@ -63,7 +63,5 @@ class Exchange:
 
     def _wrench(self, at: Pieces, state: State, s: Spinning) -> Array:
         """The other's P of (7), in its frame about its origin, less the flywheel's."""
-        kinds = body_wrenches(
-            self.body, s.L[:3, :3].T @ at.gravity, s.twist(at.V_r), run_time_wrench(state, self.body)
-        )
+        kinds = body_wrenches(self.body, s.L[:3, :3].T @ at.gravity, s.twist(at.V_r), run_time_wrench(state, self.body))
         return body_wrench(kinds) - at.P[s.body.name]
