@@ -61,7 +61,7 @@ def array_source(stand: Stand, generated: Generated, batches: bool = True) -> di
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    return [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
+    return [public[name] for name, row in FUNCTIONS.items() if (row.python or row.form_of) and name in public]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
