@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
 from mahovik.core.program.arrays import ArrayFunction, Member, filled
+from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure, structure
 from mahovik.core.toolchain.arrays import ArrayLibrary, build
@@ -141,13 +142,12 @@ def _numbers(stand: Stand, real: str) -> dict[str, Any]:
 
 def _lowered(of: Structure, real: str) -> tuple[Layout, Program]:
     """The program of a structure; in a campaign over numbers it is always the same."""
-    from mahovik.core.emit.generate import PRECISIONS
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.program import lower_layout
 
     found = _PROGRAMS.get((of, real))
     if found is None:
-        layout = Layout(of, PRECISIONS[real])
+        layout = Layout(of, FLOAT if real == "float" else DOUBLE)
         found = layout, lower_layout(layout)
         _remember(of, real, found)
     return found

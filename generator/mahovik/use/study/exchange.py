@@ -1,4 +1,4 @@
-"""By how much results change where one flywheel is exchanged for another on the same axis.
+"""Changes of results where one flywheel is exchanged for another on the same axis.
 
 What a flywheel adds to (2)-(9) is linear in its Theta and P. So the difference of two flywheels at one state is what
 a flywheel adds whose Theta and P are the differences of theirs: the other bodies are not looked at again, and nothing
@@ -39,7 +39,7 @@ class Exchange:
 
     @classmethod
     def of(cls, number: int, flywheel: Flywheel, other: Flywheel) -> Exchange:
-        """Of a flywheel for `other`, which has the same mount, axis and zero."""
+        """The exchange of a flywheel for `other`, which has the same mount, axis and zero."""
         return cls(number, other, spatial_inertia(other) - spatial_inertia(flywheel))
 
     def changes(self, at: Pieces, state: State, V_dot: Array) -> Mapping[str, Array]:
