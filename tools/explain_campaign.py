@@ -23,7 +23,8 @@ from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import FaultyProgram, Part
 from mahovik.proof.second import Second
-from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.proof.verify.states import Request
 
 COUNTS = (2, 1, 1, 3, 4, 2, 3, 5, 2, 8)

@@ -28,6 +28,7 @@ NOT_SAMPLED = {
     "python": "wall-clock times of one machine",
     "generation": "wall-clock times of one machine",
     "start": "wall-clock times of one machine",
+    "profile": "wall-clock times of one machine",
     "install": "times of one machine and its network",
     "fuzzing": "its inputs grow from campaign to campaign; `make fuzz-quick` runs the same harnesses",
     "benchmarks": "times of one machine beside those of peers; `make bench-gate` counts our instructions again",

@@ -108,7 +108,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     found: list[str] = []
 
     def copied(
-        of: Stand, real: str, command: tuple[str, ...], parallel: bool, scratch: Path
+        of: Stand, real: str, command: tuple[str, ...], parallel: bool, batches: bool, scratch: Path
     ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
         found.append(of.name)
         (scratch / "copy.so").write_bytes(library)
@@ -149,10 +149,15 @@ def test_keys_tell_apart_what_differs() -> None:
     other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
     assert store.numbers_key(one, "double") != store.numbers_key(other, "double")
     forms = [structure(one), structure(replace(one, name="other"))]
+    both = (False, True)
     keys = {
-        store.library_key(form, r, ("cc",), p) for form in forms for r in ("double", "float") for p in (False, True)
+        store.library_key(form, r, ("cc",), p, b)
+        for form in forms
+        for r in ("double", "float")
+        for p in both
+        for b in both
     }
-    assert len(keys) == 8
+    assert len(keys) == 16
 
 
 @pytest.mark.parametrize("damage", ["digit", "half"])

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Task, TaskRow
 from mahovik.core.stand.read import load
 from mahovik.proof.rigorous.evaluate import ANSWERS
 from mahovik.proof.second.evaluate import PROBLEMS
-from mahovik.proof.verify.c_backend import with_all_inputs
+from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.stands import path
 
 

@@ -18,8 +18,9 @@ from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import BITS, run_compiler
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
-from mahovik.proof.verify.c_backend import InterpreterBackend, ProgramBackend
+from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.program_backend import ProgramBackend
 
 STATES = 3
 """Random states on which the C is judged."""

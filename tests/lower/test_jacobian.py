@@ -15,7 +15,8 @@ from mahovik.core.program.cost import cost
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand, random_state
 from mahovik.proof.second import Second
-from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
+from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.stands import names, path
 from toolchain.quick import quick
 

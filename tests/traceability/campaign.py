@@ -29,9 +29,10 @@ from mahovik.core.emit.statement import Statements
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import DOUBLE
-from mahovik.proof.verify.c_backend import InterpreterBackend, with_all_inputs
+from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
+from mahovik.proof.verify.program_backend import with_all_inputs
 from traceability.equations import ROOT, subjects
 from traceability.lines import functions, names
 from traceability.mutants import MUTANTS, chosen, mutant, planted, sites

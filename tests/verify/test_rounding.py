@@ -26,8 +26,9 @@ from mahovik.laws.leg.data import legs_of
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof import rigorous
 from mahovik.proof.verify.bounds import DOUBLE, FLOAT
-from mahovik.proof.verify.c_backend import CBackend, with_all_inputs
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.program_backend import with_all_inputs
 from mahovik.proof.verify.rounding.error import MISSING, error, is_narrow, ulp, units
 from mahovik.proof.verify.rounding.measure import (
     ULPS,

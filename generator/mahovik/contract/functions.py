@@ -37,6 +37,7 @@ class PublicFunction:
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batched   whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
+    form_of   method of a model that offers it by an argument; empty: none
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
     judges    its independent checks, by name of JUDGES
@@ -54,6 +55,7 @@ class PublicFunction:
     sines: bool = False
     batched: bool = False
     python: bool = True
+    form_of: str = ""
     claimed: tuple[str, ...] = ()
     unread: str = ""
     ignores: tuple[str, ...] = ()
@@ -265,6 +267,7 @@ _ROWS = (
         ("trajectory",),
         needs="flywheels",
         python=False,
+        form_of="step",
     ),
     PublicFunction(
         "step_driven_carried",
@@ -273,6 +276,7 @@ _ROWS = (
         ("carry", "next"),
         ("trajectory",),
         python=False,
+        form_of="step_driven",
     ),
 )
 """At extreme inputs, numbers inside `step` and `prepare` may overflow and are then refused: Eva's claim is for `bits`,

@@ -28,17 +28,15 @@ TABLES = ("table", "mounting")
 """Arguments that hold the numbers of a stand; all others depend on its structure alone."""
 
 
-def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
+def array_functions(generated: Generated, batches: bool = True) -> tuple[ArrayFunction, ...]:
     """Arguments and results of the functions of `array_source`."""
-    return tuple(
-        ArrayFunction(
-            f.name,
-            f.purpose,
-            row_of(f.name).batched,
-            tuple(_argument_layout(a, generated, row_of(f.name).batched) for a in f.arguments),
+    found = []
+    for f in _functions(generated):
+        wide = batches and row_of(f.name).batched
+        found.append(
+            ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
-        for f in _functions(generated)
-    )
+    return tuple(found)
 
 
 def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
@@ -47,21 +45,24 @@ def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
     return {"table": members(layout.table)} | ({"mounting": members(layout.mount_table)} if layout.flywheels else {})
 
 
-def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
-    """The C by file name; it lies beside the files of the stand and of its batches."""
+def array_source(stand: Stand, generated: Generated, batches: bool = True) -> dict[str, str]:
+    """The C by file name; it lies beside the files of the stand and of its batches, if it is to call `batches`."""
     code = Code(generated.program, identities(stand))
     text = code.render(
         "arrays.c.j2",
+        batches=batches,
         sizes=_sizes(generated, code.names),
-        functions=[_call(f, generated, code.names) for f in _functions(generated)],
+        functions=[
+            _call(f, generated, code.names, batches and row_of(f.name).batched) for f in _functions(generated)
+        ],
     )
     return {f"{stand.name}_arrays.c": text}
 
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    found = [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
-    return [*found, *(f for name, f in public.items() if name == f"inverse_{task_of(name)}")]
+    found = [public[name] for name, row in FUNCTIONS.items() if (row.python or row.form_of) and name in public]
+    return [*found, *(f for name, f in public.items() if task_of(name) and row_of(name).python)]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -91,9 +92,8 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     return [{"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()]
 
 
-def _call(f: Function, generated: Generated, names: Names) -> dict[str, Any]:
+def _call(f: Function, generated: Generated, names: Names, wide: bool) -> dict[str, Any]:
     """Values of the template for one function."""
-    wide = row_of(f.name).batched
     layouts = {a.name: _argument_layout(a, generated, wide) for a in f.arguments}
 
     def given(a: Argument) -> str:

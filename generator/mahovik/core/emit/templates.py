@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 from pathlib import Path
-
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template, select_autoescape
+from typing import TYPE_CHECKING
 
 from mahovik import __version__
 from mahovik.core.emit.layout import wrapped
+
+if TYPE_CHECKING:
+    from jinja2 import Environment, Template
 
 
 def folders() -> list[Path]:
@@ -25,6 +27,8 @@ def environment() -> Environment:
     All templates know `version`, and its three numbers as `release`. `lines|indented(4)` are lines that stand so far
     to the right, `text|wrapped(4)` is a statement that may be long.
     """
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape  # most commands print no C
+
     found = Environment(
         loader=FileSystemLoader(folders()),
         undefined=StrictUndefined,

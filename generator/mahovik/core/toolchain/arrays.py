@@ -59,7 +59,8 @@ def build(files: Mapping[str, str], name: str, folder: Path, compiler: Sequence[
         return target
 
     with side_by_side() as pool:
-        objects = list(pool.map(compiled, (f"{name}_batch", name, f"{name}_arrays")))
+        parts = [part for part in (f"{name}_batch", name, f"{name}_arrays") if f"{part}.c" in files]
+        objects = list(pool.map(compiled, parts))
     library = folder / f"{name}.so"
     try:
         run_compiler([*objects, *_PLACE, *openmp, "-o", str(library)], "to link", compiler)

@@ -61,6 +61,8 @@ class Caller:
                 arrays.append(self._made.tables[a.name])
             elif a.direction != "in":
                 memory = self._memory(a, layout, n)
+                if a.direction == "inout":
+                    memory[:] = given[a.name]
                 outputs.append((a, memory))
                 arrays.append(memory)
             elif a.order == "alike":
@@ -73,7 +75,8 @@ class Caller:
                 inputs = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}
                 raise refusal_error(function, status, inputs, self._stand, self._made.inputs)
             for a, memory in outputs:
-                _spoil(a, memory, status < 0)
+                if a.direction == "out":
+                    _spoil(a, memory, status < 0)
         found: dict[str, Array] = {}
         for a, memory in outputs:
             found |= _named(a, memory)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
 from mahovik.core.program.arrays import ArrayFunction, Member, filled
+from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure, structure
 from mahovik.core.toolchain.arrays import ArrayLibrary, build
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 _FUNCTIONS: TypeAdapter[tuple[ArrayFunction, ...]] = TypeAdapter(tuple[ArrayFunction, ...])
 _RECORDS: TypeAdapter[dict[str, tuple[Member, ...]]] = TypeAdapter(dict[str, tuple[Member, ...]])
 """Facts of a library, which the store keeps as JSON."""
+
+_REMEMBERED = 4
+_PROGRAMS: dict[tuple[Structure, str], tuple[Layout, Program]] = {}
+"""Programs of structures by element type, for the numbers of further stands."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +60,16 @@ class Compiled:
     sensors: tuple[str, ...]
 
 
-def compiled(stand: Stand, real: str, element: np.dtype[Any], compiler: str | None, parallel: bool) -> Compiled:
-    """The library of a stand with its numbers. Raises ToolchainError, UsageError, StandError."""
+def compiled(
+    stand: Stand, real: str, element: np.dtype[Any], compiler: str | None, parallel: bool, batches: bool = True
+) -> Compiled:
+    """The library of a stand with its numbers; without `batches` it takes state by state, and is compiled sooner.
+
+    Raises ToolchainError, UsageError, StandError.
+    """
     command = tuple(find_compiler(compiler))
-    key, numbers_key = store.library_key(structure(stand), real, command, parallel), store.numbers_key(stand, real)
+    key = store.library_key(structure(stand), real, command, parallel, batches)
+    numbers_key = store.numbers_key(stand, real)
     found = store.find(key)
     if found is not None:
         try:
@@ -69,7 +79,7 @@ def compiled(stand: Stand, real: str, element: np.dtype[Any], compiler: str | No
             pass
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        library, facts, numbers = _compile(stand, real, command, parallel, Path(scratch))
+        library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
         store.keep(key, library, facts)
         return _loaded(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
 
@@ -103,7 +113,7 @@ def _loaded(
 
 
 def _compile(
-    stand: Stand, real: str, command: tuple[str, ...], parallel: bool, scratch: Path
+    stand: Stand, real: str, command: tuple[str, ...], parallel: bool, batches: bool, scratch: Path
 ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
     """Library, facts of the structure, numbers of the stand."""
     from mahovik.core.emit.arrays import array_functions, array_source, tables
@@ -111,9 +121,11 @@ def _compile(
     from mahovik.core.emit.generate import generate_all
 
     generated = generate_all(stand, real)
-    files = {**generated.files, **batch_files(stand, generated), **array_source(stand, generated)}
+    _remember(structure(stand), real, (generated.layout, generated.program))
+    files = {**generated.files, **array_source(stand, generated, batches)}
+    files |= batch_files(stand, generated) if batches else {}
     facts = {
-        "functions": _FUNCTIONS.dump_python(array_functions(generated)),
+        "functions": _FUNCTIONS.dump_python(array_functions(generated, batches)),
         "tables": _RECORDS.dump_python(tables(generated)),
         "inputs": list(generated.layout.inputs),
         "sensors": list(generated.layout.sensors),
@@ -128,15 +140,24 @@ def _numbers(stand: Stand, real: str) -> dict[str, Any]:
     return _plain(Values(stand, *_lowered(structure(stand), real)))
 
 
-@lru_cache(maxsize=4)
 def _lowered(of: Structure, real: str) -> tuple[Layout, Program]:
     """The program of a structure; in a campaign over numbers it is always the same."""
-    from mahovik.core.emit.generate import PRECISIONS
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.program import lower_layout
 
-    layout = Layout(of, PRECISIONS[real])
-    return layout, lower_layout(layout)
+    found = _PROGRAMS.get((of, real))
+    if found is None:
+        layout = Layout(of, FLOAT if real == "float" else DOUBLE)
+        found = layout, lower_layout(layout)
+        _remember(of, real, found)
+    return found
+
+
+def _remember(of: Structure, real: str, lowered: tuple[Layout, Program]) -> None:
+    """Keep the program of a structure, of the last few."""
+    while len(_PROGRAMS) >= _REMEMBERED:
+        _PROGRAMS.pop(next(iter(_PROGRAMS)), None)
+    _PROGRAMS[of, real] = lowered
 
 
 def _plain(values: Values) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from mahovik.contract.functions import row_of, task_of
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.program.arrays import ArgumentLayout, record
+from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.units import show
@@ -107,7 +107,8 @@ class Built:
         """Functions of this stand's C."""
         found = []
         for function, f in self._made.functions.items():
-            if "x" in row_of(function).takes and not task_of(function):  # a task is asked of `inverse`
+            # a task is asked of `inverse`, a carry of `step`
+            if "x" in row_of(function).takes and not task_of(function) and not row_of(function).form_of:
                 takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
                 gives = (
                     ("states",)
@@ -179,6 +180,12 @@ class Built:
         parts = {"states": (given, self._components)}
         return States(self._stand.name, self._state, pack_states(parts, None, self._element), given.ndim == 1)
 
+    def carry(self, n: int | None = None) -> Array:
+        """A carry for `step` and `step_driven`, all zero: (n, 13 + 2 N), or (13 + 2 N,) of one state."""
+        if n is not None and (isinstance(n, bool) or not isinstance(n, int) or n < 0):
+            raise InputError(f"carry: expected a number of states from 0, found {n!r:.40}")
+        return np.zeros(self._components if n is None else (n, self._components), self._element)
+
     def _quaternions(self, angles: Array) -> Array:
         n = len(angles) if angles.ndim == 2 else 1
         found, _ = self._call.run("quaternion", {"angles": angles}, n, "raise")
@@ -193,10 +200,23 @@ class Built:
         return kind(self._call.fields(function), found, status, single)
 
     def _step(
-        self, function: str, x: Any, dt: float, order: int, on_error: OnError, wrench: Wrenches, **given: Any
+        self,
+        function: str,
+        x: Any,
+        dt: float,
+        order: int,
+        on_error: OnError,
+        wrench: Wrenches,
+        carry: Array | None,
+        **given: Any,
     ) -> States:
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
-        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        if carry is not None:
+            given["carry"] = carry
+        form = function if carry is None else f"{function}_carried"
+        found, status, single = self._calculated(form, x, on_error, wrench, given)
+        if carry is not None:
+            carry[...] = found["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
         if coarse:
             which = f" in {coarse:,} of {len(status):,} states" if len(status) > 1 else ""
@@ -218,6 +238,8 @@ class Built:
             raise InputError(f"{function}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
+        given = dict(given)
+        carry = given.pop("carry", None)
         if wrench is not None or self._made.inputs:
             by_body = wrenches(wrench, self._made.inputs, self._bodies)
         for a in f.arguments:
@@ -236,8 +258,22 @@ class Built:
             for name in given.keys() - {a.name for a in f.arguments}:
                 inputs.read(given[name], name, 0, (), "flywheel")
         n = inputs.batch_size(parts)
+        if carry is not None:
+            alike["carry"] = self._carried(f, carry, n)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
         return found, status, n is None
+
+    def _carried(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
+        """A carry as records, one for each state."""
+        shape = (self._components,) if n is None else (n, self._components)
+        if not isinstance(carry, np.ndarray) or carry.dtype != self._element or carry.shape != shape:
+            found = f"{carry.dtype} {carry.shape}" if isinstance(carry, np.ndarray) else type(carry).__name__
+            count = "" if n is None else str(n)
+            raise InputError(f"carry: expected {self._element} {shape}, found {found}: model.carry({count}) makes one")
+        a = next(a for a in f.arguments if a.name == "carry")
+        records = np.zeros(1 if n is None else n, dtype=record(a.members, self._element))
+        records["rounding"] = carry
+        return records
 
     def _array(self, x: Any) -> Array:
         """States as an array of shape (n, k) or (k,)."""

@@ -17,6 +17,7 @@ from mahovik.nearest import suggestion
 from mahovik.out.api import results
 from mahovik.out.api.call import OnError
 from mahovik.out.api.core import ELEMENT, Built, Locks, Real, Wrenches
+from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
@@ -142,15 +143,17 @@ class Model(Built):
         locked: Locks = (),
         order: Literal[2, 4] = 4,
         wrench: Wrenches = None,
+        carry: Array | None = None,
         on_error: OnError = "raise",
     ) -> States:
         """The states a time `dt` (s) later, under drive torques and wrenches held constant.
 
         order  4: Runge-Kutta; 2: midpoint rule
+        carry  of `model.carry`: takes what rounding took from these states, and is changed in place
 
-        Batch C. Raises InputError, RefusedError.
+        Batch C; with a carry state by state. Raises InputError, RefusedError.
         """
-        return self._step("step", x, dt, order, on_error, wrench, tau=tau, locked=locked)
+        return self._step("step", x, dt, order, on_error, wrench, carry, tau=tau, locked=locked)
 
     # -- functions for one state, in a loop --------------------------------------------------------------------------
 
@@ -162,13 +165,14 @@ class Model(Built):
         *,
         order: Literal[2, 4] = 4,
         wrench: Wrenches = None,
+        carry: Array | None = None,
         on_error: OnError = "raise",
     ) -> States:
-        """The states a time `dt` (s) later, under given flywheel accelerations. State by state.
+        """The states a time `dt` (s) later, under given flywheel accelerations; `carry` as in `step`. State by state.
 
         Raises InputError, RefusedError.
         """
-        return self._step("step_driven", x, dt, order, on_error, wrench, phi_ddot=phi_ddot)
+        return self._step("step_driven", x, dt, order, on_error, wrench, carry, phi_ddot=phi_ddot)
 
     def inverse(
         self,

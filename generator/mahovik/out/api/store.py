@@ -32,18 +32,19 @@ KEPT = 256
 _DIGEST = "digest"
 _NUMBERS = ".numbers"
 _PACKAGE = Path(__file__).resolve().parents[2]
-_STAGES = ("emit", "lower", "program", "routines", "toolchain")
+_DECIDE = ("contract", "laws", *(f"core/{stage}" for stage in ("emit", "lower", "program", "routines", "toolchain")))
 _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
 
 
-def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool) -> str:
+def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool, batches: bool = True) -> str:
     """Structure, element type, compiler with this processor, generator. Raises ToolchainError."""
-    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel))
+    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel), str(batches))
 
 
 def numbers_key(stand: Stand, real: str) -> str:
     """Stand, element type, generator."""
-    return _key(repr(asdict(stand)), real)
+    laws = [type(law).__name__ for owner in (stand, *stand.bodies) for law in owner.laws]
+    return _key(repr(asdict(stand)), repr(laws), real)
 
 
 def _key(*parts: str) -> str:
@@ -53,8 +54,8 @@ def _key(*parts: str) -> str:
 @cache
 def _generator() -> str:
     """SHA-256 of all that decides the text of the C and how it is compiled."""
-    paths = [path for stage in _STAGES for path in sorted((_PACKAGE / "core" / stage).rglob("*.py"))]
-    paths += [folder / name for folder in folders() for name in _TEMPLATES if (folder / name).is_file()]
+    paths = [path for part in _DECIDE for path in sorted((_PACKAGE / part).rglob("*.py"))]
+    paths += [place / name for place in folders() for name in _TEMPLATES if (place / name).is_file()]
     found = hashlib.sha256(f"{__version__}\0{formulas.source_hash()}".encode())
     for path in paths:
         found.update(path.name.encode() + b"\0" + path.read_bytes())

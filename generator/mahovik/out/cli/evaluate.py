@@ -68,6 +68,6 @@ def _backend(stand: Stand, name: str, real: str) -> Backend:
         from mahovik.proof.second import Second
 
         return Second(stand)
-    from mahovik.proof.verify.c_backend import CBackend
+    from mahovik.out.api.evaluator import KeptBackend
 
-    return CBackend(stand, real)
+    return KeptBackend(stand, "float" if real == "float" else "double")

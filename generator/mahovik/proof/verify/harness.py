@@ -16,10 +16,11 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import Backend
 from mahovik.proof.verify.bounds import BOUNDS, DOUBLE, Bounds
-from mahovik.proof.verify.c_backend import CBackend, public_names
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Judge, Row, same_bits
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
+from mahovik.proof.verify.program_backend import public_names
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import Request

@@ -23,10 +23,11 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import Bodies, Placed, bodies_of
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.screw import Phi, f, spin
 from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
+from mahovik.use.study.exchange import Exchange
 
 UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
@@ -167,10 +168,12 @@ def balanced_flywheel(flywheel: Flywheel) -> Flywheel:
 def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
     """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want."""
     found: dict[tuple[int, str], Shortfall] = {}
+    bodies = bodies_of(stand)
+    exchanges = [Exchange.of(number, s, balanced_flywheel(s)) for number, s in enumerate(stand.flywheels)]
     for motion in MOTIONS:
         best: dict[tuple[int, str], tuple[float, float]] = {}
         for state in states(stand, speeds, motion):
-            for number, want, effect, rounding in _effects(stand, state):
+            for number, want, effect, rounding in _effects(stand, state, bodies, exchanges):
                 known = best.get((number, want), (0.0, math.inf))
                 best[number, want] = max(known, (effect, rounding), key=lambda pair: pair[0] / pair[1])
         for (number, want), (effect, rounding) in best.items():
@@ -180,32 +183,27 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
     return [found[key] for key in sorted(found)]
 
 
-def _effects(stand: Stand, state: State) -> Iterator[tuple[int, str, float, float]]:
+def _effects(
+    stand: Stand, state: State, bodies: Bodies, exchanges: Sequence[Exchange]
+) -> Iterator[tuple[int, str, float, float]]:
     """Flywheel, want, effect of its unbalance and rounding, in the component that shows it best."""
     try:
-        at = reference.pieces(stand, state)
+        at = reference.pieces(stand, state, bodies)
     except StateError:
         return  # a law is undefined: not a state of the stand
-    values = {want: _value(stand, state, want, at) for want in QUANTITIES}
+    V_dot = reference.evaluate(stand, state, ["forward"], at)["V_dot"]
     terms = {want: quantity.terms(at, state) for want, quantity in QUANTITIES.items()}
-    for number, flywheel in enumerate(stand.flywheels):
-        wheels = (*stand.flywheels[:number], balanced_flywheel(flywheel), *stand.flywheels[number + 1 :])
-        other = replace(stand, flywheels=wheels)
-        there = reference.pieces(other, state)
+    for exchange in exchanges:
+        number, changes = exchange.number, exchange.changes(at, state, V_dot)
         for want, quantity in QUANTITIES.items():
-            value, without, size = values[want], _value(other, state, want, there), terms[want]
+            effect, size = np.abs(changes[want]), terms[want]
             if quantity.by_flywheel:
-                value, without, size = value[number], without[number], size[number]
-            effect = np.abs(value - without)
+                size = size[number]
             seen = effect > DOUBLE_NOISE * size
             if np.any(seen):
                 effect, size = effect[seen], size[seen]
                 index = int(np.argmax(effect / size))
                 yield number, want, float(effect[index]), float(FACTOR * UNIT * size[index])
-
-
-def _value(stand: Stand, state: State, want: str, at: reference.Pieces) -> Array:
-    return np.asarray(reference.evaluate(stand, state, [want], at)[QUANTITIES[want].key])
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:

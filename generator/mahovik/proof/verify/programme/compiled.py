@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -102,8 +103,8 @@ def _facts(path: Path) -> dict[str, Any]:
         found = json.loads(path.read_text(encoding="utf-8"))
         facts = {"physics": str(found["physics"]), "real": found["real"], "limit": float(found["limit"])}
     except (ValueError, KeyError, TypeError, RecursionError):
-        facts = {"real": None}
-    if facts["real"] not in ("float", "double"):
+        facts = {"real": None, "limit": math.nan}
+    if facts["real"] not in ("float", "double") or not 0.0 <= facts["limit"] < math.inf:
         raise UsageError(f"{path}: not as `mahovik export programme` writes it: export the programme again")
     return facts
 

@@ -27,10 +27,11 @@ from mahovik.proof import reference, rigorous
 from mahovik.proof.rigorous.evaluate import BITS, Balls, enclose
 from mahovik.proof.second import Second
 from mahovik.proof.verify.bounds import BOUNDS
-from mahovik.proof.verify.c_backend import CBackend, ProgramBackend, prepare_records, public_names
+from mahovik.proof.verify.c_backend import CBackend, prepare_records
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress, report
+from mahovik.proof.verify.program_backend import ProgramBackend, public_names
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.report import as_json as report_json
 from mahovik.proof.verify.report import conclusion as report_conclusion

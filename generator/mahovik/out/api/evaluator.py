@@ -1,0 +1,83 @@
+"""The compiled C as a backend of `eval`: kept from command to command, where the harness compiles its own each time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.lower.layout import Layout
+from mahovik.core.program.arrays import ArgumentLayout, record
+from mahovik.core.program.types import DOUBLE, FLOAT
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.state import State
+from mahovik.core.stand.structure import structure
+from mahovik.out.api.compiled import Compiled, compiled
+from mahovik.out.api.core import ELEMENT, Real
+from mahovik.proof.verify.program_backend import FunctionBackend, with_all_inputs
+
+
+class KeptBackend(FunctionBackend):
+    """Answers of a stand's C, compiled at the first use of its structure.
+
+    A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input on
+    every body. Raises ToolchainError, UsageError, StandError.
+    """
+
+    def __init__(self, stand: Stand, real: Real) -> None:
+        self._stand, self._real = stand, real
+        self._made: Compiled = compiled(stand, real, ELEMENT[real], None, parallel=False, batches=False)
+        layout = Layout(structure(stand), FLOAT if real == "float" else DOUBLE)
+        super().__init__("c", layout, None, None, self._made.options)
+
+    @cached_property
+    def full(self) -> KeptBackend:
+        """The C of the same stand with a run-time wrench on every body."""
+        return KeptBackend(with_all_inputs(self._stand), self._real)
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """Results by the names of stand.md. Raises StateError."""
+        if any(body not in self.inputs for body in state.wrench):
+            return super(KeptBackend, self.full).evaluate(state, want)
+        return super().evaluate(state, want)
+
+    def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Calls one function with those of the inputs that it takes; returns status and outputs."""
+        element, passed = ELEMENT[self._real], []
+        outputs: dict[str, tuple[ArgumentLayout, NDArray[Any]]] = {}
+        for a in self._made.functions[function].arguments:
+            if a.name in self._made.tables:
+                passed.append(self._made.tables[a.name])
+            elif a.direction == "in":
+                passed.append(_memory(a, element, inputs[a.name]))
+            else:
+                outputs[a.name] = a, _memory(a, element, None)
+                passed.append(outputs[a.name][1])
+        status = np.zeros(1, dtype=np.int32)
+        self._made.library.call(function, 1, passed, status)
+        return int(status[0]), {name: _plain(a, memory) for name, (a, memory) in outputs.items()}
+
+
+def _memory(a: ArgumentLayout, element: np.dtype[Any], value: Any) -> NDArray[Any]:
+    """Memory of an argument of one state, with its value where there is one."""
+    found = np.zeros(1, dtype=record(a.members, element))
+    for m in a.members if value is not None else ():
+        found[m.name] = value[m.name] if isinstance(value, Mapping) else value
+    return found
+
+
+def _plain(a: ArgumentLayout, memory: NDArray[Any]) -> Any:
+    """A result as plain data: numbers, lists, dicts by member."""
+    row = memory[0]
+    found = {
+        m.name: (
+            [{inner.name: each[inner.name].tolist() for inner in m.members} for each in row[m.name]]
+            if m.kind == "record"
+            else row[m.name].tolist()
+        )
+        for m in a.members
+    }
+    return found[a.name] if [*found] == [a.name] and len(found) == 1 else found

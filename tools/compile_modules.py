@@ -1,0 +1,44 @@
+"""Lets Python compile and keep the modules that commands import, by running some commands.
+
+python tools/compile_modules.py
+
+Python keeps them beside their sources where the environment does not forbid it, PYTHONDONTWRITEBYTECODE.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from mahovik.stands import path
+
+STAND = str(path("bench8"))
+
+COMMANDS = (
+    ("check", STAND),
+    ("rest", STAND),
+    ("eval", STAND, "--backend", "numpy"),
+    ("generate", STAND, "-o", "bench8", "--no-cache"),
+)
+
+
+def main() -> None:
+    """Run them, in a folder that is removed. Exit status 1 where one fails."""
+    with tempfile.TemporaryDirectory() as scratch:
+        for command in COMMANDS:
+            done = subprocess.run(
+                [sys.executable, "-m", "mahovik", *command],
+                cwd=Path(scratch),
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            if done.returncode != 0:
+                raise SystemExit(f"mahovik {' '.join(command)}: {done.stderr.strip()}")
+
+
+if __name__ == "__main__":
+    main()
