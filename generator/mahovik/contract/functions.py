@@ -186,6 +186,18 @@ _ROWS = (
         ignores=("near", "limit", "most", "motor_torque", "motor_speed"),
     ),
     PublicFunction(
+        "torque_for",
+        "",
+        (*_STATE, "demand", "options", "locked", "wrench"),
+        ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
+        ("allocation",),
+        needs="flywheels",
+        tasks=True,
+        python=False,
+        unread="infinity, which is no limit at all",
+        ignores=("near", "limit", "most", "damping"),
+    ),
+    PublicFunction(
         "forward_jacobian",
         "(8)",
         (*_STATE, "phi_ddot", "wrench"),
