@@ -24,7 +24,7 @@ def passes(count: int) -> int:
 
 def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, regular: float) -> Function:
     """`bounded_least_squares` for a matrix of `rows` x `count`; `regular`: lambda, relative to the largest row."""
-    W = Argument("W", Kind.REAL, (rows, count), purpose="rows of the equations")
+    W = Argument("W", Kind.REAL, (rows * int(count),), purpose="rows of the equations, one after the other")
     r = Argument("r", Kind.REAL, (rows,), purpose="wanted W y")
     low = Argument("low", Kind.REAL, (count,), purpose="lower bounds of y")
     high = Argument("high", Kind.REAL, (count,), purpose="upper bounds; not below the lower ones")
@@ -74,14 +74,14 @@ def _gram(body: Body, W: Place, weight: Place, held: Place, gram: Place, regular
         whole = body.local("whole")
         body.set(whole, real(0))
         with body.loop("s", count) as s:
-            body.add(whole, W[i][s] * W[i][s] / weight[s])
+            body.add(whole, W[i * count + s] * W[i * count + s] / weight[s])
         body.set(largest, select(whole > largest, whole, largest))
     ridge = body.let("lambda", select(largest > 0, real(regular) * largest, real(1)))
     with body.loop("i", rows) as i, body.loop("j", i + 1) as j:
         total = body.local("total")
         body.set(total, select(equal(i, j), ridge, real(0)))
         with body.loop("s", count) as s, body.when(equal(held[s], integer(0))):
-            body.add(total, W[i][s] * W[j][s] / weight[s])
+            body.add(total, W[i * count + s] * W[j * count + s] / weight[s])
         body.set(gram[i][j], total)
     with body.loop("j", rows) as j:
         with body.loop("k", j) as k:
@@ -111,7 +111,7 @@ def _goal(
         with body.loop("i", rows) as i:
             body.set(left[i], r[i])
             with body.loop("s", count) as s:
-                body.add(left[i], -(W[i][s] * goal[s]))
+                body.add(left[i], -(W[i * count + s] * goal[s]))
         with body.loop("i", rows) as i:
             with body.loop("k", i) as k:
                 body.add(left[i], -(gram[i][k] * left[k]))
@@ -123,7 +123,7 @@ def _goal(
             body.set(left[i_], left[i_] / gram[i_][i_])
             body.add(z[i_], left[i_])
         with body.loop("s", count) as s, body.when(equal(held[s], integer(0))), body.loop("i", rows) as i:
-            body.add(goal[s], W[i][s] * left[i] / weight[s])
+            body.add(goal[s], W[i * count + s] * left[i] / weight[s])
 
 
 def _advance(body: Body, low: Place, high: Place, y: Place, held: Place, goal: Place) -> Place:
@@ -162,7 +162,7 @@ def _released(body: Body, W: Place, weight: Place, y: Place, held: Place, z: Pla
         body.set(pull, -(weight[s] * y[s]))
         body.set(size, magnitude(weight[s] * y[s]))
         with body.loop("i", len(z)) as i:
-            term = body.let("term", W[i][s] * z[i])
+            term = body.let("term", W[i * len(y) + s] * z[i])
             body.add(pull, term)
             body.add(size, magnitude(term))
         inward = body.let("inward", select(held[s] > 0, -pull, pull))

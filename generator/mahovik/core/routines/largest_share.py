@@ -41,7 +41,7 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
     pivot      a coefficient below this, in rows of largest element 1, counts as zero
     tolerance  how far the rows may be from zero at f = 0, in the same rows, before `start` counts as out of reach
     """
-    W = Argument("W", Kind.REAL, (rows, count), purpose="rows of the equations")
+    W = Argument("W", Kind.REAL, (rows * int(count),), purpose="rows of the equations, one after the other")
     low = Argument("low", Kind.REAL, (count,), purpose="lower bounds of y")
     high = Argument("high", Kind.REAL, (count,), purpose="upper bounds; not below the lower ones")
     start = Argument("start", Kind.REAL, (rows,), purpose="W y wanted at f = 0")
@@ -110,9 +110,9 @@ def _set_up(body: Body, given: tuple[Place, ...], tableau: Place, upper: Place) 
         body.set(value, start[i])
         body.set(largest, magnitude(towards[i]))
         with body.loop("j", n) as j:
-            body.set(tableau[i][j], W[i][j])
-            body.add(value, -(W[i][j] * low[j]))
-            body.set(largest, select(magnitude(W[i][j]) > largest, magnitude(W[i][j]), largest))
+            body.set(tableau[i][j], W[i * n + j])
+            body.add(value, -(W[i * n + j] * low[j]))
+            body.set(largest, select(magnitude(W[i * n + j]) > largest, magnitude(W[i * n + j]), largest))
         body.set(tableau[i][n], -towards[i])
         body.set(tableau[i][n + 1], value)
         body.set(largest, select(magnitude(value) > largest, magnitude(value), largest))

@@ -44,10 +44,6 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     body = Body()
     lib.begin(body)
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
-    still = body.local("still", (6,), comment="V* = 0")
-    for element in still:
-        body.set(element, real(0))
-    moving = relative_rate(body, x.place, still, seen.stream)
     sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then F_c")
     Z = body.local("Z", (6,), comment="momentum screw (2)")
@@ -72,7 +68,13 @@ def torque_demand(lib: Library, turning: bool) -> Function:
         body.note("a locked flywheel takes no part")
         with body.loop("i", 6) as i:
             body.set(w.I[i][s], select(free, coupling.I[i], real(0)))
-    (_turning_part if turning else _whole)(lib, body, w, K, F, moving)
+    if turning:
+        _turning_part(lib, body, table.place, w, K, F)
+    else:
+        still = body.local("still", (6,), comment="V* = 0")
+        for element in still:
+            body.set(element, real(0))
+        _whole(lib, body, w, K, F, relative_rate(body, x.place, still, seen.stream))
     what = "the turning part of the motion" if turning else "the motion"
     return body.checked(
         "torque_demand_turning" if turning else "torque_demand",
@@ -105,7 +107,7 @@ def _whole(lib: Library, body: Body, w: Place, K: Place, F: Place, moving: Place
     substitute(lib, body, w)
 
 
-def _turning_part(lib: Library, body: Body, w: Place, K: Place, F: Place, moving: Place) -> None:
+def _turning_part(lib: Library, body: Body, table: Place, w: Place, K: Place, F: Place) -> None:
     """C, x, X of the last three components: what eliminating v* leaves of them. A stream moves v* alone."""
     inverse = invert_block(lib, body, K)
     U = body.local("U", (9,), comment="A^-1 B^T")
@@ -113,12 +115,13 @@ def _turning_part(lib: Library, body: Body, w: Place, K: Place, F: Place, moving
     binding: dict[str, Any] = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D}
     assign(body, list(U), derived.schur_coupling(True), binding)
     assign(body, list(S), derived.reduced_inertia(True), binding)
-    diagonal = factor3(lib, body, S, w.G)
+    factor3(lib, body, S, w)
     moment = body.local("moment", (3,), comment="of F, then of each column of I, when v* is eliminated")
     six = list(F)
     assign(body, list(moment), derived.reduced_moment(True), binding | {"f": six[:3], "n": six[3:]})
-    substitute3(body, w.G, diagonal, list(moment), list(w.r)[:3], "r")
+    substitute3(body, w.G, list(moment), list(w.r)[:3], "r")
     with body.loop("s", lib.layout.count) as s:
         column = [w.I[i][s] for i in range(6)]
         assign(body, list(moment), derived.reduced_moment(True), binding | {"f": column[:3], "n": column[3:]})
-        substitute3(body, w.G, diagonal, [each * w.scale[s] for each in moment], [w.W[i][s] for i in range(3)], "W")
+        substitute3(body, w.G, list(moment), [w.W[i][s] for i in range(3)], "W")
+    body.call(lib["scale_turning"], table, w)

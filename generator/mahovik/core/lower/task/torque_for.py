@@ -61,12 +61,12 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
     lib.check(body, base, *lib.passed(base, **named))
     project = f"project_{name}"
     body.call(lib[project], *lib.passed(project, **place, use=use, work=work, L=L))
-    W = body.local("W", (m, N))
+    W = body.local("W", (m * int(N),), comment="rows, one after the other")
     r = body.local("r", (m,))
     with body.loop("i", m) as i:
         body.set(r[i], work.r[i])
         with body.loop("s", N) as s:
-            body.set(W[i][s], work.W[i][s])
+            body.set(W[i * int(N) + s], work.W[i][s])
     least, most = body.local("least", (N,), comment="bounds of tau"), body.local("most", (N,))
     low, high = body.local("low", (N,), comment="bounds of y"), body.local("high", (N,))
     _bounds(lib, body, x.place, p, locked.place, (least, most))
@@ -195,7 +195,7 @@ def _beyond(lib: Library, body: Body, W: Place, r: Place, y: Place) -> Expr:
         rest = body.local("rest")
         body.set(rest, r[i])
         with body.loop("s", len(y)) as s:
-            body.add(rest, -(W[i][s] * y[s]))
+            body.add(rest, -(W[i * len(y) + s] * y[s]))
         body.add(left, rest * rest)
         body.add(wanted, r[i] * r[i])
     tolerance = lib.thresholds.unreachable
