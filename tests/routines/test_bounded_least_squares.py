@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 @cache
 def interpreter(rows: int, count: int, precision: Precision) -> Interpreter:
     named, root = NamedCount("N", count), square_root(precision)
-    regular = 1e-12 if precision is DOUBLE else 1e-4
+    regular = 1e-12 if precision is DOUBLE else 4e-6
     routine = bounded_least_squares(rows, named, root, regular)
     return Interpreter(Program("bounded", precision, (named,), (), (root, routine)))
 

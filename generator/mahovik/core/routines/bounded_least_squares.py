@@ -3,18 +3,25 @@
 A primal active set method for the strictly convex problem |W y - r|^2 / lambda + y^T Omega y (Nocedal and Wright 2006,
 Numerical Optimization, algorithm 16.3; Harkegard 2002 for control allocation), with lambda so small that the first term
 decides. With z = (r - W y)/lambda the solution of the free unknowns is y = Omega^-1 W^T z, where
-(W Omega^-1 W^T + lambda) z = r - W y_held: a system of as many unknowns as W has rows. One step of refinement removes
-what lambda leaves of the error. Each pass moves to this solution as far as all bounds allow; the unknown that stops it
-is held at its bound, and after a whole step the held unknown with the most wrong multiplier is released.
+(W Omega^-1 W^T + lambda) z = r - W y_held: a system of as many unknowns as W has rows. Fewer free unknowns than rows
+are solved from (W^T W + lambda Omega) y = W^T (r - W y_held) instead, since z is large where the demand is out of their
+reach. Two steps of refinement remove what lambda leaves of the error. Each pass moves to this solution as far as all
+bounds allow; the unknown that stops it is held at its bound. After a whole step the held unknown with the most wrong
+multiplier is released.
 """
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, NamedCount
+
+ROUNDS = 3
+"""Solutions of a pass, two of them for what the one before has left."""
 
 
 def passes(count: int) -> int:
@@ -33,20 +40,25 @@ def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, r
     held = Argument("held", Kind.INT, (count,), "out", purpose="-1 at its lower bound, 1 at its upper one, 0 between")
     body = Body()
     _begin(body, low.place, high.place, y.place, held.place)
-    gram = body.local(
-        "gram", (rows, rows), comment="W Omega^-1 W^T + lambda of the free unknowns, then its Cholesky factor"
+    scratch = _Scratch(
+        gram=body.local("gram", (rows, rows), comment="of rows, or of fewer free unknowns; then its factor"),
+        z=body.local("z", (rows,), comment="(r - W y)/lambda"),
+        left=body.local("left", (rows,), comment="right-hand side, and what solves it"),
+        free=body.local("free", (rows,), Kind.INT, "free unknowns where these are fewer than rows"),
+        many=body.local("many", (), Kind.INT, "number of free unknowns"),
+        goal=body.local("goal", (count,), comment="solution of the free unknowns"),
     )
-    z = body.local("z", (rows,), comment="(r - W y)/lambda")
-    left = body.local("left", (rows,), comment="r - W y")
-    goal = body.local("goal", (count,), comment="solution of the free unknowns")
+    ridge = _ridge(body, W.place, weight.place, rows, regular)
     going = body.local("going", (), Kind.INT)
     body.set(going, integer(1))
     with body.loop("pass", passes(int(count))), body.when(going > 0):
-        _gram(body, W.place, weight.place, held.place, gram, regular, square_root)
-        _goal(body, (W.place, r.place, weight.place), (y.place, held.place), (gram, z, left), goal)
-        stopped = _advance(body, low.place, high.place, y.place, held.place, goal)
+        _gram(body, W.place, weight.place, held.place, scratch, ridge)
+        size = body.let("unknowns", select(scratch.many < rows, scratch.many, integer(rows)))
+        _factor(body, scratch.gram, size, ridge, square_root)
+        _goal(body, (W.place, r.place, weight.place), (y.place, held.place), scratch, size, ridge)
+        stopped = _advance(body, low.place, high.place, y.place, held.place, scratch.goal)
         with body.when(stopped < 0):
-            freed = _released(body, W.place, weight.place, y.place, held.place, z)
+            freed = _released(body, W.place, weight.place, y.place, held.place, scratch.z)
             with body.when(freed < 0):
                 body.set(going, integer(0))
             with body.otherwise():
@@ -65,10 +77,22 @@ def _begin(body: Body, low: Place, high: Place, y: Place, held: Place) -> None:
         body.set(held[s], select(Not(low[s] < high[s]), integer(1), integer(0)))
 
 
-def _gram(body: Body, W: Place, weight: Place, held: Place, gram: Place, regular: float, square_root: Function) -> None:
-    """Cholesky factor of W Omega^-1 W^T + lambda over the free unknowns."""
-    rows, count = len(gram), len(weight)
-    largest = body.local("largest", comment="largest diagonal element, all unknowns free")
+@dataclass(frozen=True, eq=False)
+class _Scratch:
+    """Local arrays of the solution for the free unknowns."""
+
+    gram: Place
+    z: Place
+    left: Place
+    free: Place
+    many: Place
+    goal: Place
+
+
+def _ridge(body: Body, W: Place, weight: Place, rows: int, regular: float) -> Place:
+    """lambda: a small part of the largest diagonal element of W Omega^-1 W^T."""
+    count = len(weight)
+    largest = body.local("largest", comment="diagonal element of W Omega^-1 W^T")
     body.set(largest, real(0))
     with body.loop("i", rows) as i:
         whole = body.local("whole")
@@ -76,54 +100,105 @@ def _gram(body: Body, W: Place, weight: Place, held: Place, gram: Place, regular
         with body.loop("s", count) as s:
             body.add(whole, W[i * count + s] * W[i * count + s] / weight[s])
         body.set(largest, select(whole > largest, whole, largest))
-    ridge = body.let("lambda", select(largest > 0, real(regular) * largest, real(1)))
+    return body.let("lambda", select(largest > 0, real(regular) * largest, real(1)))
+
+
+def _gram(body: Body, W: Place, weight: Place, held: Place, scratch: _Scratch, ridge: Place) -> None:
+    """W Omega^-1 W^T + lambda over the free unknowns; where these are fewer than rows, W^T W + lambda Omega of them."""
+    gram, free, many = scratch.gram, scratch.free, scratch.many
+    rows, count = len(gram), len(weight)
     with body.loop("i", rows) as i, body.loop("j", i + 1) as j:
-        total = body.local("total")
+        body.set(gram[i][j], real(0))
+    body.set(many, integer(0))
+    with body.loop("s", count) as s, body.when(equal(held[s], integer(0))):
+        with body.when(many < rows):
+            body.set(free[many], s)
+        body.set(many, many + 1)
+    total = body.local("total")
+    with body.when(many < rows), body.loop("k", many) as k, body.loop("l", k + 1) as l:
+        body.set(total, select(equal(k, l), ridge * weight[free[k]], real(0)))
+        with body.loop("i", rows) as i:
+            body.add(total, W[i * count + free[k]] * W[i * count + free[l]])
+        body.set(gram[k][l], total)
+    with body.otherwise(), body.loop("i", rows) as i, body.loop("j", i + 1) as j:
         body.set(total, select(equal(i, j), ridge, real(0)))
         with body.loop("s", count) as s, body.when(equal(held[s], integer(0))):
             body.add(total, W[i * count + s] * W[j * count + s] / weight[s])
         body.set(gram[i][j], total)
-    with body.loop("j", rows) as j:
+
+
+def _factor(body: Body, gram: Place, size: Place, ridge: Place, square_root: Function) -> None:
+    """Cholesky factor in the lower triangle."""
+    with body.loop("j", size) as j:
+        least = body.let(
+            "least", real(2.0**-52) * gram[j][j] + real(2.0**-20) * ridge, "rounding, of a singular matrix"
+        )
         with body.loop("k", j) as k:
             body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
-        pivot = body.let("pivot", select(gram[j][j] > ridge, gram[j][j], ridge), "not below lambda but for rounding")
-        body.set(gram[j][j], call(square_root, pivot))
-        with body.loop("i", rows, start=j + 1) as i:
+        body.set(gram[j][j], call(square_root, select(gram[j][j] > least, gram[j][j], least)))
+        with body.loop("i", size, start=j + 1) as i:
             with body.loop("k", j) as k:
                 body.add(gram[i][j], -(gram[i][k] * gram[j][k]))
             body.set(gram[i][j], gram[i][j] / gram[j][j])
 
 
+def _solve(body: Body, gram: Place, b: Place, size: Place) -> None:
+    """b = gram^-1 b by the factor."""
+    with body.loop("i", size) as i:
+        with body.loop("k", i) as k:
+            body.add(b[i], -(gram[i][k] * b[k]))
+        body.set(b[i], b[i] / gram[i][i])
+    with body.loop("t", size) as t:
+        i_ = body.let("i", size - 1 - t)
+        with body.loop("k", size, start=i_ + 1) as k:
+            body.add(b[i_], -(gram[k][i_] * b[k]))
+        body.set(b[i_], b[i_] / gram[i_][i_])
+
+
 def _goal(
-    body: Body, given: tuple[Place, Place, Place], state: tuple[Place, Place], scratch: tuple[Place, ...], goal: Place
+    body: Body,
+    given: tuple[Place, Place, Place],
+    state: tuple[Place, Place],
+    scratch: _Scratch,
+    size: Place,
+    ridge: Place,
 ) -> None:
-    """The solution of the free unknowns, refined once, and the multipliers z."""
+    """The solution of the free unknowns, refined, and the multipliers z."""
     W, r, weight = given
     y, held = state
-    gram, z, left = scratch
+    gram, z, left, free, many, goal = vars(scratch).values()
     rows, count = len(r), len(y)
     body.note("held unknowns keep their values; the free ones start from 0")
     with body.loop("s", count) as s:
         body.set(goal[s], select(equal(held[s], integer(0)), real(0), y[s]))
     with body.loop("i", rows) as i:
         body.set(z[i], real(0))
-    with body.loop("round", 2):
+    missing = body.local("missing", (rows,), comment="r - W goal")
+    with body.loop("round", ROUNDS + 1) as turn:
         with body.loop("i", rows) as i:
-            body.set(left[i], r[i])
+            body.set(missing[i], r[i])
             with body.loop("s", count) as s:
-                body.add(left[i], -(W[i * count + s] * goal[s]))
-        with body.loop("i", rows) as i:
-            with body.loop("k", i) as k:
-                body.add(left[i], -(gram[i][k] * left[k]))
-            body.set(left[i], left[i] / gram[i][i])
-        with body.loop("t", rows) as t:
-            i_ = body.let("i", integer(rows - 1) - t)
-            with body.loop("k", rows, start=i_ + 1) as k:
-                body.add(left[i_], -(gram[k][i_] * left[k]))
-            body.set(left[i_], left[i_] / gram[i_][i_])
-            body.add(z[i_], left[i_])
-        with body.loop("s", count) as s, body.when(equal(held[s], integer(0))), body.loop("i", rows) as i:
-            body.add(goal[s], W[i * count + s] * left[i] / weight[s])
+                body.add(missing[i], -(W[i * count + s] * goal[s]))
+        with body.when(and_(many >= rows, turn < ROUNDS)):
+            with body.loop("i", rows) as i:
+                body.set(left[i], missing[i])
+            _solve(body, gram, left, size)
+            with body.loop("i", rows) as i:
+                body.add(z[i], left[i])
+            with body.loop("s", count) as s, body.when(equal(held[s], integer(0))), body.loop("i", rows) as i:
+                body.add(goal[s], W[i * count + s] * left[i] / weight[s])
+        with body.when(many < rows):
+            body.note("what the last round leaves of the demand gives the multipliers")
+            with body.loop("i", rows) as i:
+                body.set(z[i], missing[i] / ridge)
+            with body.when(turn < ROUNDS):
+                with body.loop("k", many) as k:
+                    body.set(left[k], real(0))
+                    with body.loop("i", rows) as i:
+                        body.add(left[k], W[i * count + free[k]] * missing[i])
+                _solve(body, gram, left, size)
+                with body.loop("k", many) as k:
+                    body.add(goal[free[k]], left[k])
 
 
 def _advance(body: Body, low: Place, high: Place, y: Place, held: Place, goal: Place) -> Place:

@@ -45,5 +45,5 @@ def _add_bounded(lib: Library, rows: int) -> None:
     if f"bounded_least_squares_{rows}" in lib:
         return
     count, at = lib.layout.count, lib.thresholds
-    lib.add(routines.bounded_least_squares(rows, count, lib["sqrt"], at.regular))
+    lib.add(routines.bounded_least_squares(rows, count, lib["sqrt"], at.bounded))
     lib.add(routines.largest_share(rows, count, at.share_pivot, at.unreachable))

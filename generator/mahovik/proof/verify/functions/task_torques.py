@@ -79,7 +79,7 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
             options |= {"motor_torque": [float(np.float32(torque))] * case.count}
             tight = _asked(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
-            _note_bounded(bounded, tight, found, name)
+            _note_bounded(case, bounded, tight, found, name)
             beside.note(tight, status, found, name)
             status, found = allocation.answer_of(case, given, options | {"keep_direction": 1}, function)
             _note_share(shared, tight, found, name)
@@ -163,10 +163,11 @@ def _note_plain(
     return expected
 
 
-def _note_bounded(row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
+def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
     """Count an answer within bounds: by how much its error exceeds the least, relative to the demand."""
     tau = np.array(found["tau"])
-    if np.any(((tau < asked.least) | (tau > asked.most)) & ~asked.locked):
+    slack = 8 * case.unit * (asked.most - asked.least)  # rounding of the bounds
+    if np.any(((tau < asked.least - slack) | (tau > asked.most + slack)) & ~asked.locked):
         row.note_difference(np.inf, "a bound is exceeded", name)
         return
     low, high = asked.bounds
