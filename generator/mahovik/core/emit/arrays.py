@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, row_of
+from mahovik.contract.functions import FUNCTIONS, row_of, task_of
 from mahovik.contract.quantities import shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
@@ -60,7 +60,8 @@ def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    return [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
+    found = [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
+    return [*found, *(f for name, f in public.items() if name == f"inverse_{task_of(name)}")]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
