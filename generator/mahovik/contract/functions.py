@@ -67,6 +67,8 @@ class PublicFunction:
 
 
 _STATE = ("table", "x")
+_FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
+"""Members of the options that only `torque_for` looks at."""
 
 _ROWS = (
     PublicFunction(
@@ -139,6 +141,7 @@ _ROWS = (
         want=True,
         tasks=True,
         unread="infinity, which is no limit at all",
+        ignores=_FOR_TORQUES,
     ),
     PublicFunction(
         "generalized",
@@ -183,7 +186,7 @@ _ROWS = (
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit", "most", "motor_torque", "motor_speed"),
+        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",
@@ -193,7 +196,6 @@ _ROWS = (
         ("allocation",),
         needs="flywheels",
         tasks=True,
-        python=False,
         unread="infinity, which is no limit at all",
         ignores=("near", "limit", "most", "damping"),
     ),
@@ -373,6 +375,5 @@ def row_of(function: str) -> PublicFunction:
         gives=gives,
         judges=("reference",) if row.want else row.judges,
         want=False,
-        python=False,
         sines=row.sines,
     )

@@ -61,7 +61,7 @@ def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
     found = [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
-    return [*found, *(f for name, f in public.items() if name == f"inverse_{task_of(name)}")]
+    return [*found, *(f for name, f in public.items() if task_of(name) and row_of(name).python)]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
