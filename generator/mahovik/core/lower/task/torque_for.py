@@ -128,6 +128,8 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
         notes=(
             "With keep_direction a demand out of reach is made smaller, not turned: share is the part that is met.",
             "A flywheel whose lock or failure is known goes into `locked`: the others do its part.",
+            f"Directions in which torques move the carrier {lib.thresholds.bounded**0.5:.0e} times less than in the "
+            "strongest are given up in part.",
             "Positive statuses are bits and may be combined.",
             FREE_NOTE,
             ANSWER_NOTE,

@@ -11,6 +11,7 @@ from scipy.optimize import linprog, lsq_linear
 
 from mahovik.contract.functions import task_of
 from mahovik.contract.status import BITS, status_bits
+from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.allocation import ScaledDemand, weighted
@@ -26,6 +27,9 @@ from mahovik.proof.verify.scales.wants import coupled, flywheel_wrenches
 
 TIGHT = 0.6
 """Part of the largest torque of the answer without bounds that motors have where bounds are tried."""
+
+WEAK = 30.0
+"""Of the root of the threshold `bounded`: a direction whose singular value is below this part of the first is weak."""
 
 RATE = 0.5
 """1/s, rate of approach to wanted speeds where these are tried."""
@@ -155,12 +159,19 @@ def _note_plain(
     expected = np.where(asked.locked, 0.0, scaled.preferred + given)
     low, high = asked.bounds
     y = asked.y(expected)
-    if np.all((y > low) & (y < high) | asked.locked):
+    if np.all((y > low) & (y < high) | asked.locked) and not _is_weak(case, scaled.W):
         magnitudes = Magnitudes(case.stand, asked.state, at, case.bounds.cuts)
         scale = allocation.scale_of(demand, weight, rank, given)
         scale = scale + flywheel_wrenches(magnitudes, *coupled_with_locks(at, expected, asked.locked))[:, 3]
         row.note(found["tau"], expected, np.where(asked.locked, 1.0, scale), name)
     return expected
+
+
+def _is_weak(case: Case, W: Array) -> bool:
+    """Whether the flywheels hardly reach some direction: what regularisation costs there is not given back in full."""
+    sigma = np.linalg.svd(W, compute_uv=False)
+    kept = sigma[sigma > 1e-9 * sigma[0]] if sigma[0] else sigma
+    return bool(np.any(kept < WEAK * np.sqrt(THRESHOLDS[case.real].bounded) * sigma[0]))
 
 
 def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
@@ -172,6 +183,8 @@ def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str
         return
     low, high = asked.bounds
     free = low < high
+    if _is_weak(case, asked.scaled.W):
+        return
     least = np.linalg.norm(asked.scaled.r)
     if np.any(free):
         W = asked.scaled.W[:, free]
