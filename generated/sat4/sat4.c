@@ -3234,6 +3234,696 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
     return SAT4_OK;
 }
 
+/* How the turning part of the motion depends on the drive torques, scaled, at V* = 0. */
+SAT4_CODE
+static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat4_state *x,
+                                              const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
+                                              const sat4_real preferred[SAT4_N], const int locked[SAT4_N],
+                                              sat4_inverse_work *restrict work,
+                                              sat4_real tau_0[restrict SAT4_N])
+{
+    sat4_sums sum;
+    sat4_start_sums(table, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    sat4_real F[6];  /* wrench (7); then F_c */
+    sat4_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_momentum_screw(table, &sum, x->V, Z);
+    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    sat4_coupling drive;
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        const sat4_real spin = table->flywheel[s].spin;
+        tau_0[s] = spin * preferred[s] + drive.bias;
+        work->scale[s] = 1.0 / sat4_sqrt(spin);
+        if (locked[s] == 0) {
+            sat4_eliminate(drive.I_, table->flywheel[s].spin_inv, preferred[s], &K, F);
+        }
+        /* a locked flywheel takes no part */
+        for (int i = 0; i < 6; ++i) {
+            work->I_[i][s] = (locked[s] == 0) ? drive.I_[i] : 0.0;
+        }
+    }
+    const sat4_real c11 = K.A[1] * K.A[2] - K.A[5] * K.A[5];
+    const sat4_real c22 = K.A[0] * K.A[2] - K.A[4] * K.A[4];
+    const sat4_real c33 = K.A[0] * K.A[1] - K.A[3] * K.A[3];
+    const sat4_real c12 = K.A[4] * K.A[5] - K.A[2] * K.A[3];
+    const sat4_real c13 = K.A[3] * K.A[5] - K.A[1] * K.A[4];
+    const sat4_real c23 = K.A[3] * K.A[4] - K.A[0] * K.A[5];
+    const sat4_real det = K.A[0] * c11 + K.A[3] * c12 + K.A[4] * c13;
+    if (!(K.A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= SAT4_LARGEST))) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    const sat4_real r = 1.0 / det;
+    sat4_real A_inv[6];
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    sat4_real U[9];  /* A^-1 B^T */
+    sat4_real S[6];  /* D - B A^-1 B^T */
+    U[0] = A_inv[0] * K.B[0] + A_inv[3] * K.B[1] + A_inv[4] * K.B[2];
+    U[1] = A_inv[0] * K.B[3] + A_inv[3] * K.B[4] + A_inv[4] * K.B[5];
+    U[2] = A_inv[0] * K.B[6] + A_inv[3] * K.B[7] + A_inv[4] * K.B[8];
+    U[3] = A_inv[1] * K.B[1] + A_inv[3] * K.B[0] + A_inv[5] * K.B[2];
+    U[4] = A_inv[1] * K.B[4] + A_inv[3] * K.B[3] + A_inv[5] * K.B[5];
+    U[5] = A_inv[1] * K.B[7] + A_inv[3] * K.B[6] + A_inv[5] * K.B[8];
+    U[6] = A_inv[2] * K.B[2] + A_inv[4] * K.B[0] + A_inv[5] * K.B[1];
+    U[7] = A_inv[2] * K.B[5] + A_inv[4] * K.B[3] + A_inv[5] * K.B[4];
+    U[8] = A_inv[2] * K.B[8] + A_inv[4] * K.B[6] + A_inv[5] * K.B[7];
+    S[0] = K.D[0] - K.B[0] * U[0] - K.B[1] * U[3] - K.B[2] * U[6];
+    S[1] = K.D[1] - K.B[3] * U[1] - K.B[4] * U[4] - K.B[5] * U[7];
+    S[2] = K.D[2] - K.B[6] * U[2] - K.B[7] * U[5] - K.B[8] * U[8];
+    S[3] = K.D[3] - K.B[0] * U[1] - K.B[1] * U[4] - K.B[2] * U[7];
+    S[4] = K.D[4] - K.B[0] * U[2] - K.B[1] * U[5] - K.B[2] * U[8];
+    S[5] = K.D[5] - K.B[3] * U[2] - K.B[4] * U[5] - K.B[5] * U[8];
+    work->G[0][0] = S[0];
+    if (!(work->G[0][0] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[0] = 1.0 / work->G[0][0];
+    work->G[1][0] = S[3] * work->sigma[0];
+    work->G[2][0] = S[4] * work->sigma[0];
+    work->G[1][1] = S[1] - work->G[1][0] * S[3];
+    if (!(work->G[1][1] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[1] = 1.0 / work->G[1][1];
+    const sat4_real rest = S[5] - work->G[2][0] * S[3];
+    work->G[2][1] = rest * work->sigma[1];
+    work->G[2][2] = S[2] - work->G[2][0] * S[4] - work->G[2][1] * rest;
+    if (!(work->G[2][2] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[2] = 1.0 / work->G[2][2];
+    sat4_real moment[3];  /* of F, then of each column of I, when v* is eliminated */
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    const sat4_real r_2 = moment[1] - work->G[1][0] * moment[0];
+    work->r[0] = moment[0];  work->r[1] = r_2;
+    work->r[2] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * r_2;
+    for (int s = 0; s < SAT4_N; ++s) {
+        moment[0] = work->I_[3][s] - U[0] * work->I_[0][s] - U[3] * work->I_[1][s] - U[6] * work->I_[2][s];
+        moment[1] = work->I_[4][s] - U[1] * work->I_[0][s] - U[4] * work->I_[1][s] - U[7] * work->I_[2][s];
+        moment[2] = work->I_[5][s] - U[2] * work->I_[0][s] - U[5] * work->I_[1][s] - U[8] * work->I_[2][s];
+        const sat4_real W_2 = moment[1] - work->G[1][0] * moment[0];
+        work->W[0][s] = moment[0];
+        work->W[1][s] = W_2;
+        work->W[2][s] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * W_2;
+    }
+    sat4_scale_turning(table, work);
+    return SAT4_OK;
+}
+
+/* Least error of W y = r within bounds, then least weighted norm of y. */
+SAT4_CODE
+static void sat4_bounded_least_squares_3(const sat4_real W[12], const sat4_real r[3],
+                                         const sat4_real low[SAT4_N], const sat4_real high[SAT4_N],
+                                         const sat4_real weight[SAT4_N], sat4_real y[restrict SAT4_N],
+                                         int held[restrict SAT4_N])
+{
+    for (int s = 0; s < 4; ++s) {
+        y[s] = (low[s] > 0.0) ? low[s] : ((high[s] < 0.0) ? high[s] : 0.0);
+        held[s] = (!(low[s] < high[s])) ? 1 : 0;
+    }
+    sat4_real gram[3][3];  /* of rows, or of fewer free unknowns; then its factor */
+    sat4_real z[3];  /* (r - W y)/lambda */
+    sat4_real left[3];  /* right-hand side, and what solves it */
+    int free[3];  /* free unknowns where these are fewer than rows */
+    int many;  /* number of free unknowns */
+    sat4_real goal[SAT4_N];  /* solution of the free unknowns */
+    sat4_real largest = 0.0;  /* diagonal element of W Omega^-1 W^T */
+    for (int i = 0; i < 3; ++i) {
+        sat4_real whole = 0.0;
+        for (int s = 0; s < 4; ++s) {
+            whole += W[i * 4 + s] * W[i * 4 + s] / weight[s];
+        }
+        largest = (whole > largest) ? whole : largest;
+    }
+    const sat4_real lambda = (largest > 0.0) ? 1.0e-12 * largest : 1.0;
+    int going = 1;
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < i + 1; ++j) {
+                    gram[i][j] = 0.0;
+                }
+            }
+            many = 0;
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    if (many < 3) {
+                        free[many] = s;
+                    }
+                    many = many + 1;
+                }
+            }
+            sat4_real total;
+            if (many < 3) {
+                for (int k = 0; k < many; ++k) {
+                    for (int l = 0; l < k + 1; ++l) {
+                        total = (k == l) ? lambda * weight[free[k]] : 0.0;
+                        for (int i = 0; i < 3; ++i) {
+                            total += W[i * 4 + free[k]] * W[i * 4 + free[l]];
+                        }
+                        gram[k][l] = total;
+                    }
+                }
+            } else {
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = 0; j < i + 1; ++j) {
+                        total = (i == j) ? lambda : 0.0;
+                        for (int s = 0; s < 4; ++s) {
+                            if (held[s] == 0) {
+                                total += W[i * 4 + s] * W[j * 4 + s] / weight[s];
+                            }
+                        }
+                        gram[i][j] = total;
+                    }
+                }
+            }
+            const int unknowns = (many < 3) ? many : 3;
+            for (int j = 0; j < unknowns; ++j) {
+                /* rounding, of a singular matrix */
+                const sat4_real least = 2.220446049250313e-16 * gram[j][j] + 9.5367431640625e-7 * lambda;
+                for (int k = 0; k < j; ++k) {
+                    gram[j][j] -= gram[j][k] * gram[j][k];
+                }
+                gram[j][j] = sat4_sqrt((gram[j][j] > least) ? gram[j][j] : least);
+                for (int i = j + 1; i < unknowns; ++i) {
+                    for (int k = 0; k < j; ++k) {
+                        gram[i][j] -= gram[i][k] * gram[j][k];
+                    }
+                    gram[i][j] = gram[i][j] / gram[j][j];
+                }
+            }
+            /* held unknowns keep their values; the free ones start from 0 */
+            for (int s = 0; s < 4; ++s) {
+                goal[s] = (held[s] == 0) ? 0.0 : y[s];
+            }
+            for (int i = 0; i < 3; ++i) {
+                z[i] = 0.0;
+            }
+            sat4_real missing[3];  /* r - W goal */
+            for (int round = 0; round < 4; ++round) {
+                for (int i = 0; i < 3; ++i) {
+                    missing[i] = r[i];
+                    for (int s = 0; s < 4; ++s) {
+                        missing[i] -= W[i * 4 + s] * goal[s];
+                    }
+                }
+                if (many >= 3 && round < 3) {
+                    for (int i = 0; i < 3; ++i) {
+                        left[i] = missing[i];
+                    }
+                    for (int i = 0; i < unknowns; ++i) {
+                        for (int k = 0; k < i; ++k) {
+                            left[i] -= gram[i][k] * left[k];
+                        }
+                        left[i] = left[i] / gram[i][i];
+                    }
+                    for (int t = 0; t < unknowns; ++t) {
+                        const int i = unknowns - 1 - t;
+                        for (int k = i + 1; k < unknowns; ++k) {
+                            left[i] -= gram[k][i] * left[k];
+                        }
+                        left[i] = left[i] / gram[i][i];
+                    }
+                    for (int i = 0; i < 3; ++i) {
+                        z[i] += left[i];
+                    }
+                    for (int s = 0; s < 4; ++s) {
+                        if (held[s] == 0) {
+                            for (int i = 0; i < 3; ++i) {
+                                goal[s] += W[i * 4 + s] * left[i] / weight[s];
+                            }
+                        }
+                    }
+                }
+                if (many < 3) {
+                    /* what the last round leaves of the demand gives the multipliers */
+                    for (int i = 0; i < 3; ++i) {
+                        z[i] = missing[i] / lambda;
+                    }
+                    if (round < 3) {
+                        for (int k = 0; k < many; ++k) {
+                            left[k] = 0.0;
+                            for (int i = 0; i < 3; ++i) {
+                                left[k] += W[i * 4 + free[k]] * missing[i];
+                            }
+                        }
+                        for (int i = 0; i < unknowns; ++i) {
+                            for (int k = 0; k < i; ++k) {
+                                left[i] -= gram[i][k] * left[k];
+                            }
+                            left[i] = left[i] / gram[i][i];
+                        }
+                        for (int t = 0; t < unknowns; ++t) {
+                            const int i = unknowns - 1 - t;
+                            for (int k = i + 1; k < unknowns; ++k) {
+                                left[i] -= gram[k][i] * left[k];
+                            }
+                            left[i] = left[i] / gram[i][i];
+                        }
+                        for (int k = 0; k < many; ++k) {
+                            goal[free[k]] += left[k];
+                        }
+                    }
+                }
+            }
+            sat4_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    if (goal[s] > high[s] || goal[s] < low[s]) {
+                        const sat4_real room = (goal[s] > high[s]) ? high[s] - y[s] : low[s] - y[s];
+                        const sat4_real part = room / (goal[s] - y[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
+                        }
+                    }
+                }
+            }
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    const sat4_real moved = (length < 1.0) ? y[s] + length * (goal[s] - y[s]) : goal[s];
+                    y[s] = (moved > high[s]) ? high[s] : ((moved < low[s]) ? low[s] : moved);
+                }
+            }
+            if (stopped >= 0) {
+                const int up = goal[stopped] > high[stopped];
+                y[stopped] = (up) ? high[stopped] : low[stopped];
+                held[stopped] = (up) ? 1 : -1;
+            }
+            if (stopped < 0) {
+                int freed;
+                sat4_real best;
+                freed = -1;
+                best = 0.0;
+                for (int s = 0; s < 4; ++s) {
+                    if (!(held[s] == 0)) {
+                        sat4_real pull;  /* W^T z - Omega y: where the objective falls */
+                        sat4_real size;  /* sum of its terms, for rounding */
+                        pull = -(weight[s] * y[s]);
+                        size = (weight[s] * y[s] < 0.0) ? -(weight[s] * y[s]) : weight[s] * y[s];
+                        for (int i = 0; i < 3; ++i) {
+                            const sat4_real term = W[i * 4 + s] * z[i];
+                            pull += term;
+                            size += (term < 0.0) ? -term : term;
+                        }
+                        const sat4_real inward = (held[s] > 0) ? -pull : pull;
+                        if (inward > 9.5367431640625e-7 * size && inward * inward > best * weight[s]) {
+                            best = inward * inward / weight[s];
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed < 0) {
+                    going = 0;
+                } else {
+                    held[freed] = 0;
+                }
+            }
+        }
+    }
+}
+
+/* Largest f of 0 to 1 for which W y = start + f towards has a solution within the bounds; -1: none has. */
+SAT4_CODE
+static sat4_real sat4_largest_share_3(const sat4_real W[12], const sat4_real low[SAT4_N],
+                                      const sat4_real high[SAT4_N], const sat4_real start[3],
+                                      const sat4_real towards[3], sat4_real y[restrict SAT4_N])
+{
+    sat4_real tableau[3][6];  /* columns: y - low, then f, then the values of the basis */
+    sat4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
+    int at_upper[5];  /* 1 where a variable outside the basis is at its upper bound */
+    int inside[5];  /* 1 where a variable is in the basis */
+    int basis[3];  /* variable of each row; -1: its artificial one */
+    for (int j = 0; j < 4; ++j) {
+        upper[j] = high[j] - low[j];
+    }
+    upper[4] = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        sat4_real value, largest;
+        value = start[i];
+        largest = (towards[i] < 0.0) ? -towards[i] : towards[i];
+        for (int j = 0; j < 4; ++j) {
+            tableau[i][j] = W[i * 4 + j];
+            value -= W[i * 4 + j] * low[j];
+            largest = (((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) > largest)
+                ? ((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) : largest;
+        }
+        tableau[i][4] = -towards[i];  tableau[i][5] = value;
+        largest = (((value < 0.0) ? -value : value) > largest) ? ((value < 0.0) ? -value : value) : largest;
+        const sat4_real whole = (largest > 0.0) ? largest : 1.0;
+        const sat4_real factor = (value < 0.0) ? -1.0 / whole : 1.0 / whole;
+        for (int j = 0; j < 6; ++j) {
+            tableau[i][j] = tableau[i][j] * factor;
+        }
+    }
+    for (int j = 0; j < 5; ++j) {
+        at_upper[j] = 0;
+        inside[j] = 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        basis[i] = -1;
+    }
+    int raising;  /* 0: artificial variables fall; 1: f rises */
+    int going;
+    raising = 0;
+    going = 1;
+    for (int pass = 0; pass < 48; ++pass) {
+        if (going > 0) {
+            int enter;
+            sat4_real best;
+            enter = -1;
+            best = 4.0e-12;
+            for (int j = 0; j < 5; ++j) {
+                if (inside[j] == 0 && upper[j] > 0.0) {
+                    sat4_real gain = (raising > 0 && j == 4) ? 1.0 : 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        if (raising > 0 && basis[i] == 4) {
+                            gain = -tableau[i][j];
+                        }
+                        if (raising == 0 && basis[i] < 0) {
+                            gain += tableau[i][j];
+                        }
+                    }
+                    gain = (at_upper[j] > 0) ? -gain : gain;
+                    if (gain > best && !(pass >= 24 && enter >= 0)) {
+                        best = gain;
+                        enter = j;
+                    }
+                }
+            }
+            if (enter < 0) {
+                if (raising > 0) {
+                    going = 0;
+                } else {
+                    sat4_real left = 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        if (basis[i] < 0) {
+                            left += tableau[i][5];
+                        }
+                    }
+                    if (left > 1.0e-9) { return -1.0; }
+                    raising = 1;
+                }
+            } else {
+                const sat4_real direction = (at_upper[enter] > 0) ? -1.0 : 1.0;
+                sat4_real reach;
+                int leave;
+                reach = upper[enter];
+                leave = -1;
+                sat4_real steepest = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    const sat4_real slope = tableau[i][enter] * direction;
+                    const sat4_real value = tableau[i][5];
+                    sat4_real top = 0.0;
+                    if (!(basis[i] < 0)) {
+                        top = upper[basis[i]];
+                    }
+                    sat4_real room = -1.0;
+                    if (slope > 4.0e-12) {
+                        room = ((value > 0.0) ? value : 0.0) / slope;
+                    }
+                    if (slope < -4.0e-12 && (basis[i] >= 0 || raising > 0)) {
+                        room = ((top > value) ? top - value : 0.0) / -slope;
+                    }
+                    if (room >= 0.0 && (room < reach
+                        || (!(room > reach) && (leave >= 0
+                        && ((slope < 0.0) ? -slope : slope) > steepest)))) {
+                        reach = room;
+                        leave = i;
+                        steepest = (slope < 0.0) ? -slope : slope;
+                    }
+                }
+                const sat4_real moved = direction * reach;
+                for (int i = 0; i < 3; ++i) {
+                    tableau[i][5] -= tableau[i][enter] * moved;
+                }
+                if (leave < 0) {
+                    at_upper[enter] = 1 - at_upper[enter];
+                } else {
+                    if (basis[leave] >= 0) {
+                        inside[basis[leave]] = 0;
+                        at_upper[basis[leave]] = (tableau[leave][enter] * direction < 0.0
+                            && upper[basis[leave]] > 0.0) ? 1 : 0;
+                    }
+                    const sat4_real begun = (sat4_real)at_upper[enter] * upper[enter];
+                    basis[leave] = enter;
+                    inside[enter] = 1;
+                    const sat4_real unit = tableau[leave][enter];
+                    for (int j = 0; j < 5; ++j) {
+                        tableau[leave][j] = tableau[leave][j] / unit;
+                    }
+                    tableau[leave][5] = begun + moved;
+                    for (int i = 0; i < 3; ++i) {
+                        if (!(i == leave)) {
+                            const sat4_real share = tableau[i][enter];
+                            for (int j = 0; j < 5; ++j) {
+                                tableau[i][j] -= share * tableau[leave][j];
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    /* out of passes before the start was reached */
+    if (raising == 0) { return -1.0; }
+    for (int j = 0; j < 4; ++j) {
+        y[j] = (at_upper[j] > 0) ? high[j] : low[j];
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (basis[i] >= 0 && basis[i] < 4) {
+            const sat4_real value = low[basis[i]] + tableau[i][5];
+            y[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
+                : ((value < low[basis[i]]) ? low[basis[i]] : value);
+        }
+    }
+    sat4_real share = (at_upper[4] > 0) ? 1.0 : 0.0;
+    for (int i = 0; i < 3; ++i) {
+        if (basis[i] == 4) {
+            share = tableau[i][5];
+        }
+    }
+    return (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+}
+
+/* Drive torques for the task pointing, within what the motors have. Least error in the norm of (S K_c^-1
+ * S^T)^-1, K_c = K - sum I I^T / Theta_ff of the free flywheels; then torques nearest to those of the
+ * preferred accelerations. */
+SAT4_CODE
+sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
+                                     const sat4_inverse_options *options, const int locked[SAT4_N],
+                                     sat4_torque_for_pointing_result *out)
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL
+        || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = sat4_none_locked; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(demand, 3, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
+    if (status != SAT4_OK) { return status; }
+    sat4_real shares[1];
+    shares[0] = options->damping;
+    status = sat4_within(shares, 1, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_RANGE; }
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->motor_power[s] > 0.0 || options->motor_power[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->motor_power[s] < 0.0) { return SAT4_BAD_ARGUMENT; }
+    }
+    status = sat4_within(options->target_speed, SAT4_N, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    {
+        sat4_real given[1];
+        given[0] = options->target_rate;
+        status = sat4_within(given, 1, SAT4_MAX_SPEED);
+        if (status != SAT4_OK) { return status; }
+    }
+    {
+        sat4_real given[1];
+        given[0] = options->avoid_speed;
+        status = sat4_within(given, 1, SAT4_MAX_SPEED);
+        if (status != SAT4_OK) { return status; }
+    }
+    if (options->target_rate < 0.0 || options->avoid_speed < 0.0) { return SAT4_BAD_ARGUMENT; }
+    sat4_real preferred[SAT4_N];  /* accelerations towards the wanted speeds */
+    for (int s = 0; s < 4; ++s) {
+        const sat4_real speed = x->phi_dot[s];
+        sat4_real target = options->target_speed[s];
+        if (((target < 0.0) ? -target : target) < options->avoid_speed) {
+            /* a wanted speed that is to be avoided: the end of its side, or of the side where the flywheel
+             * is */
+            const sat4_real side = (target <= 0.0 && target >= 0.0) ? speed : target;
+            target = (side < 0.0) ? -options->avoid_speed : options->avoid_speed;
+        }
+        preferred[s] = options->target_rate * (target - speed);
+    }
+    sat4_inverse_work work;
+    sat4_real L[3][3];  /* factor of the norm of the demand */
+    sat4_real tau_0[SAT4_N];  /* torques of the preferred accelerations */
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_torque_demand_turning(table, x, sine, cosine, preferred, locked, &work, tau_0);
+    if (status != SAT4_OK) { return status; }
+    sat4_project_pointing(demand, options->use_pointing, &work, L);
+    sat4_real W[12];  /* rows, one after the other */
+    sat4_real r[3];
+    for (int i = 0; i < 3; ++i) {
+        r[i] = work.r[i];
+        for (int s = 0; s < SAT4_N; ++s) {
+            W[i * 4 + s] = work.W[i][s];
+        }
+    }
+    sat4_real least[SAT4_N];  /* bounds of tau */
+    sat4_real most[SAT4_N];
+    sat4_real low[SAT4_N];  /* bounds of y */
+    sat4_real high[SAT4_N];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real speed = x->phi_dot[s];
+        const sat4_real size = (speed < 0.0) ? -speed : speed;
+        const sat4_real whole = (options->motor_torque[s] < SAT4_MAX_WRENCH) ? options->motor_torque[s]
+            : SAT4_MAX_WRENCH;
+        const sat4_real part = 1.0 - size / options->motor_speed[s];
+        sat4_real driving = (part > 0.0) ? whole * part : 0.0;
+        if (driving * size > options->motor_power[s]) {
+            driving = options->motor_power[s] / size;
+        }
+        most[s] = (speed > 0.0) ? driving : whole;
+        least[s] = (speed < 0.0) ? -driving : -whole;
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        low[s] = (least[s] - tau_0[s]) * work.scale[s];
+        high[s] = (most[s] - tau_0[s]) * work.scale[s];
+        if (locked[s] != 0) {
+            low[s] = 0.0;
+            high[s] = 0.0;
+        }
+    }
+    sat4_real y[SAT4_N];
+    int held[SAT4_N];
+    int flags;
+    sat4_real share;
+    flags = 0;
+    share = 1.0;
+    sat4_bounded_least_squares_3(W, r, low, high, options->weight, y, held);
+    sat4_real left, wanted;
+    left = 0.0;
+    wanted = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        sat4_real rest = r[i];
+        for (int s = 0; s < 4; ++s) {
+            rest -= W[i * 4 + s] * y[s];
+        }
+        left += rest * rest;
+        wanted += r[i] * r[i];
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | SAT4_UNREACHABLE;
+        if (options->keep_direction != 0) {
+            sat4_real start[3];
+            sat4_real towards[3];
+            /* r = start + towards: that of demand 0, and -L^-1 demand */
+            for (int i = 0; i < 3; ++i) {
+                towards[i] = (options->use_pointing[i] > 0) ? -demand[i] : 0.0;
+                for (int k = 0; k < i; ++k) {
+                    towards[i] -= L[i][k] * towards[k];
+                }
+                towards[i] = towards[i] / L[i][i];
+                start[i] = r[i] - towards[i];
+            }
+            share = sat4_largest_share_3(W, low, high, start, towards, y);
+            if (share < 0.0) {
+                share = 0.0;
+                sat4_bounded_least_squares_3(W, start, low, high, options->weight, y, held);
+            } else {
+                for (int s = 0; s < 4; ++s) {
+                    held[s] = (y[s] >= high[s]) ? 1 : ((y[s] <= low[s]) ? -1 : 0);
+                }
+            }
+        }
+    }
+    sat4_real tau[SAT4_N];
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real found = tau_0[s] + y[s] / work.scale[s];
+        tau[s] = (found > most[s]) ? most[s] : ((found < least[s]) ? least[s] : found);
+        if (held[s] > 0) {
+            tau[s] = most[s];
+        }
+        if (held[s] < 0) {
+            tau[s] = least[s];
+        }
+        if (locked[s] != 0) {
+            tau[s] = 0.0;
+            held[s] = 0;
+        }
+        if (held[s] != 0) {
+            flags = flags | SAT4_LIMITED;
+        }
+    }
+    sat4_real moved[6];  /* V* that results */
+    sat4_real spins[SAT4_N];
+    status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, moved, spins);
+    if (status != SAT4_OK) { return status; }
+    sat4_real residual[3];
+    const sat4_real left_1 = demand[0] - moved[3];
+    residual[0] = (options->use_pointing[0] > 0) ? left_1 : 0.0;
+    const sat4_real left_2 = demand[1] - moved[4];
+    residual[1] = (options->use_pointing[1] > 0) ? left_2 : 0.0;
+    const sat4_real left_3 = demand[2] - moved[5];
+    residual[2] = (options->use_pointing[2] > 0) ? left_3 : 0.0;
+    status = sat4_within(tau, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(spins, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(moved, 6, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(residual, 3, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        out->tau[s] = tau[s];
+        out->phi_ddot[s] = spins[s];
+        out->limited[s] = (held[s] == 0) ? 0 : 1;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->V_dot[i] = moved[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->residual[i] = residual[i];
+    }
+    out->share = share;
+    return (sat4_status)flags;
+}
+
 /* Reading of an accelerometer and a gyro at one instrument or point. */
 SAT4_CODE
 static void sat4_sense(const sat4_sensor *sensor, const sat4_real r[3], const sat4_real V[6],
@@ -4159,4 +4849,9 @@ const sat4_inverse_options sat4_default_options =
     .near = 1.0e-6,
     .damping = 0.0,
     .use_pointing = { 1, 1, 1 },
+    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .target_speed = { 0.0, 0.0, 0.0, 0.0 },
+    .target_rate = 0.0,
+    .avoid_speed = 0.0,
+    .keep_direction = 0,
 };

@@ -233,6 +233,14 @@ typedef struct sat4_inverse_options {
     sat4_real damping;               /* damping of small singular values, as a fraction of the largest,
                                       * 0..1; 0: none */
     int use_pointing[3];             /* rows of the task pointing: 0: free */
+    sat4_real motor_power[SAT4_N];   /* W; most that torque_for drives with; infinity: no limit */
+    sat4_real target_speed[SAT4_N];  /* rad/s; speed that torque_for approaches with what the demand leaves
+                                      * free */
+    sat4_real target_rate;           /* 1/s; part of what is missing to it, wanted a second; 0: least
+                                      * torque */
+    sat4_real avoid_speed;           /* rad/s; no wanted speed lies nearer to 0 than this; 0: none is
+                                      * avoided */
+    int keep_direction;              /* 1: a demand out of reach is made smaller, 0: least error */
 } sat4_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -259,6 +267,16 @@ typedef struct sat4_inverse_pointing_result {
     sat4_real hardest[3];        /* m/s2, rad/s2; the unreachable part of the demand, or the one hardest to
                                   * reach; a unit in its norm */
 } sat4_inverse_pointing_result;
+
+/* Result of torque_for_pointing and its quality. */
+typedef struct sat4_torque_for_pointing_result {
+    sat4_real tau[SAT4_N];       /* N m; drive torques */
+    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations that result */
+    sat4_real V_dot[6];          /* m/s2, rad/s2; motion of the carrier that results */
+    sat4_real residual[3];       /* m/s2, rad/s2; demand minus reached; 0 of a free row */
+    sat4_real share;             /* part of the demand that is met, with keep_direction; else 1 */
+    int limited[SAT4_N];         /* 1 if the torque is at its limit */
+} sat4_torque_for_pointing_result;
 
 /* Derivatives of coupled. */
 typedef struct sat4_coupled_jacobian_result {
@@ -507,6 +525,27 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
 sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
                                        const sat4_real demand[3], const sat4_inverse_options *options,
                                        sat4_real phi_ddot[SAT4_N]);
+
+/* torque_for_pointing: drive torques for the task pointing, within what the motors have. Least error in
+ * the norm of (S K_c^-1 S^T)^-1, K_c = K - sum I I^T / Theta_ff of the free flywheels; then torques
+ * nearest to those of the preferred accelerations.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   demand[3]  m/s2, rad/s2; wanted: wx, wy, wz
+ *   options    weights, limits, damping, rows; default_options holds those of the stand file
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   out        out: tau, the motion and its quality
+ * With keep_direction a demand out of reach is made smaller, not turned: share is the part that is met.
+ * A flywheel whose lock or failure is known goes into `locked`: the others do its part.
+ * Positive statuses are bits and may be combined.
+ * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
+ * RANGE also where the answer is no finite number.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
+ * written when the status is negative.
+ * At most 48298 operations on reals, 6729 of them divisions. Stack: at most 5200 bytes. */
+sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
+                                     const sat4_inverse_options *options, const int locked[SAT4_N],
+                                     sat4_torque_for_pointing_result *out);
 
 /* points: readings of an accelerometer and a gyro at each instrument and point.
  *   table     the prepared table

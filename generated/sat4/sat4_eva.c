@@ -221,6 +221,11 @@ static void normal_inverse_options(sat4_inverse_options *x)
     about(&x->near, &sat4_default_options.near, 1);
     about(&x->damping, &sat4_default_options.damping, 1);
     integers(&x->use_pointing[0], 3, -1048576, 1048576);
+    about(&x->motor_power[0], &sat4_default_options.motor_power[0], 4);
+    about(&x->target_speed[0], &sat4_default_options.target_speed[0], 4);
+    about(&x->target_rate, &sat4_default_options.target_rate, 1);
+    about(&x->avoid_speed, &sat4_default_options.avoid_speed, 1);
+    integers(&x->keep_direction, 1, -1048576, 1048576);
 }
 
 static void any_inverse_options(sat4_inverse_options *x)
@@ -233,6 +238,11 @@ static void any_inverse_options(sat4_inverse_options *x)
     reals(&x->near, 1, SAT4_LARGEST);
     reals(&x->damping, 1, SAT4_LARGEST);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
+    reals(&x->motor_power[0], 4, SAT4_LARGEST);
+    reals(&x->target_speed[0], 4, SAT4_LARGEST);
+    reals(&x->target_rate, 1, SAT4_LARGEST);
+    reals(&x->avoid_speed, 1, SAT4_LARGEST);
+    integers(&x->keep_direction, 1, INT_MIN, INT_MAX);
 }
 
 static void bits_inverse_options(sat4_inverse_options *x)
@@ -245,6 +255,11 @@ static void bits_inverse_options(sat4_inverse_options *x)
     one_of_all(&x->near);
     one_of_all(&x->damping);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
+    all_bits(&x->motor_power[0], 4);
+    all_bits(&x->target_speed[0], 4);
+    one_of_all(&x->target_rate);
+    one_of_all(&x->avoid_speed);
+    integers(&x->keep_direction, 1, INT_MIN, INT_MAX);
 }
 
 static void normal_parameters(sat4_parameters *x)
@@ -540,6 +555,35 @@ static void initialised_inverse_pointing_result(const sat4_inverse_pointing_resu
     initialised(&x->damped_by, 1);
     /*@ check \initialized(&x->limited[0]); */
     initialised(&x->hardest[0], 3);
+}
+
+static void untouched_torque_for_pointing_result(const sat4_torque_for_pointing_result *x)
+{
+    untouched(&x->tau[0], 4);
+    untouched(&x->phi_ddot[0], 4);
+    untouched(&x->V_dot[0], 6);
+    untouched(&x->residual[0], 3);
+    untouched(&x->share, 1);
+}
+
+static void written_torque_for_pointing_result(const sat4_torque_for_pointing_result *x)
+{
+    written(&x->tau[0], 4);
+    written(&x->phi_ddot[0], 4);
+    written(&x->V_dot[0], 6);
+    written(&x->residual[0], 3);
+    written(&x->share, 1);
+    /*@ check \initialized(&x->limited[0]); */
+}
+
+static void initialised_torque_for_pointing_result(const sat4_torque_for_pointing_result *x)
+{
+    initialised(&x->tau[0], 4);
+    initialised(&x->phi_ddot[0], 4);
+    initialised(&x->V_dot[0], 6);
+    initialised(&x->residual[0], 3);
+    initialised(&x->share, 1);
+    /*@ check \initialized(&x->limited[0]); */
 }
 
 static void untouched_generalized_result(const sat4_generalized_result *x)
@@ -1709,6 +1753,69 @@ void sat4_eva_bits_inverse_fast_pointing(void)
     } else {
         Frama_C_show_each_returned(status);
         initialised(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_normal_torque_for_pointing(void);
+void sat4_eva_normal_torque_for_pointing(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, 1.0e3);
+    sat4_inverse_options options;
+    normal_inverse_options(&options);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, 0, 1);
+    sat4_torque_for_pointing_result out;
+    const sat4_status status = sat4_torque_for_pointing(&sat4_default, &x, demand, &options, locked, &out);
+    if (status < 0) {
+        untouched_torque_for_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_torque_for_pointing_result(&out);
+    }
+}
+
+void sat4_eva_any_torque_for_pointing(void);
+void sat4_eva_any_torque_for_pointing(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, SAT4_LARGEST);
+    sat4_inverse_options options;
+    any_inverse_options(&options);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_torque_for_pointing_result out;
+    const sat4_status status = sat4_torque_for_pointing(&sat4_default, &x, demand, &options, locked, &out);
+    if (status < 0) {
+        untouched_torque_for_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_torque_for_pointing_result(&out);
+    }
+}
+
+void sat4_eva_bits_torque_for_pointing(void);
+void sat4_eva_bits_torque_for_pointing(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real demand[3];
+    all_bits(&demand[0], 3);
+    sat4_inverse_options options;
+    bits_inverse_options(&options);
+    int locked[SAT4_N];
+    integers(&locked[0], 4, INT_MIN, INT_MAX);
+    sat4_torque_for_pointing_result out;
+    const sat4_status status = sat4_torque_for_pointing(&sat4_default, &x, demand, &options, locked, &out);
+    if (status < 0) {
+        untouched_torque_for_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_torque_for_pointing_result(&out);
     }
 }
 

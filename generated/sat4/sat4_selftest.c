@@ -41,7 +41,7 @@ int sat4_selftest(void (*print)(const char *text), unsigned long sweep);
 
 typedef uint64_t real_bits;
 
-enum { CASES = 3, FUNCTIONS = 27, SWEPT = 1 };
+enum { CASES = 3, FUNCTIONS = 28, SWEPT = 1 };
 
 #define FAR ((real_bits)1000000u)  /* ulp: a worse distance is not printed as a number */
 
@@ -95,6 +95,7 @@ static union {
     struct { sat4_real phi_ddot[SAT4_N]; } inverse_fast;
     struct { sat4_inverse_pointing_result out; } inverse_pointing;
     struct { sat4_real phi_ddot[SAT4_N]; } inverse_fast_pointing;
+    struct { sat4_torque_for_pointing_result out; } torque_for_pointing;
     struct { sat4_points_result out[SAT4_SENSORS]; } points;
     struct { sat4_real attitude[4]; } quaternion;
     struct { sat4_state x; sat4_real V_dot[6]; } state_from_coordinates;
@@ -291,6 +292,16 @@ static void take_inverse_pointing_result(tally *sum, const sat4_inverse_pointing
     take_reals(sum, &value->damped_by, 1);
     take_ints(sum, value->limited, SAT4_N);
     take_reals(sum, value->hardest, 3);
+}
+
+static void take_torque_for_pointing_result(tally *sum, const sat4_torque_for_pointing_result *value)
+{
+    take_reals(sum, value->tau, SAT4_N);
+    take_reals(sum, value->phi_ddot, SAT4_N);
+    take_reals(sum, value->V_dot, 6);
+    take_reals(sum, value->residual, 3);
+    take_reals(sum, &value->share, 1);
+    take_ints(sum, value->limited, SAT4_N);
 }
 
 static void take_points_result(tally *sum, const sat4_points_result *value)
@@ -621,6 +632,21 @@ static void take_inverse_fast_pointing_results(tally *sum, sat4_status status)
         return;
     }
     take_reals(sum, results.inverse_fast_pointing.phi_ddot, SAT4_N);
+}
+
+static sat4_status call_torque_for_pointing(void)
+{
+    return sat4_torque_for_pointing(&sat4_default, &in.x, in.demand, &sat4_default_options, in.locked,
+        &results.torque_for_pointing.out);
+}
+
+static void take_torque_for_pointing_results(tally *sum, sat4_status status)
+{
+    if (status < 0) {
+        untouched(sum, &results.torque_for_pointing.out, sizeof results.torque_for_pointing.out);
+        return;
+    }
+    take_torque_for_pointing_result(sum, &results.torque_for_pointing.out);
 }
 
 static sat4_status call_points(void)
@@ -1097,6 +1123,19 @@ static const sat4_real numbers_inverse_fast_pointing[] =
     0x1.1db06559458b5p+14, 0x1.a9b0f144d2b05p+13, 0x1.b4e1f3c628098p+10, 0x1.90929c29cd2c6p+12,
 };
 
+static const sat4_real numbers_torque_for_pointing[] =
+{
+    -0x1.027be5a8f688bp-3, -0x1.4b37365d190fdp-3, 0x1.999999999999ap-3, -0x1.8cb6aab9c8ba4p-3,
+        -0x1.3ce23fcd57042p+2, -0x1.45428e7535854p+2, 0x1.c1db081cd1e83p+2, -0x1.ea16fea2b35ccp+3,
+        0x1.fde70b4cf432ap-1, 0x1.ae788f6e4a0bfp-2, -0x1.5c81eb0549c6p+1, 0x1.7e9815f0ce21fp+0,
+        -0x1.7a31f8810341cp+2, 0x1.8a60b2ba4cd59p+0, 0x1.c9658941e63bcp+3, 0x1.655b40810341cp+2,
+        0x1.1d1e55a8b6655p+3, 0x1p+0,
+    0x1.999999999999ap-3, 0x0p+0, 0x1.999999999999ap-3, 0x0p+0, -0x1.7a61c13d68377p+7, -0x1.3daa8ca6b0244p+7,
+        -0x1.887acf3da7f0bp+3, 0x0p+0, 0x1.a80d7db0c2a29p+4, -0x1.34b6a6faa8293p+5, 0x1.787b45f7cda89p+5,
+        0x1.1b1a48e40f7f8p+5, 0x1.d75ad71e30fd5p+6, 0x1.81448cef5d3f6p+7, -0x1.3c050ce40f7f8p+5,
+        -0x1.a34e5a9e30fd5p+6, -0x1.9d203fef5d3f6p+7, 0x1p+0,
+};
+
 static const sat4_real numbers_points[] =
 {
     -0x1.ac22be1e126eep-1, 0x1.b015d9a907a4bp+0, 0x1.6edf94c8925acp-4, 0x1.73e03e191f0fcp-4,
@@ -1341,6 +1380,10 @@ static const function functions[FUNCTIONS] =
       call_inverse_fast_pointing, take_inverse_fast_pointing_results, numbers_inverse_fast_pointing,
       { { 0, 0xd41baf63u, 4 }, { 0, 0x6bc089c5u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa62ab574u },
+    { "torque_for_pointing", sizeof results.torque_for_pointing,
+      call_torque_for_pointing, take_torque_for_pointing_results, numbers_torque_for_pointing,
+      { { 12, 0xbe64a48fu, 18 }, { 12, 0x82562ac3u, 18 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x7093c04au },
     { "points", sizeof results.points,
       call_points, take_points_results, numbers_points,
       { { 0, 0xb822e313u, 24 }, { 0, 0x6b076a78u, 24 }, { -2, 0x8e5b0aa0u, 0 } },

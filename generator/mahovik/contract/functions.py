@@ -69,6 +69,8 @@ class PublicFunction:
 
 
 _STATE = ("table", "x")
+_FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
+"""Members of the options that only `torque_for` looks at."""
 
 _ROWS = (
     PublicFunction(
@@ -141,6 +143,7 @@ _ROWS = (
         want=True,
         tasks=True,
         unread="infinity, which is no limit at all",
+        ignores=_FOR_TORQUES,
     ),
     PublicFunction(
         "generalized",
@@ -185,7 +188,18 @@ _ROWS = (
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit", "most", "motor_torque", "motor_speed"),
+        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FOR_TORQUES),
+    ),
+    PublicFunction(
+        "torque_for",
+        "",
+        (*_STATE, "demand", "options", "locked", "wrench"),
+        ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
+        ("allocation",),
+        needs="flywheels",
+        tasks=True,
+        unread="infinity, which is no limit at all",
+        ignores=("near", "limit", "most", "damping"),
     ),
     PublicFunction(
         "forward_jacobian",
@@ -365,6 +379,5 @@ def row_of(function: str) -> PublicFunction:
         gives=gives,
         judges=("reference",) if row.want else row.judges,
         want=False,
-        python=False,
         sines=row.sines,
     )

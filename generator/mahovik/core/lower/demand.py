@@ -95,6 +95,19 @@ def demand(lib: Library) -> Function:
             body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
             with body.loop("i", 6) as i:
                 body.set(w.W[i][s], w.I[i][s] * w.scale[s])
+    substitute(lib, body, w)
+    return body.checked(
+        "demand",
+        "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
+        (table, x, *turns, V_dot, *wrench, work),
+        equation="(12)",
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def substitute(lib: Library, body: Body, w: Place) -> None:
+    """W = G^-1 W, r = G^-1 r by forward substitution."""
+    layout = lib.layout
     body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution" if layout.flywheels else "r = G^-1 b")
     with body.loop("i", 6) as i:
         with body.loop("k", i) as k:
@@ -107,13 +120,6 @@ def demand(lib: Library) -> Function:
             with body.loop("s", layout.count) as s:
                 body.set(w.W[i][s], w.W[i][s] * inverse)
         body.set(w.r[i], w.r[i] * inverse)
-    return body.checked(
-        "demand",
-        "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
-        (table, x, *turns, V_dot, *wrench, work),
-        equation="(12)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-    )
 
 
 ANSWER_NOTE = "RANGE also where the answer is no finite number."

@@ -128,6 +128,7 @@ class Layout(Tables):
                 Field(f"use_{task.name}", INT, (len(task.rows),), "", f"rows of the task {task.name}: 0: free")
                 for task in self.structure.tasks
             ),
+            *(self._torque_options if self.structure.tasks else ()),
         )
         return Struct(
             "inverse_options",
@@ -172,6 +173,36 @@ class Layout(Tables):
         if not self.flywheels:
             fields = tuple(f for f in fields if f.name in ("residual", "rank", "damped_by", "hardest"))
         return Struct("inverse_result", "Result of inverse and its quality.", fields)
+
+    @property
+    def _torque_options(self) -> tuple[Field, ...]:
+        """What torque_for looks at besides."""
+        wanted = "speed that torque_for approaches with what the demand leaves free"
+        return (
+            Field(
+                "motor_power",
+                REAL,
+                (self.count,),
+                "W",
+                "most that torque_for drives with; infinity: no limit",
+            ),
+            Field("target_speed", REAL, (self.count,), "rad/s", wanted),
+            Field("target_rate", REAL, (), "1/s", "part of what is missing to it, wanted a second; 0: least torque"),
+            Field("avoid_speed", REAL, (), "rad/s", "no wanted speed lies nearer to 0 than this; 0: none is avoided"),
+            Field("keep_direction", INT, (), "", "1: a demand out of reach is made smaller, 0: least error"),
+        )
+
+    def torque_for_result(self, task: Task) -> Struct:
+        """Result of the torques for a task."""
+        fields = (
+            Field("tau", REAL, (self.count,), "N m", "drive torques"),
+            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations that result"),
+            Field("V_dot", REAL, (6,), "m/s2, rad/s2", "motion of the carrier that results"),
+            Field("residual", REAL, (len(task.rows),), "m/s2, rad/s2", "demand minus reached; 0 of a free row"),
+            Field("share", REAL, (), "", "part of the demand that is met, with keep_direction; else 1"),
+            Field("limited", INT, (self.count,), "", "1 if the torque is at its limit"),
+        )
+        return Struct(f"torque_for_{task.name}_result", f"Result of torque_for_{task.name} and its quality.", fields)
 
     def task_result(self, task: Task) -> Struct:
         """Result of the inverse problem of a task."""

@@ -252,6 +252,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.inverse_options,) if layout.flywheels else ()),
         layout.inverse_result,
         *(layout.task_result(task) for task in layout.structure.tasks),
+        *(layout.torque_for_result(task) for task in layout.structure.tasks),
         *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
         layout.forward_jacobian_result,
     ):

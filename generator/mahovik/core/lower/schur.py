@@ -84,14 +84,8 @@ def take_lanes(lib: Library) -> Function:
     return body.function("take_lanes", purpose, (parts, schur, F))
 
 
-def solve_schur(lib: Library) -> Function:
-    """6x6 solve by blocks of 3x3."""
-    schur = Argument("K", lib.layout.schur)
-    F = Argument("F", Kind.REAL, (6,))
-    y = Argument("y", Kind.REAL, (6,), "out", purpose="must not overlap F")
-    body = Body()
-    lib.begin(body)
-    K = schur.place
+def invert_block(lib: Library, body: Body, K: Place) -> Place:
+    """A^-1 (6: 11 22 33 12 13 23) of a mass matrix by blocks; NOT_POSITIVE_DEFINITE where it is singular."""
     adjugate, determinant = derived_carrier.inverse_of_symmetric()
     names = ("11", "22", "33", "12", "13", "23")
     cofactor: list[Expr] = [body.let(f"c{n}", translate(e, {"A": K.A})) for n, e in zip(names, adjugate, strict=True)]
@@ -102,6 +96,18 @@ def solve_schur(lib: Library) -> Function:
     inverse = body.local("A_inv", (6,))
     for k in range(6):
         body.set(inverse[k], cofactor[k] * r)
+    return inverse
+
+
+def solve_schur(lib: Library) -> Function:
+    """6x6 solve by blocks of 3x3."""
+    schur = Argument("K", lib.layout.schur)
+    F = Argument("F", Kind.REAL, (6,))
+    y = Argument("y", Kind.REAL, (6,), "out", purpose="must not overlap F")
+    body = Body()
+    lib.begin(body)
+    K = schur.place
+    inverse = invert_block(lib, body, K)
     U = body.local("U", (9,), comment="A^-1 B^T")
     S = body.local("S", (6,), comment="D - B A^-1 B^T")
     n = body.local("moment", (3,), comment="n - B A^-1 f")

@@ -21,6 +21,9 @@ class Thresholds:
     weight         inverse: smallest weight of a flywheel; MAX_WEIGHT is its inverse
     regular        inverse: put on the diagonal of normal equations that limits may have left singular; some thousand
                    times what rounding leaves of a zero there
+    bounded        torque_for: put on the diagonal of normal equations, some ten times what rounding leaves of a zero
+                   there; what it takes from an answer is given back by refinement
+    share_pivot    torque_for: coefficient of a row of largest element 1, below which it is what rounding left of a zero
     gram_pivot     inverse_fast: pivot over the diagonal element that it came from, below which rounding has eaten it
     zero_length    legs: m, a shorter leg has no direction; a float at 1 m has a spacing of 1.2e-7 m
     parallel       axes: sine of the angle between `axis` and `zero`, below which `zero` does not say where the
@@ -41,6 +44,8 @@ class Thresholds:
     near_singular: float
     weight: float
     regular: float
+    bounded: float
+    share_pivot: float
     gram_pivot: float
     zero_length: float
     parallel: float
@@ -57,6 +62,8 @@ _OF_DOUBLE_AND_FLOAT = {
     "near_singular": (1e-6, 1e-3),
     "weight": (1e-6, 1e-6),
     "regular": (1e-12, 1e-4),
+    "bounded": (1e-12, 4e-6),
+    "share_pivot": (4e-12, 2e-5),
     "gram_pivot": (1e-13, 1e-5),
     "zero_length": (1e-9, 1e-6),
     "parallel": (5e-10, 1e-4),

@@ -182,6 +182,7 @@ class Values:
             "near": thresholds(self._layout.precision).near_singular,
             "damping": 0.0,
             **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
+            **(_torque_options(len(flywheels), largest) if self._stand.tasks else {}),
         }
 
     def _mounting(self) -> dict[str, Any]:
@@ -239,4 +240,15 @@ def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
         "most": [stand.inverse_most if motor is None else none for motor in motors],
         "motor_torque": [none if motor is None or motor.torque is None else motor.torque for motor in motors],
         "motor_speed": [none if motor is None or motor.speed is None else motor.speed for motor in motors],
+    }
+
+
+def _torque_options(count: int, none: float) -> dict[str, Any]:
+    """Options of torque_for besides: no limit of power, least torque, least error."""
+    return {
+        "motor_power": [none] * count,
+        "target_speed": [0.0] * count,
+        "target_rate": 0.0,
+        "avoid_speed": 0.0,
+        "keep_direction": 0,
     }

@@ -181,6 +181,9 @@ def _blamed(
             yield from _wrong(member.name, column, labels, member.unit)
 
 
+_NOT_NEGATIVE = ("motor_torque", "motor_power", "target_rate", "avoid_speed")
+
+
 def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[str]:
     """Options of `inverse` that are outside their ranges."""
     least = thresholds(_precision(memory["weight"])).weight
@@ -192,7 +195,7 @@ def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[s
             what = f"{member.name} {stand.flywheels[i].name}" if member.shape else member.name
             if member.name == "weight" and not x >= least:
                 yield f"{what} is {x:.9g}, expected at least {least:g}"
-            elif member.name == "motor_torque" and not x >= 0:
+            elif member.name in _NOT_NEGATIVE and not x >= 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected at least 0"
             elif member.name in ("limit", "most", "motor_speed") and not x > 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected above 0"

@@ -217,8 +217,7 @@ class Model(Built):
                 raise InputError("V_dot: missing; give V_dot, or a task and its demand")
             options = self._options(each, shares)
             return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
-        if task not in self._rows:
-            raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
+        self._check_task(task)
         if V_dot is not None:
             raise InputError("V_dot, task: both given, expected one of them")
         if demand is None:
@@ -226,6 +225,56 @@ class Model(Built):
         options = self._options(each, shares, self._demanded(task, rows))
         function = f"inverse_{task}"
         return self._result(results.Inverse, function, x, on_error, wrench, demand=demand, options=options)
+
+    def torque_for(
+        self,
+        x: States | ArrayLike,
+        task: str,
+        demand: Given,
+        *,
+        rows: Sequence[str] | None = None,
+        locked: Locks = (),
+        weight: Given | None = None,
+        motor_torque: Given | None = None,
+        motor_speed: Given | None = None,
+        motor_power: Given | None = None,
+        target_speed: Given | None = None,
+        target_rate: float | None = None,
+        avoid_speed: float | None = None,
+        keep_direction: bool = False,
+        wrench: Wrenches = None,
+        on_error: OnError = "raise",
+    ) -> results.TorqueFor:
+        """Drive torques for the demand of a task, within what the motors have: least error, then least torque.
+
+        rows            names of the rows that are demanded, the others are free; by default all
+        locked          flywheels that take no part: locked, or failed
+        weight          of each flywheel in the norm of the torques; of those not given what the stand file says
+        motor_torque    N m; largest torque; by default that of the motor. Braking has all of it
+        motor_speed     rad/s; no-load speed, where the torque that drives has fallen to 0; by default that of the motor
+        motor_power     W; largest mechanical power when driving; by default none
+        target_speed    rad/s; speeds that the flywheels approach with what the demand leaves free
+        target_rate     1/s; part of what is missing to them, a second; by default 0: least torque
+        avoid_speed     rad/s; no wanted speed lies nearer to 0 than this
+        keep_direction  a demand out of reach is made smaller, and not turned; `share` is the part that is met
+
+        Gives `tau`, `phi_ddot`, `V_dot`, `residual`, `share`, `limited`. State by state. Raises InputError,
+        RefusedError.
+        """
+        self._check_task(task)
+        each = {"weight": weight, "motor_torque": motor_torque, "motor_speed": motor_speed}
+        each |= {"motor_power": motor_power, "target_speed": target_speed}
+        numbers = {"target_rate": target_rate, "avoid_speed": avoid_speed, "keep_direction": float(keep_direction)}
+        given = {
+            "demand": demand,
+            "locked": locked,
+            "options": self._options(each, numbers, self._demanded(task, rows)),
+        }
+        return self._result(results.TorqueFor, f"torque_for_{task}", x, on_error, wrench, **given)
+
+    def _check_task(self, task: str) -> None:
+        if task not in self._rows:
+            raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
 
     def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
         """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""

@@ -110,6 +110,20 @@ class Inverse(Result):
     hardest: Real
 
 
+class TorqueFor(Result):
+    """`tau` (N) for the demand of a task within what the motors have, and the motion that results.
+
+    `share`: part of the demand that is met where its direction is kept, else 1.
+    """
+
+    tau: Real
+    phi_ddot: Real
+    V_dot: Real
+    residual: Real
+    share: Real
+    limited: NDArray[np.int32]
+
+
 class Mounts(Result):
     """`mount_wrench` (N, 6): of the mount on each flywheel, N, N m, about Os in the axes of Es at phi = 0."""
 

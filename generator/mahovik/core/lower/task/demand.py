@@ -47,18 +47,18 @@ def demand_turning(lib: Library) -> Function:
     binding = _reduced(body, carrier_binding(lib, table.place, seen.sums), layout.added_mass)
     S = body.local("S", (6,), comment="inertia left when v* is eliminated: about the mass centre")
     assign(body, list(S), derived.reduced_inertia(layout.added_mass), binding)
-    _factor3(lib, body, S, w)
+    factor3(lib, body, S, w)
     moment = body.local("moment", (3,), comment="of b, then of each column of I, when v* is eliminated")
     six = list(F)
     assign(body, list(moment), derived.reduced_moment(layout.added_mass), binding | {"f": six[:3], "n": six[3:]})
-    _substitute3(body, w.G, list(moment), list(w.r)[:3], "r")
+    substitute3(body, w.G, list(moment), list(w.r)[:3], "r")
     column = body.local("column", (6,), comment="I_s")
     with body.loop("s", layout.count) as s:
         row = row_of(lib, body, table.place, s)
         assign(body, list(column), derived_rows.columns().I, let_turn(body, seen.turns, s) | columns_of(row))
         six = list(column)
         assign(body, list(moment), derived.reduced_moment(layout.added_mass), binding | {"f": six[:3], "n": six[3:]})
-        _substitute3(body, w.G, list(moment), [w.W[i][s] for i in range(3)], "W")
+        substitute3(body, w.G, list(moment), [w.W[i][s] for i in range(3)], "W")
     return body.checked(
         "demand_turning",
         "The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor U.",
@@ -81,7 +81,7 @@ def _reduced(body: Body, binding: dict[str, Any], added: bool) -> dict[str, Any]
     return binding | {"B": B, "U": U}
 
 
-def _factor3(lib: Library, body: Body, S: Place, w: Place) -> None:
+def factor3(lib: Library, body: Body, S: Place, w: Place) -> None:
     """S (11 22 33 12 13 23) = U D U^T, U unit lower triangular: U below the diagonal of G, D on it, D^-1 in sigma."""
     G, inverse = w.G, w.sigma
 
@@ -99,7 +99,7 @@ def _factor3(lib: Library, body: Body, S: Place, w: Place) -> None:
     pivot(2, S[2] - G[2][0] * S[4] - G[2][1] * rest)
 
 
-def _substitute3(body: Body, G: Place, given: list[Place], out: list[Place], name: str) -> None:
+def substitute3(body: Body, G: Place, given: list[Place], out: list[Place], name: str) -> None:
     """out = U^-1 given, three numbers."""
     second = body.let(f"{name}_2", given[1] - G[1][0] * given[0])
     body.set(out[0], given[0])

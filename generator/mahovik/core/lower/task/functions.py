@@ -9,6 +9,8 @@ from mahovik.core.lower.task.demand import demand_turning, project, scale_turnin
 from mahovik.core.lower.task.fast import inverse_fast_task
 from mahovik.core.lower.task.inverse import inverse_task
 from mahovik.core.lower.task.rows import Rows
+from mahovik.core.lower.task.torque_demand import torque_demand
+from mahovik.core.lower.task.torque_for import torque_for_task
 from mahovik.core.routines.jacobi import numbered
 
 
@@ -31,3 +33,17 @@ def add_tasks(lib: Library) -> None:
         lib.add(inverse_fast_task(lib, rows))
         if layout.sine_input:
             lib.add(inverse_fast_task(lib, rows, at=True))
+        base = torque_demand(lib, rows.turning)
+        if base.name not in lib:
+            lib.add(base)
+        _add_bounded(lib, len(rows))
+        lib.add(torque_for_task(lib, rows))
+
+
+def _add_bounded(lib: Library, rows: int) -> None:
+    """Least squares and shares within bounds, for a number of rows."""
+    if f"bounded_least_squares_{rows}" in lib:
+        return
+    count, at = lib.layout.count, lib.thresholds
+    lib.add(routines.bounded_least_squares(rows, count, lib["sqrt"], at.bounded))
+    lib.add(routines.largest_share(rows, count, at.share_pivot, at.unreachable))

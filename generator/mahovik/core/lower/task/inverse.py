@@ -88,14 +88,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     named = {"table": table.place, "x": x.place, "phi_ddot": answer, "V_dot": moved}
     named |= named_turns(turns) | {w.name: w.place for w in wrench}
     lib.check(body, "accelerate", *lib.passed("accelerate", **named))
-    residual = body.local("residual", (m,))
-    for j, (known, reached) in enumerate(
-        zip(rows.known(body, table.place, x.place.V), rows.reached(table.place, moved), strict=True)
-    ):
-        left = body.let(
-            f"left_{j + 1}", demand.place[j] - reached - known if rows.task.rows[j].of else demand.place[j] - reached
-        )
-        body.set(residual[j], select(use[j] > 0, left, real(0)))
+    residual = rows.residual(body, place, moved, use)
     check_answer(lib, body, moved, 6)
     check_answer(lib, body, residual, m)
     lacking = body.local("lacking", (), Kind.INT)

@@ -6,7 +6,7 @@ c_k . v* + (O x c_k) . omega* + s, s = c_k . (omega x (v + omega x O)): its acce
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
-from mahovik.core.program.expression import Expr, Place, real
+from mahovik.core.program.expression import Expr, Place, real, select
 from mahovik.core.stand.model import COMPONENTS, Task, TaskRow
 
 
@@ -100,6 +100,17 @@ class Rows:
             turning = _dot(self._arm(table, row) if _linear(row) else axis, six[3:])
             found.append(_dot(axis, six[:3]) + turning if _linear(row) else turning)
         return found
+
+    def residual(self, body: Body, given: Mapping[str, Place], V_dot: Place, use: Place) -> Place:
+        """Demand minus reached (m), 0 of a free row; `given`: table, x, demand."""
+        table, demand = given["table"], given["demand"]
+        residual = body.local("residual", (len(self),))
+        pairs = zip(self.known(body, table, given["x"].V), self.reached(table, V_dot), strict=True)
+        for j, (known, reached) in enumerate(pairs):
+            missing = demand[j] - reached - known if self.task.rows[j].of else demand[j] - reached
+            left = body.let(f"left_{j + 1}", missing)
+            body.set(residual[j], select(use[j] > 0, left, real(0)))
+        return residual
 
     def turning_demand(self, table: Place, demand: Place) -> list[Expr]:
         """omega* (3, in E1) of all three rows of turning in one set of axes."""

@@ -21,6 +21,7 @@ from mahovik.proof.verify.functions import (
     parameters,
     reactions,
     steps,
+    task_torques,
     tasks,
 )
 from mahovik.proof.verify.functions.case import Case
@@ -61,7 +62,8 @@ def judge_of(name: str) -> Callable[[Case], Iterable[Row]] | None:
     task = task_of(name)
     if not task:
         return JUDGES.get(name)
-    return partial(tasks.inverse_rows if name == f"inverse_{task}" else tasks.fast_rows, function=name)
+    judges = {f"inverse_{task}": tasks.inverse_rows, f"torque_for_{task}": task_torques.torque_rows}
+    return partial(judges.get(name, tasks.fast_rows), function=name)
 
 
 def unjudged(functions: Iterable[str]) -> list[str]:

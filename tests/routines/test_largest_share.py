@@ -1,0 +1,104 @@
+"""largest_share: the same answer as SciPy's linear programmes, over random, degenerate and impossible demands."""
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.optimize import linprog
+
+from mahovik.core.program.function import Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, NamedCount, Precision
+from mahovik.core.routines import largest_share
+
+Array = NDArray[np.float64]
+
+
+@cache
+def interpreter(rows: int, count: int, precision: Precision) -> Interpreter:
+    named = NamedCount("N", count)
+    pivot, tolerance = (4e-12, 1e-9) if precision is DOUBLE else (2e-5, 1e-4)
+    return Interpreter(Program("share", precision, (named,), (), (largest_share(rows, named, pivot, tolerance),)))
+
+
+def share_of(precision: Precision, W: Array, low: Array, high: Array, start: Array, towards: Array) -> Any:
+    y = np.full(W.shape[1], np.nan).astype(precision.scalar)
+    given = [np.ravel(np.asarray(each)).astype(precision.scalar) for each in (W, low, high, start, towards)]
+    found = interpreter(*W.shape, precision).call(f"largest_share_{len(W)}", *given, y)
+    return float(found), y.astype(float)
+
+
+def by_linear_programme(W: Array, low: Array, high: Array, start: Array, towards: Array) -> float | None:
+    N = W.shape[1]
+    options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
+    bounds = [*zip(low, high, strict=True), (0, 1)]
+    found = linprog(np.r_[np.zeros(N), -1], A_eq=np.c_[W, -towards], b_eq=start, bounds=bounds, options=options)
+    return float(found.x[-1]) if found.status == 0 else None
+
+
+def demand(rng: np.random.Generator) -> tuple[Array, Array, Array, Array, Array]:
+    """A random demand: also with equal columns, equal rows, empty columns, rows of other sizes, held unknowns."""
+    m, N = int(rng.integers(1, 7)), int(rng.integers(1, 11))
+    W = rng.normal(size=(m, N))
+    if N > 2 and rng.random() < 0.2:
+        W[:, 1] = W[:, 0]
+    if m > 1 and rng.random() < 0.1:
+        W[-1] = W[0]
+    if N > 1 and rng.random() < 0.1:
+        W[:, -1] = 0
+    W *= rng.choice([1, 1e-3, 1e3], size=(m, 1)) if rng.random() < 0.2 and not np.all(W[-1] == W[0]) else 1
+    low, high = -rng.uniform(size=N), rng.uniform(size=N)
+    if rng.random() < 0.3:
+        low[0] = high[0] = 0
+    inner = low + (high - low) * (rng.random(N) if rng.random() < 0.8 else rng.integers(0, 2, N))
+    size = 10 ** rng.uniform(-2, 2)
+    reachable = m > N or rng.random() < 0.5
+    towards = (W @ rng.normal(size=N) if reachable else rng.normal(size=m)) * size
+    if W.shape[0] > 1 and np.all(W[-1] == W[0]):
+        towards[-1] = towards[0]
+    return W, low, high, W @ inner + (rng.normal(size=m) if rng.random() < 0.1 else 0), towards
+
+
+def compare(seeds: range) -> None:
+    for seed in seeds:
+        given = demand(np.random.default_rng(seed))
+        W, low, high, start, towards = given
+        found, y = share_of(DOUBLE, *given)
+        expected = by_linear_programme(*given)
+        if expected is None:
+            assert found == -1, seed
+            assert np.all(np.isnan(y)), seed
+            continue
+        assert found == pytest.approx(expected, abs=1e-9), seed
+        assert np.all((low <= y) & (y <= high)), seed
+        scale = np.abs(np.c_[W, start, towards]).max()
+        assert np.abs(W @ y - start - found * towards).max() <= 1e-11 * scale, seed
+
+
+def test_the_share_is_that_of_a_linear_programme() -> None:
+    compare(range(200))
+
+
+@pytest.mark.slow
+def test_the_share_is_that_of_a_linear_programme_on_thousands() -> None:
+    compare(range(200, 4000))
+
+
+def test_float_is_close_to_double() -> None:
+    rng = np.random.default_rng(3)
+    for _ in range(40):
+        W = rng.normal(size=(3, 4))
+        low, high = -rng.uniform(0.5, 1, 4), rng.uniform(0.5, 1, 4)
+        given = W, low, high, W @ (0.2 * (low + high)), rng.normal(size=3) * 5
+        assert share_of(FLOAT, *given)[0] == pytest.approx(share_of(DOUBLE, *given)[0], abs=1e-4)
+
+
+def test_equal_wheels_share_what_one_cannot_give() -> None:
+    """Two on one axis with bounds of 1 and 2: of a demand of 6 half can be met."""
+    found, y = share_of(
+        DOUBLE, np.ones((1, 2)), -np.array([1.0, 2.0]), np.array([1.0, 2.0]), np.zeros(1), np.array([6.0])
+    )
+    assert found == 0.5
+    assert list(y) == [1.0, 2.0]
