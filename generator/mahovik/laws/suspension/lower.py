@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.member import Member, matrix, member, vector
+from mahovik.core.lower import units
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.member import Member, matrix, member, vector
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
