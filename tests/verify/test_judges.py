@@ -19,13 +19,13 @@ from mahovik.errors import UsageError
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.judges import compare
 from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION, QUANTITIES, load_judges, near_origin, verify_judges
-from mahovik.proof.verify.judges.rigid import JudgeError, missing, stripped, tree
+from mahovik.proof.verify.judges.rigid import JudgeError, bare_stand, missing, tree
 from mahovik.proof.verify.report import conclusion
 from mahovik.stands import path
 
 DEMO = load(path("demo3"))
 FEATURES = replace(BARE, gravity=True, instruments=2, points=2, wrench_inputs=True)
-STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus6", "auv6")} | {
+STANDS = {name: bare_stand(load(path(name))) for name in ("bench8", "sat4", "remus6", "auv6")} | {
     f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (0, 1, 7)
 }
 

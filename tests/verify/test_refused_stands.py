@@ -65,7 +65,7 @@ def test_a_judge_that_refuses_some_cases_only_fails() -> None:
 
 
 def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
-    """By every judge, so that nothing is compared, which is no pass."""
+    """Every judge says so; nothing is compared, which is no pass."""
     found = verify_judges(HELD, count=2, bare=True)
     assert [row.want for row in found.rows] == list(ALL)
     for row in found.rows:

@@ -30,7 +30,7 @@ class LawTable:
         raise NotImplementedError
 
     def fields(self, structure: Structure) -> list[Field]:
-        """Its members of the table."""
+        """Members that the law adds to the table."""
         raise NotImplementedError
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:

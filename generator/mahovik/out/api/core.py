@@ -185,14 +185,14 @@ class Built:
     def _result(
         self, kind: type[AnyResult], function: str, x: Any, on_error: OnError, wrench: Wrenches, **given: Any
     ) -> AnyResult:
-        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        found, status, single = self._calculate(function, x, on_error, wrench, given)
         return kind(self._call.fields(function), found, status, single)
 
     def _step(
         self, function: str, x: Any, dt: float, order: int, on_error: OnError, wrench: Wrenches, **given: Any
     ) -> States:
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
-        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        found, status, single = self._calculate(function, x, on_error, wrench, given)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
         if coarse:
             which = f" in {coarse:,} of {len(status):,} states" if len(status) > 1 else ""
@@ -204,7 +204,7 @@ class Built:
             )
         return States(self._stand.name, self._state, found["next"], single)
 
-    def _calculated(
+    def _calculate(
         self, function: str, x: Any, on_error: OnError, wrench: Wrenches, given: Mapping[str, Any]
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""

@@ -57,7 +57,7 @@ class FunctionLine:
 
     @property
     def words(self) -> str:
-        """What is wrong, and the worst distance, as the test prints them."""
+        """Faults and the worst distance, as the test prints them."""
         distance = f"worst more than {FAR} ulp" if self.worst > FAR else f"worst {self.worst} ulp"
         return ", ".join(filter(None, (self.faults, distance if self.worst or not self.faults else "")))
 

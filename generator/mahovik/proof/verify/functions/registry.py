@@ -53,7 +53,7 @@ JUDGES |= {
 }
 
 
-def unjudged(functions: Iterable[str]) -> list[str]:
+def unjudged_functions(functions: Iterable[str]) -> list[str]:
     """Names of public functions that neither answer a want nor have a judge here."""
     return [name for name in functions if name not in JUDGES and not (name in FUNCTIONS and FUNCTIONS[name].want)]
 
@@ -64,7 +64,7 @@ def function_rows(case: Case) -> Iterator[Row]:
     A function without any judge has a row that fails, and one of which no row compared a state.
     """
     names = [function.name for function in case.backend.program.functions if function.public]
-    for name in unjudged(names):
+    for name in unjudged_functions(names):
         yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
     for name in names:
         if name in JUDGES:

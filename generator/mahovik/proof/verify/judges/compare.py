@@ -30,9 +30,9 @@ from mahovik.proof.verify.judges.rigid import (
     OutsideJudge,
     Values,
     attitude,
+    bare_stand,
     missing,
     quaternion_rate,
-    stripped,
 )
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.scales import scales
@@ -216,14 +216,14 @@ def verify_judges(
 ) -> Report:
     """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
 
-    A judge that refuses the stand has one row that says why; if all do, nothing was compared and the report is no
+    A judge that refuses the stand has one row that says why; if all do, nothing was compared and the report does not
     pass. `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
     """
     if bare:
-        if (lacking := missing(stand)) and least_eigenvalue(stripped(stand))[0] < LEAST_EIGENVALUE:
+        if (lacking := missing(stand)) and least_eigenvalue(bare_stand(stand))[0] < LEAST_EIGENVALUE:
             reason = f"the stand without {', '.join(lacking)} has no positive definite mass matrix"
-            return _without_judges(stand, [_skipped(name, reason) for name in names], seed, count)
-        found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until, progress=progress)
+            return _without_judges(stand, [_skipped_row(name, reason) for name in names], seed, count)
+        found = verify_judges(bare_stand(stand), seed=seed, count=count, names=names, until=until, progress=progress)
         return replace(found, left_out=tuple(missing(stand)))
     judges, absent = [], []
     for name in names:
@@ -232,14 +232,14 @@ def verify_judges(
         except UsageError as error:
             if name in JUDGES and not isinstance(error, JudgeError):
                 raise
-            absent.append(_skipped(name, str(error).removeprefix("--judges: ")))
+            absent.append(_skipped_row(name, str(error).removeprefix("--judges: ")))
     if not judges:
         return _without_judges(stand, absent, seed, count)
     found = compare_with_judges(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
 
 
-def _skipped(judge: str, reason: str) -> Row:
+def _skipped_row(judge: str, reason: str) -> Row:
     """The row of a judge that does not take the stand."""
     return Row(judge, "all quantities", verdict="not compared", reason=reason)
 
@@ -261,7 +261,7 @@ def compare_with_judges(
     judged: str = "generated C",
     progress: Progress | None = None,
 ) -> Report:
-    """The same by judges that have the stand already.
+    """Rows of judges that have the stand already.
 
     `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion.
     """
