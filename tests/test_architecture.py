@@ -233,6 +233,35 @@ def test_a_circle_of_imports_is_found(tmp_path: Path) -> None:
     assert circle(imports_between(graph | {"mahovik.c.d": []})) == []
 
 
+def with_folder_as_one(folder: str, graph: Mapping[str, set[str]]) -> dict[str, set[str]]:
+    """The graph of imports with all modules below a folder as one node of its name."""
+
+    def node(module: str) -> str:
+        return folder if module == folder or module.startswith(f"{folder}.") else module
+
+    merged: dict[str, set[str]] = {}
+    for module, others in graph.items():
+        merged.setdefault(node(module), set()).update(node(other) for other in others)
+    return {module: others - {module} for module, others in merged.items()}
+
+
+def test_no_circles_through_a_folder() -> None:
+    """A folder, also inside a stage, imports nothing that imports it: it can be read after what it uses, as a whole."""
+    graph = imports_between({module_name(path): list(imported(path)) for path in MODULES})
+    folders = sorted({module_name(path.parent / "__init__.py") for path in MODULES})
+    found = {folder: circle(with_folder_as_one(folder, graph)) for folder in folders}
+    assert {folder: route for folder, route in found.items() if route} == {}
+
+
+def test_a_circle_through_a_folder_is_found() -> None:
+    """No module imports itself, but the folder `parts` imports `table`, which imports `parts`."""
+    graph = {"table": {"parts.unit"}, "parts.unit": set(), "parts.list": {"table", "parts.unit"}}
+    assert circle(graph) == []
+    assert circle(with_folder_as_one("parts", graph)) == ["table", "parts", "table"]
+    apart = {"table": {"unit"}, "unit": set(), "parts.list": {"table", "unit"}}
+    assert circle(with_folder_as_one("parts", apart)) == []
+
+
 @pytest.mark.parametrize("stage", ONLY)
 def test_strict_stages_import_only_what_they_may(stage: str) -> None:
     """References and derivations share nothing but the stand; what is lowered comes from the derivation."""

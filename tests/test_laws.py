@@ -21,7 +21,7 @@ LAW_PARTS = {
     "random": ("core.stand.draw", "core.stand.model", "core.stand.state"),
     "text": ("core.stand.model",),
     "derive": ("core.derive.attitude", "core.derive.screw", "core.derive.symbols"),
-    "lower": ("core.formula.derived", "core.lower.fmu.member", "core.lower.fmu.units", "core.lower.law",
+    "lower": ("core.formula.derived", "core.lower.member", "core.lower.units", "core.lower.law",
               "core.lower.laws", "core.lower.library", "core.lower.symbolic", "core.program", "core.stand.model",
               "core.stand.structure"),
     "reference": ("core.stand.model", "core.stand.state", "errors", "proof.reference.array", "proof.reference.pose",

@@ -27,6 +27,8 @@ OPENINGS = (
     r"Said\b",
     r"Told\b",
     r"In turn\b",
+    r"Its\b",
+    r"The same( (as|at|by|for|from|in|of|on|to|where|with|without)\b|[.,;:])",
     r"For (the|all|many|one)\b.{0,12}\.$",
     r"What (is|are|was|has|it|they|one|all|every|any|each|a|an|the|this|that|may|can|must|other|others)\b",
     r"(All that|Where|Who)\b.* (has|have|is|are|does|do) not\b(?! \w+ed\b)",

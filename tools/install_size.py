@@ -68,7 +68,7 @@ def page(found: Figures) -> str:
 
 
 def sentence(found: Figures) -> str:
-    """The same for who wants to know beforehand."""
+    """Sizes and times in a sentence, for who wants to know beforehand."""
     rows = {row["command"]: row for row in found["rows"]}
     size = {command: f"about {about(row['MB'] / 1000)} GB" for command, row in rows.items()}
     return (

@@ -16,7 +16,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge, Model
 from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand
 from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, compare_with_judges, verify_judges
-from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.judges.rigid import bare_stand, missing
 from mahovik.proof.verify.report import Report
 from mahovik.stands import names, path
 
@@ -112,7 +112,7 @@ def _listed(stands: Sequence[str]) -> str:
 def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     """A stand before the judges that are installed everywhere; rounding differs with their releases."""
     name = rng.choice(names())
-    stand = stripped(load(path(name)))
+    stand = bare_stand(load(path(name)))
     yield Measured("stands without their wrenches", found["dry"], [n for n in names() if missing(load(path(n)))])
     report = verify_judges(stand, count=found["states"], names=tuple(JUDGES))
     for judge, rows in zip(JUDGES, found["judges"], strict=True):
@@ -141,7 +141,7 @@ def main() -> None:
     """Run the judges, write both files. Exit status 1 where one disagrees."""
     states = campaign.parser(__doc__, states=200).parse_args().states
     stands = [load(path(name)) for name in names()]
-    rigid = [stripped(stand) for stand in stands]
+    rigid = [bare_stand(stand) for stand in stands]
     reports = [verify_judges(stand, count=states, names=tuple(JUDGES)) for stand in rigid]
     exact = [by_basilisk(stand, states) for stand in rigid]
     asymmetric = [by_basilisk(stand, states, asymmetric=True) for stand in rigid]

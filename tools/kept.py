@@ -200,7 +200,7 @@ class Campaign:
         return result.code == code_hash(self.code)
 
     def age(self, result: Result) -> str:
-        """The same as a sentence."""
+        """Whether the result is current, as a sentence."""
         if self.is_current(result):
             return "Measured with the code as it is now."
         which = "" if result.code == UNKNOWN else f" ({result.code[:8]})"
@@ -208,7 +208,7 @@ class Campaign:
 
 
 def plain(value: Any) -> Any:
-    """The same in what JSON has: no tuples, no types of NumPy, no numbers that are not finite."""
+    """The value in what JSON has: no tuples, no types of NumPy, no numbers that are not finite."""
     if isinstance(value, Mapping):
         return {str(key): plain(each) for key, each in value.items()}
     if isinstance(value, list | tuple):

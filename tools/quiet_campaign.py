@@ -108,7 +108,7 @@ class Outcome:
 
 
 def outcome(found: QuietResult, seconds: float) -> Outcome:
-    """Its figures."""
+    """Figures of a search for quiet speeds."""
     after, before = found.after, found.before
     assert after.simulated is not None
     assert after.expected is not None

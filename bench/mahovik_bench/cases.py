@@ -52,7 +52,7 @@ class Case:
 
 
 def case(N: int) -> Case:
-    """The same for the same N, on every machine. The carrier is aligned with E0, at its origin."""
+    """Case of N flywheels, equal on every machine. The carrier is aligned with E0, at its origin."""
     rng = np.random.default_rng([SEED, N])
     stand = random_stand(rng, N, BARE, name=f"free{N}")
     drawn = (random_state(stand, rng) for _ in range(STATES))

@@ -54,7 +54,7 @@ class Contestant:
         return self.peer.name
 
     def results(self, work: Work) -> Array:
-        """Its results, one row per state."""
+        """Results of the library, one row per state."""
         call = getattr(self._library, work.symbol)
         size = work.size(self.case.N)
         if self._states > 1:

@@ -114,7 +114,7 @@ def test_the_speed_is_measured_not_typed() -> None:
 
 
 def test_the_typed_script_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    """Its types are checked by `make lint`."""
+    """The script runs; its types are checked by `make lint`."""
     typed_script.main()
     checked = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]
     assert "tests" in checked["files"]

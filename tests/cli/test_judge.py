@@ -32,7 +32,7 @@ def wrong(change: str) -> str:
 
 
 SHAKER = str(path("shaker2"))
-"""Its flywheels are unbalanced: without wrenches balanced ones know no phase."""
+"""A stand with unbalanced flywheels: without wrenches balanced ones know no phase."""
 
 PHASE = wrong('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] * 2')
 

@@ -53,7 +53,7 @@ def test_a_notebook_is_in_plain_english(file: Path) -> None:
 @pytest.mark.slow
 @notebooks
 def test_a_notebook_runs(file: Path, tmp_path: Path) -> None:
-    """Its cells run in order in a Python of their own, warn of nothing, and draw a picture."""
+    """The cells run in order in a Python of their own, warn of nothing, and draw a picture."""
     require_picture = "from matplotlib import pyplot; assert pyplot.get_fignums(), 'no picture'"
     code = ["".join(cell["source"]) for cell in read(file)["cells"] if cell["cell_type"] == "code"]
     (tmp_path / "cells.py").write_text("\n".join([*code, require_picture]) + "\n", encoding="utf-8")

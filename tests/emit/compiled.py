@@ -113,7 +113,7 @@ def compiled(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Com
 
 @cache
 def compiled_float(name: str, optimisation: str = "-O0", compiler: str = "gcc") -> Compiled:
-    """The same with float."""
+    """C of an example in float, compiled."""
     return Compiled(stand(name), *float_texts(stand(name)), optimisation, compiler)
 
 

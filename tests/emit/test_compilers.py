@@ -27,7 +27,7 @@ def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 @pytest.fixture(scope="module", params=quick(1, FLOAT_NAMES))
 def float_source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same with float as element type."""
+    """C of an example in float, written."""
     return write(float_texts(stand(request.param))[3], tmp_path_factory.mktemp(request.param))
 
 

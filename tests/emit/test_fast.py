@@ -18,7 +18,9 @@ from mahovik.errors import UsageError
 from mahovik.proof.verify.selftest_log import read_log
 from toolchain.tools import require
 
-_WORST = re.compile(r"^(\w+) (PASS|FAIL) cases 3(?: wrong \d)? worst (more than )?(\d+) units$", re.MULTILINE)
+_WORST = re.compile(
+    r"^(\w+) (PASS|FAIL) cases 3(?: wrong \d \(numbers\))? worst (more than )?(\d+) units$", re.MULTILINE
+)
 
 
 def built(files: dict[str, str], name: str, folder: Path, compiler: str = "gcc") -> tuple[int, str]:

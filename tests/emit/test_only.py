@@ -101,7 +101,7 @@ def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path)
 
 
 def test_a_part_is_measured() -> None:
-    """Its public functions alone, on this machine."""
+    """Cost of the public functions of a part alone, on this machine."""
     require("valgrind", "valgrind")
     (target,) = measure(stand("sat4"), [(TARGETS["host"], "double")], only=("torque",)).targets
     assert [f.function for f in target.functions] == ["torque"]

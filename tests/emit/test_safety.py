@@ -15,6 +15,7 @@ from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.emit.names import RESERVED
 from mahovik.core.toolchain.compiler import BITS, FAST
+from mahovik.proof.verify.selftest_log import problems, read_log
 from toolchain.tools import compile_c, require
 
 LEAVE = "-DBENCH8_ALLOW_FAST_MATH"
@@ -61,16 +62,31 @@ def test_exact_arithmetic_is_taken(folder: Path, compiler: str, flags: tuple[str
     assert "error" not in complaint(compiler, folder / "bench8.c", *flags)
 
 
-def test_what_clang_does_not_show_fails_in_the_self_test(tmp_path: Path) -> None:
-    """The answers are wrong and the statuses OK: the header says so, and the self-test finds it."""
-    write({**generated("bench8").files, **selftest_files(stand("bench8"), generated("bench8"))}, tmp_path)
+@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize(
+    ("compiler", "flag"), [("clang", "-funsafe-math-optimizations"), ("gcc", "-funsafe-math-optimizations")]
+)
+def test_what_clang_does_not_show_fails_in_the_self_test(compiler: str, flag: str, real: str, tmp_path: Path) -> None:
+    """The answers are wrong and the statuses OK: the header says so, and the self-test in its first line.
+
+    gcc shows the flag, and is let through.
+    """
+    made = generate_all(stand("bench8"), real)
+    write({**made.files, **selftest_files(stand("bench8"), made)}, tmp_path)
     program = tmp_path / "selftest"
     sources = [str(tmp_path / name) for name in ("bench8.c", "bench8_selftest.c")]
-    command = [require("clang", "clang"), "-std=c99", "-O2", *BITS, "-funsafe-math-optimizations", *sources]
+    leave = [LEAVE] if compiler == "gcc" else []
+    command = [require(compiler, compiler), "-std=c99", "-O2", *BITS, flag, *leave, *sources]
     subprocess.run([*command, "-o", str(program)], check=True, capture_output=True)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 1
     assert "forward FAIL" in done.stdout
+    first, second, *_ = done.stdout.splitlines()
+    flags = "-ffast-math, -Ofast, -funsafe-math-optimizations or a part of them"
+    assert first == f"wrong results: compiled with {flags}"
+    assert second.startswith("mahovik selftest bench8 ")
+    (log,) = read_log(done.stdout, "selftest")
+    assert problems(log)[0] == first
     for name in ("bench8.h", "bench8_selftest.c"):
         assert "wrong results with status ok" in (tmp_path / name).read_text().lower()
 

@@ -137,6 +137,7 @@ def test_a_lost_check_is_found(tmp_path: Path) -> None:
     names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
     assert names == {"quaternion"}
     assert log.functions["quaternion"].wrong == 1
+    assert log.functions["quaternion"].faults == "status"
 
 
 def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
@@ -145,7 +146,21 @@ def test_an_output_written_before_a_refusal_is_found(tmp_path: Path) -> None:
     names, log = failed({**files, "bench8.c": source}, "bench8", tmp_path)
     assert names == {"torque"}
     assert log.functions["torque"].wrong == 1
-    assert log.functions["torque"].worst == 0
+    assert (log.functions["torque"].worst, log.functions["torque"].faults) == (0, "written though refused")
+    assert problems(log)[0] == "FAIL: torque (written though refused)"
+
+
+def test_a_hash_of_numbers_that_are_not_listed_is_named(tmp_path: Path) -> None:
+    """Statuses and listed numbers are right, so no distance is printed."""
+    _, files = generate_with_selftest("demo3")
+    row = re.search(r"\{ \"generalized\",.*?\{ \{ 0, (0x[0-9a-f]{8})u", files["demo3_selftest.c"], re.DOTALL)
+    assert row is not None
+    tampered = replaced(files["demo3_selftest.c"], row[0], row[0].replace(row[1], f"0x{int(row[1], 16) ^ 1:08x}"))
+    status, printed = run_selftest({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
+    assert status == 1
+    assert "\ngeneralized FAIL cases 4 wrong 1 (other members)\n" in printed
+    (log,) = read_log(printed, "demo3")
+    assert problems(log)[0] == "FAIL: generalized (other members)"
 
 
 @pytest.mark.parametrize(("real", "precision"), [("double", DOUBLE), ("float", FLOAT)])
@@ -164,7 +179,7 @@ def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precis
     )
     names, log = failed({**files, "demo3_selftest.c": tampered}, "demo3", tmp_path)
     assert names == {"forward"}
-    assert log.functions["forward"].worst == ulp
+    assert (log.functions["forward"].worst, log.functions["forward"].faults) == (ulp, "numbers")
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
@@ -175,9 +190,10 @@ def test_a_distance_beyond_counting_is_said_in_words(real: str, tmp_path: Path) 
     assert source != files["demo3.c"]
     _, printed = run_selftest({**files, "demo3.c": source}, "demo3", tmp_path)
     (log,) = read_log(printed, "demo3")
-    assert re.search(r"^forward FAIL cases 4 wrong \d worst more than 1000000 ulp$", printed, re.MULTILINE)
+    fail = r"^forward FAIL cases 4 wrong \d \(numbers, sweep\) worst more than 1000000 ulp$"
+    assert re.search(fail, printed, re.MULTILINE)
     assert log.functions["forward"].worst == FAR + 1
-    assert "forward (worst more than 1000000 ulp)" in problems(log)[0]
+    assert "forward (numbers, sweep, worst more than 1000000 ulp)" in problems(log)[0]
     assert max(len(n) for n in re.findall(r"worst (?:more than )?(\d+) ulp", printed)) <= 7
 
 

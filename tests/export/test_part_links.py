@@ -70,7 +70,7 @@ def test_a_caller_of_another_programme_does_not_link(compiler: str, tmp_path: Pa
 
 
 def test_the_check_of_a_servo_takes_no_memory() -> None:
-    """Its symbol is defined as a number, and the reference lies in a section that is not loaded."""
+    """The symbol is defined as a number, and the reference lies in a section that is not loaded."""
     for text in (servos("spin").servo["shaker2_servo.h"], programme("spin").files["shaker2_programme.h"]):
         assert ".pushsection .debug_mahovik," in text
     for text in (servos("spin").servo["shaker2_servo.c"], programme("spin").files["shaker2_programme.c"]):

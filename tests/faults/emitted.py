@@ -47,7 +47,7 @@ def stand_of(host: Host) -> Stand:
 
 @cache
 def generated_of(host: Host) -> Generated:
-    """Its program, numbers and C."""
+    """Program, numbers and C of a host."""
     return generate_all(stand_of(host), host.real, host.lanes)
 
 
@@ -134,7 +134,7 @@ class Planted(ProgramBackend):
         super().__init__("c", self.generated.layout, program, table, mounting, run)
 
     def interpreter_evaluate(self, state: State, want: Any) -> dict[str, Any]:
-        """The same by the interpreter."""
+        """Results of the interpreter."""
         return self.interpreter.evaluate(state, want)
 
 

@@ -72,7 +72,7 @@ def differentiated(stand: Stand, state: State, want: str, by: tuple[str, ...]) -
 
 
 def locked_slopes(stand: Stand, state: State, free: list[int]) -> dict[str, np.ndarray]:
-    """The same of `coupled` with all flywheels locked but the free ones, by implicit differentiation.
+    """Derivatives of `coupled` with all flywheels locked but the free ones, by implicit differentiation.
 
     phi'' is zero of locked flywheels, and of the free ones what makes needed = tau, where `needed` is the torque for
     phi'' and the V_dot that `forward` gives with it. It is linear in phi'', so one step of Newton's method finds it.

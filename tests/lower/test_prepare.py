@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from emit.compiled import Compiled, bits, compiled
+from emit.compiled import Compiled, bits, compiled, compiled_float, interpreter_of
 from emit.stands import other_numbers
 from lower.refusals import NOT_FINITE, NumberPath, accepts, numbers, refuses, spoiled
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.limits import limits
+from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
 from toolchain.quick import quick
@@ -165,6 +167,34 @@ def test_axes_without_a_direction(kind: str) -> None:
         refuses_with(c, (kind, 0, "zero"), zero, "RANGE")
     refuses_with(c, (kind, 0, "axis"), [0.0] * 3, "RANGE")
     refuses_with(c, (kind, 0, "axis"), wheel["zero"], "RANGE")
+
+
+@pytest.mark.parametrize("key", ["axis", "zero"])
+def test_axes_are_directions_down_to_a_small_length(key: str) -> None:
+    """A length has a direction if its square is above `small_square`: a tenth above it is taken, a tenth below not."""
+    c = compiled("everything1")
+    default = np.array(c.values.parameters["flywheel"][0][key])
+    least = THRESHOLDS["double"].small_square ** 0.5 / np.linalg.norm(default)
+    path = ("flywheel", 0, key)
+    inputs = inputs_of(c)
+    taken = spoiled(inputs["parameters"], path, list(1.1 * least * default))
+    accepts(c, "prepare", inputs | {"parameters": taken})
+    refuses_with(c, path, list(0.9 * least * default), "RANGE")
+
+
+@pytest.mark.parametrize(("moments", "expected"), [(2.5, "RANGE"), (3.5, "OK")])
+def test_each_moment_of_inertia_counts_towards_the_largest_sum(moments: float, expected: str) -> None:
+    """A flywheel far away leaves room for so many of the equal moments of the carrier; float alone gets so far."""
+    c = compiled_float("bare5")
+    moment, distance = 9e14, 2.0**16
+    parameters = copy.deepcopy(c.values.parameters)
+    parameters["carrier"]["inertia"] = [moment] * 3 + [0.0] * 3
+    wheel = parameters["flywheel"][0]
+    wheel["position"] = [distance, 0.0, 0.0]
+    wheel["body"]["mass"] = (THRESHOLDS["float"].inertia - moments * moment) / distance**2
+    wheel["body"]["center_of_mass"] = [0.0] * 3
+    status = interpreter_of(c.program).run("check_parameters", {"parameters": parameters})[0]
+    assert status == STATUS_VALUES[expected]
 
 
 @pytest.mark.parametrize("mount", [-2, 2, 100, -(2**31), 2**31 - 1])

@@ -35,7 +35,7 @@ def spinning(bounds: Bounds = NONE) -> tuple[Stand, RequiredMotion, Programme]:
 
 @cache
 def planned() -> Programme:
-    """The same with its run-up and run-down."""
+    """The spinning programme with its run-up and run-down."""
     return with_runup(*spinning())
 
 

@@ -243,7 +243,7 @@ def test_pieces_are_complete() -> None:
 
 
 def test_every_function_is_found_in_the_C(tmp_path: Path) -> None:
-    """Its lines are a definition, from its name to its last brace; (8) is in `forward`."""
+    """The lines of a function are a definition, from its name to its last brace; (8) is in `forward`."""
     (found,) = collected(tmp_path / "out", [EQUATIONS])
     assert found.outcome.verdict is Verdict.PASSED
     lines = (tmp_path / "out" / "c" / "demo3.c").read_text().splitlines()

@@ -131,7 +131,7 @@ def test_rotation_vector_at_rest_and_at_half_a_turn() -> None:
 
 @given(st.lists(st.floats(-1, 1), min_size=4, max_size=4))
 def test_the_rotation_of_any_quaternion_is_one(q: list[float]) -> None:
-    """Its length is divided out: C^T C is E."""
+    """The length is divided out: C^T C is E."""
     if max(map(abs, q)) < 1e-3:
         return
     with ctx.workprec(BITS):

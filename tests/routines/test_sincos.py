@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from mahovik.core.program.cost import cost
-from mahovik.core.program.types import DOUBLE, FLOAT, Precision
-from mahovik.core.routines import sincos
+from mahovik.core.program.function import Program
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.program.types import DOUBLE, FLOAT, NamedCount, Precision
+from mahovik.core.routines import sincos, sincos_each
 from mahovik.core.routines.real_constants import PI
 from mahovik.core.routines.sincos import SMALL_TURNS, half_pi_parts
 from routines.run import (
@@ -63,6 +65,19 @@ def test_multiples_of_an_eighth_turn_up_to_eight_pi_lose_no_digit(precision: Pre
     angles = [x for x in angles if abs(x) <= NEAR_ZERO]
     angles += closest_to_quarter_turns(precision, NEAR_ZERO)
     assert largest_error_in_last_places(precision, angles) <= LAST_PLACES
+
+
+@PRECISIONS
+def test_angles_in_a_loop_have_the_bits_of_one_angle(precision: Precision) -> None:
+    """`sincos_each` at the angles that need every part of pi/2, and zeros where there is room for more."""
+    angles = [precision.scalar(x) for x in closest_to_quarter_turns(precision, NEAR_ZERO)]
+    count = len(angles)
+    function = sincos_each(precision, NamedCount("N", count), count + 1)
+    zero, far = precision.scalar(0), precision.scalar(7)
+    sine, cosine = [far] * (count + 1), [far] * (count + 1)
+    Interpreter(Program("loop", precision, (), (), (function,))).call("sincos_each", angles, sine, cosine)
+    expected = [*(call_sincos(precision, x) for x in angles), (zero, zero)]
+    assert list(zip(sine, cosine, strict=True)) == expected
 
 
 @PRECISIONS

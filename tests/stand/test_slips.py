@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -83,6 +84,48 @@ def test_flywheels_that_are_all_unbalanced_are_so_on_purpose_unless_their_speed_
     found = GOOD.replace("12 g mm", "150 g cm").replace("11 g mm", "160 g cm")
     (asked,) = summarize(loads(found), 314.0).warnings
     assert asked.startswith("flywheel w2 (and 1 more): a static unbalance of 1600 g mm")
+
+
+def test_a_lone_flywheel_has_no_other_that_shows_its_purpose() -> None:
+    """15 g m on a wheel of 2.4 kg."""
+    wheel = GOOD[GOOD.index('[[flywheel]]\nname = "w2"') : GOOD.index("[[point]]")]
+    lone = GOOD.replace(wheel, "").replace("mass = 1\nspin", "mass = 2.4\nspin").replace("12 g mm", "15 g m")
+    (line,) = summarize(loads(lone)).warnings
+    assert line.startswith("flywheel w1: a static unbalance of 15000 g mm on 2.4 kg is G 4000 at 3000 rpm, 49.1 times")
+
+
+def spun(inertia: str) -> str:
+    """The stand with a wheel w1 of 2.4 kg and this inertia about all axes."""
+    old = 'mass = 1\nspin_inertia = 0.002\ntransverse_inertia = 0.0011\nunbalance = { static = "12'
+    assert old in GOOD
+    new = f'mass = 2.4\nspin_inertia = "{inertia}"\ntransverse_inertia = "{inertia}"\nunbalance = {{ static = "12'
+    return GOOD.replace(old, new)
+
+
+def test_an_inertia_written_in_a_unit_far_too_large() -> None:
+    """sqrt(1.5 191/2.4) m, beside 0.122 m of the carrier."""
+    assert summarize(loads(spun("191 kg cm^2"))).warnings == ()
+    (line,) = (line for line in summarize(loads(spun("191 kg m^2"))).warnings if "radius of gyration is" in line)
+    assert line == (
+        "w1: its radius of gyration is 10.9 m, 89.2 times the largest of the other bodies: "
+        "a slip in the unit of its inertia or mass?"
+    )
+
+
+def test_an_inertia_written_in_a_unit_far_too_small() -> None:
+    """0.191 kg cm2: the ball of the same moments has a radius of sqrt(5/2 1.91e-5/2.4) = 4.46 mm."""
+    (line,) = (line for line in summarize(loads(spun("0.191 kg cm^2"))).warnings if "osmium" in line)
+    density = 2.4 / (4 / 3 * math.pi * (2.5 * 1.91e-5 / 2.4) ** 1.5)
+    assert f"is {density / 22.6e3:.3g} times denser than osmium" in line
+    assert line.startswith("w1: 2.4 kg with a radius of gyration of 0.00346 m is ")
+
+
+@pytest.mark.parametrize("excess", [0.999, 1.001])
+def test_the_densest_ball_is_the_bound(excess: float) -> None:
+    """A ball of osmium of 2.4 kg has the inertia 2/5 m r^2; a little less is impossible."""
+    radius = (2.4 / 22.6e3 / (4 / 3 * math.pi)) ** (1 / 3)
+    found = summarize(loads(spun(f"{0.4 * 2.4 * radius**2 / excess!r} kg m^2"))).warnings
+    assert any("osmium" in line for line in found) == (excess > 1.0)
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ HINTS = (
     ("kilos", MASS, "kg"), ("kilo", MASS, "kg"), ("kgs", MASS, "kg"), ("Kg", MASS, "kg"), ("G", MASS, "g"),
     ("grammes", MASS, "g"), ("kilogrm", MASS, "kilogram"), ("Metres", LENGTH, "m"), ("metrs", LENGTH, "meter"),
     ("MM", LENGTH, "mm"), ("Seconds", TIME, "s"), ("secnds", TIME, "second"), ("Degrees", ANGLE, "deg"),
-    ("Volt", VOLTAGE, "V"), ("R", RESISTANCE, "ohm"), ("RPM", SPEED, "rpm"), ("U/min", SPEED, "rpm"),
+    ("Volt", VOLTAGE, "V"), ("R", RESISTANCE, "ohm"), ("RPM", SPEED, "rpm"), ("u/min", SPEED, "rpm"),
     ("nm", TORQUE, "N m"), ("kilos m^2", INERTIA, "kg m^2"), ("gm cm^2", INERTIA, "g cm^2"), ("Tesla", FIELD, "T"),
 )  # fmt: skip
 

@@ -124,7 +124,7 @@ def test_units_of_data_sheets(unit: str, dimension: Dimension, factor: str) -> N
     assert number(Decimal(7), dimension, unit) == float(7 * Fraction(factor))
 
 
-@pytest.mark.parametrize("unit", ["1/min", "r/min", "min^-1", "min-1", "min⁻¹"])
+@pytest.mark.parametrize("unit", ["1/min", "r/min", "U/min", "min^-1", "min-1", "min⁻¹"])
 def test_per_minute_is_rpm_where_a_speed_is_asked(unit: str) -> None:
     assert number(f"3000 {unit}", SPEED) == number("3000 rpm", SPEED)
 

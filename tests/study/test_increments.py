@@ -15,7 +15,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.functions.carries import end_of_steps
 from mahovik.stands import path
-from mahovik.use.study.increments import lost_increments
+from mahovik.use.study.increments import lost_increments, lost_increments_line
 
 SAT4 = load(path("sat4"))
 SPEED = 6000 * math.pi / 30
@@ -57,7 +57,25 @@ def test_check_names_step_part_and_remedy() -> None:
     given = json.loads(run("check", str(path("sat4")), "--dt", "1e-4", "--json").stdout)["increments"]
     assert [each["flywheel"] for each in given] == ["rw1", "rw2", "rw3", "rw4"]
     assert given[0]["part"] == pytest.approx(2**-15 / given[0]["increment"])
-    assert "step_carried" not in run("check", str(path("sat4"))).stdout
+
+
+def test_check_warns_in_one_line_without_being_asked() -> None:
+    """The same part as with --dt, and the number of the others."""
+    detailed = json.loads(run("check", str(path("sat4")), "--dt", "1e-4", "--json").stdout)["increments"]
+    assert json.loads(run("check", str(path("sat4")), "--json").stdout)["increments"] == detailed
+    lines = [line for line in run("check", str(path("sat4"))).stdout.splitlines() if "step_carried" in line]
+    part = 100 * detailed[0]["part"]
+    assert lines == [
+        f"warning: float: steps of 0.0001 s lose up to {part:.2g} % of what they add to the speed of rw1 (and 3 more): "
+        "use step_carried or double; --dt TIME for another step"
+    ]
+
+
+def test_no_line_where_nothing_is_lost() -> None:
+    still = replace(SAT4, flywheels=())
+    assert lost_increments(still, [], 1e-4) == [] and lost_increments_line([]) == ""
+    slow = [1e-3] * len(SAT4.flywheels)
+    assert lost_increments(SAT4, slow, 1e-4) == []
 
 
 def test_long_steps_lose_nothing_worth_a_warning() -> None:

@@ -19,7 +19,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.second.linear import Matrices, linear
 from mahovik.stands import path
 from mahovik.use.study.linear import LinearModel, linear_model
-from mahovik.use.study.linear.model import rendered
+from mahovik.use.study.linear.model import model_file
 from mahovik.use.study.rest import rest
 
 AGREEMENT = 1e-10
@@ -122,8 +122,8 @@ def test_what_is_not_finite_is_refused() -> None:
 def test_both_formats_read_back_to_the_same_bits(locked: bool) -> None:
     stand, state = random_case(7, 2, points=2, wrench_inputs=True)
     model = linear_model(stand, state, locked=locked)
-    text = json.loads(rendered(model, ".json"))
-    mat = loadmat(io.BytesIO(rendered(model, ".mat")), simplify_cells=True)
+    text = json.loads(model_file(model, ".json"))
+    mat = loadmat(io.BytesIO(model_file(model, ".mat")), simplify_cells=True)
     for name in "ABCD":
         matrix = getattr(model, name)
         assert np.array_equal(np.array(text[name]).reshape(matrix.shape), matrix)
@@ -137,5 +137,5 @@ def test_both_formats_read_back_to_the_same_bits(locked: bool) -> None:
         assert list(mat[f"{name[:-1]}_units"]) == units
     assert text["flywheels"] == mat["flywheels"] == ("locked" if locked else "free")
     assert np.array_equal(mat["state"]["tau"], model.state.tau)
-    assert rendered(model, ".mat") == rendered(model, ".mat")
-    assert b"20" not in rendered(model, ".mat")[:116]  # no date
+    assert model_file(model, ".mat") == model_file(model, ".mat")
+    assert b"20" not in model_file(model, ".mat")[:116]  # no date

@@ -45,7 +45,7 @@ def unbalanced(stand: Stand, share: float) -> Stand:
 
 
 def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
-    """Its wrench at rest through A, B, C, D; what is left is of the second order in the unbalance."""
+    """The wrench at rest through A, B, C, D; what is left is of the second order in the unbalance."""
     stand, Omega = load(path("bench8")), 40.0
     left = []
     for share in (1e-2, 1e-3):

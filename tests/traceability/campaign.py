@@ -82,8 +82,11 @@ PARAMETERS = (
     "tests/lower/test_prepare.py::test_a_mount_that_is_none",
     "tests/lower/test_prepare.py::test_axes_without_a_direction",
     "tests/lower/test_prepare.py::test_a_flywheel_without_spin_inertia",
+    "tests/lower/test_prepare.py::test_axes_are_directions_down_to_a_small_length",
+    "tests/lower/test_prepare.py::test_each_moment_of_inertia_counts_towards_the_largest_sum",
 )
 ROUTINES = ("tests/routines/test_sincos.py", "tests/routines/test_square_root.py", "tests/routines/test_arc_tangent.py")
+EACH = "tests/routines/test_sincos.py::test_angles_in_a_loop_have_the_bits_of_one_angle"
 REFUSALS = tuple(
     f"tests/lower/test_refusals.py::{test}[everything6]"
     for test in (
@@ -99,7 +102,7 @@ BY_NAME = {
     "quaternion": TARGET, "state_from_coordinates": TARGET, "within": REFUSALS, "check_state": REFUSALS, "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
     "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS),
-    "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": MOTION,
+    "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": (*MOTION, EACH),
 }  # fmt: skip
 BY_SUBJECT = {
     "(12)": INVERSE, "motion in time": MOTION, "whole system": MOTION, "checks of inputs": PARAMETERS,

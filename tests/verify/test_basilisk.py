@@ -22,7 +22,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges import compare
 from mahovik.proof.verify.judges.basilisk_wheel import basilisk_stand, hub, unsupported_features, wheels
 from mahovik.proof.verify.judges.compare import QUANTITIES, compare_with_judges, motion_name, verify_judges
-from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.judges.rigid import bare_stand, missing
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.stands import path
 
@@ -36,7 +36,7 @@ from mahovik.proof.verify.judges.basilisk_judge import BasiliskJudge
 from toolchain.quick import quick
 
 FEATURES = replace(BARE, instruments=2)
-RAW = {name: stripped(load(path(name))) for name in ("bench8", "remus6", "sat4")} | {
+RAW = {name: bare_stand(load(path(name))) for name in ("bench8", "remus6", "sat4")} | {
     f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (1, 5)
 }
 ITS = {name: basilisk_stand(stand) for name, stand in RAW.items()}

@@ -24,7 +24,7 @@ from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.allocation import inverse_rows
 from mahovik.proof.verify.functions.case import Case, Comparison, ordinary
-from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of, unjudged
+from mahovik.proof.verify.functions.registry import JUDGES, function_rows, rows_of, unjudged_functions
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
 
 STATES = 6
@@ -59,7 +59,7 @@ def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, st
 
 
 def test_every_public_function_answers_a_want_or_has_a_judge() -> None:
-    assert unjudged(FUNCTIONS) == []
+    assert unjudged_functions(FUNCTIONS) == []
 
 
 @pytest.mark.parametrize("name", ["demo3", "bench8"])

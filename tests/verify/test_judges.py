@@ -18,14 +18,14 @@ from mahovik.core.stand.random import BARE, random_stand
 from mahovik.errors import UsageError
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.judges import compare
-from mahovik.proof.verify.judges.compare import JUDGES, MOTION, QUANTITIES, load_judges, near_origin, verify_judges
-from mahovik.proof.verify.judges.rigid import JudgeError, missing, stripped, tree
+from mahovik.proof.verify.judges.compare import ALL, JUDGES, MOTION, QUANTITIES, load_judges, near_origin, verify_judges
+from mahovik.proof.verify.judges.rigid import JudgeError, bare_stand, missing, tree
 from mahovik.proof.verify.report import conclusion
 from mahovik.stands import path
 
 DEMO = load(path("demo3"))
 FEATURES = replace(BARE, gravity=True, instruments=2, points=2, wrench_inputs=True)
-STANDS = {name: stripped(load(path(name))) for name in ("bench8", "sat4", "remus6", "auv6")} | {
+STANDS = {name: bare_stand(load(path(name))) for name in ("bench8", "sat4", "remus6", "auv6")} | {
     f"random, {N}": random_stand(np.random.default_rng(N), N, FEATURES) for N in (0, 1, 7)
 }
 
@@ -49,11 +49,28 @@ def test_they_agree_on_everything(name: str) -> None:
     assert all(row.states for row in found.rows)
 
 
-def test_what_they_have_not_is_refused_by_name() -> None:
-    words = refused("verify", AUV6, "--judges")
-    for feature in ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream"):
-        assert feature in words
-    assert "add --bare" in words
+@pytest.mark.parametrize(
+    ("name", "lacking"),
+    [
+        ("auv6", ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream")),
+        ("remus6", ("carrier: added_mass", "carrier: buoyancy", "carrier: damping", "stream")),
+        ("shaker2", ("suspension",)),
+    ],
+)
+def test_every_judge_is_skipped_where_the_stand_has_what_none_knows(name: str, lacking: tuple[str, ...]) -> None:
+    """Rows with the reason and the remedy, no error; nothing was compared, so the exit status is 1."""
+    found = run("verify", str(path(name)), "--judges", "--json")
+    assert (found.exit_code, found.stderr) == (1, "")
+    rows = {row["want"]: row for row in json.loads(found.stdout)["rows"]}
+    assert set(rows) == set(ALL)
+    assert {row["verdict"] for row in rows.values()} == {"not compared"}
+    for judge in JUDGES:
+        assert "add --bare" in rows[judge]["reason"]
+        assert [feature for feature in lacking if feature not in rows[judge]["reason"]] == []
+    assert "FAILED: nothing was compared" in run("verify", str(path(name)), "--judges").stdout
+
+
+def test_what_they_have_not_is_named() -> None:
     assert "--bare needs --judges" in refused("verify", AUV6, "--bare")
     assert missing(STANDS["auv6"]) == []
     assert missing(load(path("shaker2"))) == ["suspension"]

@@ -19,8 +19,7 @@ from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.functions.reactions import mount_rows
-from mahovik.proof.verify.judges.compare import verify_judges
-from mahovik.proof.verify.judges.rigid import JudgeError
+from mahovik.proof.verify.judges.compare import ALL, verify_judges
 
 FLYWHEELS = """
 [[flywheel]]
@@ -65,9 +64,14 @@ def test_a_judge_that_refuses_some_cases_only_fails() -> None:
     assert row.row.reason == "its judge refused: no such sum"
 
 
-def test_a_stand_that_is_none_without_fluid_is_refused_by_name() -> None:
-    with pytest.raises(JudgeError, match="without carrier: added_mass has no positive definite mass matrix"):
-        verify_judges(HELD, count=2, bare=True)
+def test_a_stand_that_is_none_without_fluid_is_skipped_with_the_reason() -> None:
+    """Every judge says so; nothing is compared, which is no pass."""
+    found = verify_judges(HELD, count=2, bare=True)
+    assert [row.want for row in found.rows] == list(ALL)
+    for row in found.rows:
+        assert (row.verdict, row.states) == ("not compared", 0)
+        assert row.reason.startswith("the stand without carrier: added_mass has no positive definite mass matrix")
+    assert not found.passed
 
 
 def subject(folder: Path) -> Subject:

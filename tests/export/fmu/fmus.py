@@ -54,7 +54,7 @@ def generated(name: str) -> Generated:
 
 @lru_cache
 def fmu_of(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
-    """Its FMU; begins at rest in the origin where the stand has no equilibrium."""
+    """FMU of a stand; begins at rest in the origin where the stand has no equilibrium."""
     found = stand(name)
     start = rest_state(found) if name in ("rigid", "driven") else None
     return export_fmu(found, version, kind, inputs, start=start, binary=binary, generated=generated(name))
@@ -62,7 +62,7 @@ def fmu_of(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = T
 
 @lru_cache
 def path(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> str:
-    """The same as a file."""
+    """File of the FMU of a stand."""
     file = _FOLDER / f"{name}-{version}-{kind}-{inputs}{'' if binary else '-sources'}.fmu"
     file.write_bytes(fmu_of(name, version, kind, inputs, binary).content)
     return str(file)

@@ -13,7 +13,7 @@ from fmpy.validation import validate_fmu
 
 from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS, STANDS
-from mahovik.core.lower.fmu import units
+from mahovik.core.lower import units
 from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.stand.model import Instrument, Point
 from mahovik.core.stand.state import rest_state

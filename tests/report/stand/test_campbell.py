@@ -10,7 +10,7 @@ import pytest
 from mahovik.core.stand import Stand
 from mahovik.laws.leg.data import Leg, Legs
 from mahovik.out.report.stand import campbell as section
-from mahovik.use.study.campbell import NODES, _averaged, campbell, mean_equations, natural_at
+from mahovik.use.study.campbell import NODES, _average_matrices, campbell, mean_equations, natural_at
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response.scene import Scene
 from report.stand.runs import example, material
@@ -52,7 +52,7 @@ def test_spin_splits_a_pair() -> None:
 
 def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
     scene, speed = Scene.of(example("bench8")), np.array([0.0, 11.0, 120.0, 300.0])
-    assert np.allclose(mean_equations(scene, speed), _averaged(scene, speed), rtol=1e-9, atol=1e-9)
+    assert np.allclose(mean_equations(scene, speed), _average_matrices(scene, speed), rtol=1e-9, atol=1e-9)
 
 
 def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:

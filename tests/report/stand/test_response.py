@@ -17,7 +17,7 @@ from report.stand.runs import example, material
 def test_the_largest_vibration_is_that_of_the_periodic_state() -> None:
     stand = example("sat4")
     limit = max(row.speed for row in summarize(stand).unbalance)
-    found = response.swept(stand, limit)
+    found = response.sweep_speeds(stand, limit)
     assert found.point == "carrier"  # there is no instrument
     size, speed = response._largest(found)
     assert speed == pytest.approx(limit)  # nothing resonates

@@ -76,7 +76,7 @@ class Code:
         return [self.function(f) for f in self.program.functions]
 
     def function(self, f: Function) -> dict[str, Any]:
-        """The same of one function."""
+        """Comment, prototype and body of one function, for the templates."""
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
         return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body}
 

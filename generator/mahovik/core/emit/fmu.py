@@ -12,8 +12,8 @@ from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.templates import source_text
 from mahovik.core.lower.fmu.program import lower_fmu
-from mahovik.core.lower.fmu.units import NONE
 from mahovik.core.lower.fmu.variables import Form, Variable
+from mahovik.core.lower.units import NONE
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

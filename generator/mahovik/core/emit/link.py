@@ -51,7 +51,7 @@ def link(name: str, found: Identities, real: str, lanes: int) -> Link:
 
 
 def part_link(name: str, part: str, found: Identities, real: str, declared: Iterable[object]) -> Link:
-    """The same of a file beside the C, such as `servo`; its declarations stand in the place of the lanes, as a hash."""
+    """The symbol of a file beside the C, as `servo`; a hash of its declarations stands in place of the lanes."""
     shape = fnv1a("\n".join(map(str, declared)).encode("utf-8"))
     return _link(f"{name}_{part}", found, real, f"{shape:08x}", "declarations")
 

@@ -67,6 +67,7 @@ class _SelfTest:
             accepted=ACCEPTED,
             greatest=code.real(code.precision.largest),
             epsilon=code.real(code.precision.epsilon / 2),
+            to_integer=code.real(1.5 * 2.0 ** (code.precision.significand - 1)),
             cases=CASES,
             sign_bit=code.precision.width - 1,
             far=FAR,

@@ -44,7 +44,7 @@ def _chosen(index: int | slice, count: int) -> range:
 
 
 def renamed(formula: Formula, names: Mapping[str, str]) -> Formula:
-    """The same formula of other names."""
+    """A copy of the formula with its symbols renamed."""
     if isinstance(formula, str):
         return names.get(formula, formula)
     if isinstance(formula, tuple):

@@ -196,7 +196,7 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
 def _solve_blocks(
     lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair
 ) -> None:
-    """The same by blocks: a lock makes 1 / Theta_ff of its flywheel 0, which leaves nothing of it in any sum."""
+    """Solution by blocks: a lock makes 1 / Theta_ff of its flywheel 0, which leaves nothing of it in any sum."""
     layout = lib.layout
     (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
     drives = body.local("drive", (layout.blocks,), layout.lane_coupling)

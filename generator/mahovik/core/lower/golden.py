@@ -67,7 +67,7 @@ def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
 
 
 def fnv1a_words(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
-    """The same of numbers that may be larger than a byte."""
+    """FNV-1a hash of numbers that may be larger than a byte."""
     found = start
     for word in words:
         found = (found ^ word) * _FNV_PRIME & 0xFFFFFFFF

@@ -111,7 +111,7 @@ def inverse(lib: Library) -> Function:
 
 
 def inverse_alone(lib: Library) -> Function:
-    """The same of a stand without flywheels: no phi'', and all of the demand is left over."""
+    """`inverse` of a stand without flywheels: no phi'', and all of the demand is left over."""
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from mahovik.core.lower.fmu.member import Member
+from mahovik.core.lower.member import Member
 from mahovik.core.program.types import Field
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure
@@ -30,7 +30,7 @@ class LawTable:
         raise NotImplementedError
 
     def fields(self, structure: Structure) -> list[Field]:
-        """Its members of the table."""
+        """Members that the law adds to the table."""
         raise NotImplementedError
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:

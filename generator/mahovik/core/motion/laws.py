@@ -190,7 +190,7 @@ class WrenchTable:
         return tuple(float(t) for t in self.times) if len(self.times) > 1 else ()
 
     def at(self, t: float) -> tuple[float, ...]:
-        """Its six components at the time t (s)."""
+        """Six components at the time t (s)."""
         if len(self.times) == 1:
             return tuple(float(x) for x in self.values[0])
         return tuple(float(np.interp(t, self.times, column)) for column in self.values.T)

@@ -59,12 +59,12 @@ class WithLaws:
         return next((found for found in self.laws if isinstance(found, kind)), None)
 
     def with_laws(self, *given: LawData) -> Self:
-        """The same with the given laws instead of its own of the same kinds."""
+        """A copy with the given laws instead of its own of the same kinds."""
         kinds = {type(law): law for law in (*self.laws, *given)}
         return replace(self, laws=tuple(kinds.values()))
 
     def without_laws(self, *kinds: type[LawData]) -> Self:
-        """The same without some kinds of law; with no kind named, without any."""
+        """A copy without some kinds of law; with no kind named, without any."""
         return replace(self, laws=tuple(law for law in self.laws if kinds and not isinstance(law, kinds)))
 
 

@@ -41,7 +41,7 @@ class Moments:
         return f"{float(exact.quantize(Decimal(1).scaleb(exact.adjusted() - _SHOWN + 1), ROUND_CEILING)):g}"
 
     def value(self, moment: float) -> str:
-        """The same as a value of a stand file: `"225 g cm^2"`, or `2.25e-05` where the file has no units."""
+        """The moment as a value of a stand file: `"225 g cm^2"`, or `2.25e-05` where the file has no units."""
         return self.at_least(moment) if self.plain else f'"{self.at_least(moment)} {self.unit}"'
 
     def _in_unit(self, moment: float, digits: int) -> Decimal:

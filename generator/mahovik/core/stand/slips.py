@@ -27,6 +27,9 @@ OUTSIDE = 3.0
 At most a ninth of the mass is so far from the centre; the origin of a uniform rod at its end is at 1.73.
 """
 
+DENSEST = 22.6e3
+"""Density of osmium, kg/m3: a body of known mass and inertia is not denser than the densest metal."""
+
 RPM = 30 / math.pi
 
 
@@ -38,17 +41,22 @@ def slips(
     `written`: static unbalances with units as written in the file, by the names of the flywheels.
     """
     bodies = placed_bodies(stand)
-    return [*_unbalances(stand, speeds, known, written or {}), *_places(stand, bodies), *_centers(bodies)]
+    return [
+        *_unbalances(stand, speeds, known, written or {}),
+        *_places(stand, bodies),
+        *_centers(bodies),
+        *_sizes(bodies),
+    ]
 
 
 def _unbalances(
     stand: Stand, speeds: Sequence[float], known: Sequence[bool], written: Mapping[str, str]
 ) -> Iterator[str]:
-    """Flywheels an order above G 40, unless all are and no speed is known: those are unbalanced on purpose."""
+    """Flywheels an order above G 40, unless all of several are and no speed is known: these are so on purpose."""
     velocities = [eccentric_velocity(s, speed) for s, speed in zip(stand.flywheels, speeds, strict=True)]
     above = [velocity > ORDER * USUAL_GRADE for velocity in velocities]
-    alone = not all(above)
-    found = [k for k, far in enumerate(above) if far and (alone or known[k])]
+    on_purpose = len(above) > 1 and all(above)
+    found = [k for k, far in enumerate(above) if far and (known[k] or not on_purpose)]
     if not found:
         return
     worst = max(found, key=lambda k: velocities[k])
@@ -101,6 +109,31 @@ def _centers(bodies: Sequence[Placed]) -> Iterator[str]:
                 f"{body.name}: its centre of mass is {distance:.4g} m from the origin of its frame, "
                 f"{distance / radius:.3g} times its radius of gyration of {radius:.3g} m, which is outside the body: "
                 "a slip in the unit?"
+            )
+
+
+def _sizes(bodies: Sequence[Placed]) -> Iterator[str]:
+    """Bodies whose inertia is too large for the stand or too small for their mass.
+
+    Too large: the radius of gyration of an instrument or a flywheel is far above those of all other bodies. Too small:
+    the ball with the same mass and radius of gyration k, whose radius is sqrt(5/3) k, is denser than any metal; every
+    other shape is denser still. A body without inertia is a particle, which is written so on purpose.
+    """
+    radii = [_gyration(each.body) for each in bodies]
+    for k, placed in enumerate(bodies):
+        body, radius = placed.body, radii[k]
+        others = max((radii[j] for j in range(len(bodies)) if j != k), default=0.0)
+        if not isinstance(body, Carrier) and 0.0 < ORDER * others < radius:
+            yield (
+                f"{body.name}: its radius of gyration is {radius:.3g} m, {radius / others:.3g} times the largest of "
+                "the other bodies: a slip in the unit of its inertia or mass?"
+            )
+        ball = 4.0 / 3.0 * math.pi * (math.sqrt(5.0 / 3.0) * radius) ** 3
+        if 0.0 < DENSEST * ball < body.mass:
+            yield (
+                f"{body.name}: {body.mass:.4g} kg with a radius of gyration of {radius:.3g} m is "
+                f"{body.mass / ball / DENSEST:.3g} times denser than osmium, whatever its shape: a slip in the unit of "
+                "its inertia or mass?"
             )
 
 

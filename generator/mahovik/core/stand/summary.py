@@ -106,7 +106,7 @@ class Summary:
     tasks: tuple[TaskSummary, ...] = ()
 
     def as_dict(self) -> dict[str, Any]:
-        """The same as plain dicts and tuples, which `json` writes as objects and lists."""
+        """The figures as plain dicts and tuples, which `json` writes as objects and lists."""
         return asdict(self)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 _SIGNS = str.maketrans({"⋅": "*", "⁻": "-", **{sign: str(digit) for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}})
-_PER_MINUTE = frozenset(("1/min", "r/min", "min^-1", "min-1", "/min"))
+_PER_MINUTE = frozenset(("1/min", "r/min", "U/min", "min^-1", "min-1", "/min"))
 _HYPHEN = re.compile(r"(?<=[A-Za-zµμ\d])-(?=[A-Za-zµμ])")
 _JOINED = re.compile(
     r"(?<![A-Za-zµμ])(?:(g|mg)(mm|cm)|(kg|[mcukµμ]?N)(mm|cm|m)|(ozf?|lbf?)(in|ft))(?![A-Za-zµμ])"

@@ -64,7 +64,7 @@ def build_shared(source: Path, library: Path, optimisation: str = "-O2") -> None
 
 
 def build_fast(source: Path, library: Path) -> None:
-    """The same for speed on this machine: its bits are not reproducible. Raises ToolchainError."""
+    """Compile a library for speed on this machine: its bits are not reproducible. Raises ToolchainError."""
     _build(source, library, FAST)
 
 

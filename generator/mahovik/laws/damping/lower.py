@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.member import Member, matrix, member
+from mahovik.core.lower import units
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
 from mahovik.core.program.call import Argument

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower.fmu.member import Member, members
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.member import Member, matrix, member, vector
+from mahovik.core.lower import units
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.member import Member, matrix, member, vector
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
@@ -53,7 +53,7 @@ class Suspension(LawLowering):
         return [Field("suspension", SUSPENSION)]
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
-        """Its numbers; the equilibrium attitude as the program's own quaternion of the angles."""
+        """Numbers of the suspension; the equilibrium attitude as the program's own quaternion of the angles."""
         law = stand.law(Data)
         assert law is not None
         attitude = run("quaternion", {"angles": law.angles})[1]["attitude"]
@@ -61,7 +61,7 @@ class Suspension(LawLowering):
         return {"suspension": numbers | {"attitude": attitude}}
 
     def members(self, field: Field, value: Any) -> Iterator[Member]:
-        """Its matrices and its equilibrium."""
+        """Elements of both matrices and of the equilibrium."""
         for f in SUSPENSION.fields:
             given = member(value, f.name)
             name = f"suspension.{f.name}"

@@ -25,7 +25,7 @@ def at_origin(stand: Stand) -> bool:
 
 
 def cell(stand: Stand) -> Cell:
-    """Its diagonals and its equilibrium, in words."""
+    """Diagonals and equilibrium of the suspension, in words."""
     given = stand.law(Suspension)
     return "none" if given is None else _cell(given)
 

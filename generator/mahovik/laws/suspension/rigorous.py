@@ -10,7 +10,7 @@ from mahovik.errors import StateError
 from mahovik.laws.suspension.data import Suspension
 from mahovik.proof.rigorous.ball import column, matrix
 from mahovik.proof.rigorous.rotation import SEQUENCE, rotation_product, rotation_vector
-from mahovik.proof.rigorous.screw import stacked
+from mahovik.proof.rigorous.screw import screw_of_parts
 
 
 def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) -> list[arb_mat]:
@@ -26,5 +26,5 @@ def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) ->
         rotation = rotation_vector(C_eq.transpose() * C)
     except StateError as error:
         raise StateError(f"suspension: {error}") from None
-    x = stacked(C.transpose() * (O1 - column(law.position)), rotation)
+    x = screw_of_parts(C.transpose() * (O1 - column(law.position)), rotation)
     return [-(matrix(law.stiffness) * x + matrix(law.damping) * V)]

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower.fmu.member import Member, members, vector
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.member import Member, members, vector
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument

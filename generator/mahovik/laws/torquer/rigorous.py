@@ -9,7 +9,7 @@ from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers, mount_of
 from mahovik.proof.rigorous.ball import column, cross, zeros
 from mahovik.proof.rigorous.rotation import fixed_rotation
-from mahovik.proof.rigorous.screw import stacked
+from mahovik.proof.rigorous.screw import screw_of_parts
 
 
 def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) -> list[arb_mat]:
@@ -23,5 +23,5 @@ def wrenches(stand: Stand, state: State, O1: arb_mat, C: arb_mat, V: arb_mat) ->
         dipole, mount = column(torquer.dipole), mount_of(stand, torquer)
         if mount is not None:
             dipole = fixed_rotation(mount.angles) * dipole
-        found.append(stacked(zeros(3), cross(dipole) * field))
+        found.append(screw_of_parts(zeros(3), cross(dipole) * field))
     return found

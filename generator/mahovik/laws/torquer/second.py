@@ -12,7 +12,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.torquer.data import Torquers, mount_of
 from mahovik.proof.second.chart import Chart, Expr, turn
-from mahovik.proof.second.rotation import Array, fixed
+from mahovik.proof.second.rotation import Array, fixed_rotation
 
 
 def inputs(stand: Stand) -> dict[str, tuple[int, int]]:
@@ -28,7 +28,7 @@ def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
     total = np.zeros(3)  # the dipoles of rigid parts add up
     for torquer in law.torquers:
         mount = mount_of(stand, torquer)
-        total += np.array(torquer.dipole) if mount is None else fixed(mount.angles) @ np.array(torquer.dipole)
+        total += np.array(torquer.dipole) if mount is None else fixed_rotation(mount.angles) @ np.array(torquer.dipole)
     return _force()(total, inputs["C"].T @ ca.DM(law.magnetic_field))
 
 

@@ -79,7 +79,7 @@ class Caller:
                     _spoil(a, memory, status < 0)
         found: dict[str, Array] = {}
         for a, memory in outputs:
-            found |= _named(a, memory)
+            found |= _outputs_by_name(a, memory)
         if function == "mounts":
             found = {"mount_wrench": found["mount_wrench"].reshape(n, len(self._stand.flywheels), 6)}
         if function == "matrices" and not self._stand.flywheels:
@@ -131,7 +131,7 @@ def _spoil(a: ArgumentLayout, memory: Array, which: NDArray[np.bool_]) -> None:
             part[which] = np.nan if part.dtype.kind == "f" else 0
 
 
-def _named(a: ArgumentLayout, memory: Array) -> dict[str, Array]:
+def _outputs_by_name(a: ArgumentLayout, memory: Array) -> dict[str, Array]:
     """The arrays of an output by name; states as the one array that they are."""
     if a.order == "components":
         return {a.name: memory if len(a.members) > 1 else memory.T}
@@ -154,14 +154,16 @@ def refusal_error(
     index = int(bad[0])
     value = int(status[index])
     name = status_words(value)
-    blamed = next(_blamed(index, inputs, stand, wrenches), refusal_reason(name, "an option is outside its range"))
+    blamed = next(
+        _refusal_reasons(index, inputs, stand, wrenches), refusal_reason(name, "an option is outside its range")
+    )
     which = f"state {index}: " if len(status) > 1 else ""
     more = f"; {len(bad):,} of {len(status):,} states refused" if len(bad) > 1 else ""
     message = f"{function}: {which}{name}: {blamed}{more}"
     return RefusedError(message, function, index, value, name, len(bad))
 
 
-def _blamed(
+def _refusal_reasons(
     index: int, inputs: Mapping[str, tuple[ArgumentLayout, Array]], stand: Stand, wrenches: Sequence[str]
 ) -> Iterator[str]:
     for argument, memory in inputs.values():

@@ -74,14 +74,14 @@ def compiled(
     if found is not None:
         try:
             numbers = store.find_numbers(numbers_key) or _keep(numbers_key, _numbers(stand, real))
-            return _loaded(stand, *found, numbers, element, command, parallel)
+            return _load(stand, *found, numbers, element, command, parallel)
         except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             pass
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
         library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
         store.keep(key, library, facts)
-        return _loaded(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
+        return _load(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
 
 
 def _keep(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
@@ -89,7 +89,7 @@ def _keep(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
     return numbers
 
 
-def _loaded(
+def _load(
     stand: Stand,
     library: Path,
     facts: Mapping[str, Any],
@@ -137,10 +137,10 @@ def _numbers(stand: Stand, real: str) -> dict[str, Any]:
     """Numbers of a stand whose library is there: nothing is printed or compiled."""
     from mahovik.core.lower.values import Values
 
-    return _plain(Values(stand, *_lowered(structure(stand), real)))
+    return _plain(Values(stand, *_lower_structure(structure(stand), real)))
 
 
-def _lowered(of: Structure, real: str) -> tuple[Layout, Program]:
+def _lower_structure(of: Structure, real: str) -> tuple[Layout, Program]:
     """The program of a structure; in a campaign over numbers it is always the same."""
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.program import lower_layout

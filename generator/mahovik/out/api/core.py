@@ -196,7 +196,7 @@ class Built:
     def _result(
         self, kind: type[AnyResult], function: str, x: Any, on_error: OnError, wrench: Wrenches, **given: Any
     ) -> AnyResult:
-        found, status, single = self._calculated(function, x, on_error, wrench, given)
+        found, status, single = self._calculate(function, x, on_error, wrench, given)
         return kind(self._call.fields(function), found, status, single)
 
     def _step(
@@ -214,7 +214,7 @@ class Built:
         if carry is not None:
             given["carry"] = carry
         form = function if carry is None else f"{function}_carried"
-        found, status, single = self._calculated(form, x, on_error, wrench, given)
+        found, status, single = self._calculate(form, x, on_error, wrench, given)
         if carry is not None:
             carry[...] = found["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
@@ -228,7 +228,7 @@ class Built:
             )
         return States(self._stand.name, self._state, found["next"], single)
 
-    def _calculated(
+    def _calculate(
         self, function: str, x: Any, on_error: OnError, wrench: Wrenches, given: Mapping[str, Any]
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""

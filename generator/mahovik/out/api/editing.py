@@ -40,7 +40,7 @@ def put(document: dict[str, Any], path: str, value: Any) -> None:
     place: Any = document
     for k, part in enumerate(way):
         if part == "unbalance" and isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
-            place.update(_unbalanced(document, place, last, value))
+            place.update(_unbalance_keys(document, place, last, value))
             return
         place = _inside(document, place, part, path, first=k == 0)
     if isinstance(place, list):
@@ -92,7 +92,7 @@ def _number(place: list[Any], part: str, path: str, named: Mapping[str, Any] | N
     raise UsageError(f"{path}: {show(part)}, expected a place from 0 to {len(place) - 1}")
 
 
-def _unbalanced(document: Mapping[str, Any], table: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
+def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
     """The centre of mass and the inertia of a flywheel after a change of its unbalance, as keys of its table."""
     problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
     given = validate_table(with_laws(FlywheelTable), dict(table), problems, where)

@@ -35,7 +35,7 @@ def check(
     ),
     dt: str | None = option(
         "--dt",
-        'Warn if float steps of this length, "0.1 ms" or s, lose what they should add to the speeds.',
+        'Detail what float steps of this length, "0.1 ms" or s, lose of the speeds; default: 0.1 ms, in one line.',
         metavar="TIME",
     ),
     planes: str | None = option(
@@ -50,8 +50,8 @@ def check(
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
     is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance, or with --dt would lose what short steps add; and where (12) is singular in
-    practice, so that a task should name the rows that are demanded.
+    float would not resolve an unbalance, or would lose what short steps add; and where (12) is singular in practice,
+    so that a task should name the rows that are demanded.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
@@ -62,15 +62,15 @@ def check(
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
     from mahovik.use.study.excess import excess
-    from mahovik.use.study.increments import lost_increments
+    from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.resolution import shortfalls
 
     written = written_numbers(stand_file)
     unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
     summary, names = summarize(stand, asked, apart, unbalances), identities(stand)
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
-    step = None if dt is None else read_step(dt)
-    lost = [] if step is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
+    step = USUAL_STEP if dt is None else read_step(dt)
+    lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
     over = excess(stand)
     if as_json:
         from dataclasses import asdict
@@ -86,7 +86,8 @@ def check(
         }
         print_json(found)
         return
-    _print(summary, names, [str(each) for each in (*short, *lost, *([over] if over else []))], written)
+    steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
+    _print(summary, names, [*map(str, short), *steps, *([over] if over else [])], written)
 
 
 def read_distance(text: str) -> float:

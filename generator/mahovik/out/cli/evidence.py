@@ -16,6 +16,9 @@ from mahovik.out.cli.progress import can_show_line, progress
 if TYPE_CHECKING:
     from mahovik.proof.evidence.piece import Collected
 
+FUZZ_SECONDS = (20, 600)
+"""s of fuzzing: quick, full."""
+
 
 @command()
 def evidence(
@@ -26,7 +29,9 @@ def evidence(
     only: str | None = option("--only", "Run only these pieces, and list the others as left out.", metavar="NAME,..."),
     without: str | None = option("--without", "Run all pieces but these.", metavar="NAME,..."),
     seconds: int | None = option(
-        "--seconds", "Fuzz for this number of seconds; default 20, with --full 600.", type=click.IntRange(1, 1000000)
+        "--seconds",
+        f"Fuzz for this number of seconds; default {FUZZ_SECONDS[0]}, with --full {FUZZ_SECONDS[1]}.",
+        type=click.IntRange(1, 1000000),
     ),
     checked: str | None = file_option("--check", "DIR", "Check the SHA-256 sums of a folder only."),
     as_json: bool = json_option("Print the table as JSON."),
@@ -56,7 +61,7 @@ def evidence(
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
-    found = _collected(stand_file, folder, full, seconds or (600 if full else 20), wanted, real)
+    found = _collected(stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real)
     if as_json:
         print_json(_plain(found, folder))
     else:

@@ -84,7 +84,7 @@ def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
         found = rest(stand).state
     except CheckError as error:
         raise CheckError(f"{error}; give an initial state by --start") from None
-    position, attitude = _rounded(found.position), _rounded(_unit(found, generated))
+    position, attitude = _round(found.position), _round(_unit(found, generated))
     return Start(position, attitude, found.V, found.phi, found.phi_dot)
 
 
@@ -98,7 +98,7 @@ def _unit(state: State, generated: Generated) -> list[float]:
     return [float(c) / length for c in quaternion]
 
 
-def _rounded(values: Sequence[float]) -> list[float]:
+def _round(values: Sequence[float]) -> list[float]:
     return [round(float(x), _DECIMALS) + 0.0 for x in values]
 
 

@@ -129,7 +129,7 @@ class _Merger:
             self._fixed_on_the_world(chosen, on_carrier)
         massless = on_carrier.merged()
         if not massless.mass and not massless.inertia.any():
-            self._problems.add(self._called(first.name), "has no mass and no inertia, nor has what is fixed on it")
+            self._problems.add(self._link_words(first.name), "has no mass and no inertia, nor has what is fixed on it")
         turning = [link for link in self._model.links if link.spin is not None]
         turning.sort(key=lambda link: cast(Spin, link.spin).number)
         for link in turning:
@@ -167,7 +167,7 @@ class _Merger:
 
     # -- what is refused -----------------------------------------------------------------------------------------------
 
-    def _called(self, link: str) -> str:
+    def _link_words(self, link: str) -> str:
         return f"{self._model.noun} {show(link)}"
 
     def _check_masses(self) -> None:
@@ -177,7 +177,7 @@ class _Merger:
                 max(np.abs(link.place.origin).max(), 0.0 if link.spin is None else np.abs(link.spin.anchor).max())
             )
             if not far <= LARGEST:
-                self._problems.add(self._called(link.name), f"is {far:g} m away, expected at most {LARGEST:g}")
+                self._problems.add(self._link_words(link.name), f"is {far:g} m away, expected at most {LARGEST:g}")
             if link.mass is not None and link.mass.mass >= 0:
                 body = Body(
                     link.name,
@@ -187,17 +187,19 @@ class _Merger:
                     "center_of_mass",
                     False,
                 )
-                check_body(body, self._called(link.name), self._problems)
+                check_body(body, self._link_words(link.name), self._problems)
 
     def _fixed_on_the_world(self, chosen: str | None, on_carrier: _Group) -> None:
         """Refuse a carrier that is fixed on the world, unless the user chose it."""
         if chosen is not None:
-            self._notes.append(f"{self._called(chosen)}: is fixed on the world there, and free here: see [suspension]")
+            self._notes.append(
+                f"{self._link_words(chosen)}: is fixed on the world there, and free here: see [suspension]"
+            )
             return
         with_mass = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None]
         base = [*with_mass, self._model.links[0].name][0]
         self._problems.add(
-            self._called(base), f"is fixed on the world, but a carrier moves: give --carrier {base} to make it free"
+            self._link_words(base), f"is fixed on the world, but a carrier moves: give --carrier {base} to make it free"
         )
 
     def _groups(self) -> dict[str, _Group]:
@@ -234,12 +236,13 @@ class _Merger:
         if link.parent not in on_carrier.members:
             self._problems.add(
                 where,
-                f"turns on {self._called(link.parent or '')}, which turns itself: a flywheel must be on the carrier",
+                f"turns on {self._link_words(link.parent or '')}, which turns itself: "
+                "a flywheel must be on the carrier",
             )
             return
         mass = groups[link.name].merged()
         if not mass.mass and not mass.inertia.any():
-            self._problems.add(where, f"{self._called(link.name)} turns, but has no mass and no inertia")
+            self._problems.add(where, f"{self._link_words(link.name)} turns, but has no mass and no inertia")
 
     # -- the bodies of the stand ---------------------------------------------------------------------------------------
 
@@ -252,7 +255,7 @@ class _Merger:
     def _carrier(self, on_carrier: _Group, base: Place, carrier: str) -> Carrier:
         apart = [link.name for link, _ in self._separate_bodies(on_carrier, carrier)]
         merged = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None and name not in apart]
-        self._comments["carrier"] = [f"Frame: that of {self._called(carrier)}.", self._sources(merged)]
+        self._comments["carrier"] = [f"Frame: that of {self._link_words(carrier)}.", self._sources(merged)]
         return Carrier(name="carrier", **_properties(on_carrier.merged(base, apart)), added_mass=None)
 
     def _sources(self, merged: Sequence[str]) -> str:
@@ -265,7 +268,7 @@ class _Merger:
     def _instrument(self, link: Link, place: Place, base: Place) -> Instrument:
         assert link.mass is not None
         name = self._own_name(link.name, "instrument")
-        self._comments[name] = [f"{self._called(link.name).capitalize()}, fixed on the carrier."]
+        self._comments[name] = [f"{self._link_words(link.name).capitalize()}, fixed on the carrier."]
         at = base @ place
         return Instrument(
             name=name,
@@ -286,7 +289,9 @@ class _Merger:
         motor = None
         if spin.viscous or spin.coulomb or spin.torque is not None:
             motor = Motor(spin.torque, None, None, None, None, spin.viscous, spin.coulomb, 0.1)
-        lines = [f"{self._called(link.name).capitalize()} on joint {show(spin.joint)}, whose coordinate is the phase."]
+        lines = [
+            f"{self._link_words(link.name).capitalize()} on joint {show(spin.joint)}, whose coordinate is the phase."
+        ]
         lines.append(self._sources([n for n, (member, _) in group.members.items() if member.mass is not None]))
         lines += _motor_sources(spin)
         self._comments[name] = lines

@@ -235,7 +235,7 @@ def generate(
 
     own: CoreStand = Stand.of(stand)
     if prefix is not None:
-        own = _named(own, prefix)
+        own = _rename_stand(own, prefix)
     count = lanes_of(own, lanes, fast)
     tell(progress, Progress(f"generate {own.name}"))
     chosen = tuple(dict.fromkeys(only))
@@ -262,7 +262,7 @@ def lanes_of(stand: CoreStand, lanes: int | None, fast: bool) -> int:
     return lanes
 
 
-def _named(stand: CoreStand, prefix: str) -> CoreStand:
+def _rename_stand(stand: CoreStand, prefix: str) -> CoreStand:
     """The stand by another name, which is that of its files and the first word of every name in C."""
     from mahovik.core.stand.names import stand_name_problem
 

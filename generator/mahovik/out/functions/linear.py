@@ -147,10 +147,10 @@ class LinearModel(Table):
 
     def save(self, path: str | Path) -> None:
         """Write the model to a file .json or .mat. Raises UsageError."""
-        from mahovik.use.study.linear.model import check_model_file, rendered
+        from mahovik.use.study.linear.model import check_model_file, model_file
         from mahovik.writing import write
 
-        write(Path(path), rendered(self.result, check_model_file(Path(path))))
+        write(Path(path), model_file(self.result, check_model_file(Path(path))))
 
     def _panels(self) -> Sequence[Panel]:
         from mahovik.out.report.plot.panel import Line, Panel

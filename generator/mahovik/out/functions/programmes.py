@@ -293,7 +293,7 @@ class Design(Table):
 
     @property
     def programme(self) -> Programme | None:
-        """Its programme, or None."""
+        """The programme that was found, or None."""
         found = self.result
         return None if found.stand is None or found.programme is None else Programme(found.stand, None, found.programme)
 

@@ -258,7 +258,7 @@ def without_moment(P: Array, *_: object) -> Array:
     return np.asarray(P * FORCE)
 
 
-def carried(change: Callable[[Array, Placed], Array]) -> Edit:
+def wrench_on_carrier(change: Callable[[Array, Placed], Array]) -> Edit:
     """L P (6): how a body's wrench acts on the carrier; `change` takes P."""
 
     def error(k: Placed, at: Pieces) -> tuple[Array, Array]:

@@ -38,7 +38,9 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
         case "unknown":
-            nearest = "".join(f"; nearest: {short_text(each)} ({_explained(each)})" for each in diagnosis.others[:1])
+            nearest = "".join(
+                f"; nearest: {short_text(each)} ({_explained_part(each)})" for each in diagnosis.others[:1]
+            )
             return [f"no fault of the {len(DICTIONARY)} in the dictionary explains it{nearest}", *_unseen(diagnosis)]
     best, *twins = diagnosis.causes
     what = "fault" if len(best.parts) == 1 else "two faults at once"
@@ -92,7 +94,7 @@ def _sentence(cause: Cause) -> str:
     return words if cause.share == 1.0 else f"{_share(cause.share)} of: {words}"
 
 
-def _explained(cause: Cause) -> str:
+def _explained_part(cause: Cause) -> str:
     """Part of the error that a cause explains, rounded down: 90 % would be named."""
     return f"{math.floor(100 * max(1.0 - cause.score, 0.0))} %"
 

@@ -35,7 +35,7 @@ def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     return ScaledDemand(K_root @ at.I @ Theta_root.T, K_root @ demand(at, V_dot), Theta_root.T, K_root)
 
 
-def weighted(scaled: ScaledDemand, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:
+def weighted_solution(scaled: ScaledDemand, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:
     """phi'' (N): least |r - W y| in the first `rank` singular directions, then least sum weight_s y_s^2.
 
     Damping: where sigma_i < near sigma_1, the demand in that direction is multiplied by

@@ -12,7 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.rigorous.ball import column, cross, part, zeros
 from mahovik.proof.rigorous.bodies import Placed, Spinning, added_mass, fixed_bodies, flywheels
 from mahovik.proof.rigorous.rotation import carrier_rotation
-from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, spin, stacked, transfer
+from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, screw_of_parts, spin, transfer
 from mahovik.proof.rigorous.wrenches import external_wrenches
 
 
@@ -60,7 +60,7 @@ def pieces(stand: Stand, state: State) -> Pieces:
     C = carrier_rotation(stand, state)
     u = C.transpose() * column(stand.stream or (0.0, 0.0, 0.0))
     V = column(state.V)
-    V_r = V - stacked(u, zeros(3))
+    V_r = V - screw_of_parts(u, zeros(3))
     fixed, spinning = fixed_bodies(stand), flywheels(stand, state)
     everywhere = (*fixed, *spinning)
     e = spin()
@@ -76,7 +76,7 @@ def pieces(stand: Stand, state: State) -> Pieces:
         L1=transfer(column(state.position), C),
         V=V,
         V_r=V_r,
-        drift=stacked(cross(part(V, ANGULAR)) * u, zeros(3)),
+        drift=screw_of_parts(cross(part(V, ANGULAR)) * u, zeros(3)),
         fixed=fixed,
         flywheels=spinning,
         bodies=bodies,

@@ -9,7 +9,7 @@ from mahovik.proof.rigorous.ball import block, column, cross, identity, part, ze
 LINEAR, ANGULAR = slice(0, 3), slice(3, 6)
 
 
-def stacked(linear: arb_mat, angular: arb_mat) -> arb_mat:
+def screw_of_parts(linear: arb_mat, angular: arb_mat) -> arb_mat:
     """A screw (6) of its two parts (3 each)."""
     return block([[linear], [angular]])
 
@@ -36,7 +36,7 @@ def transfer(O: arb_mat, C: arb_mat) -> arb_mat:
 
 def force_at(force: arb_mat, point: arb_mat) -> arb_mat:
     """Wrench (6; N, N m) about the origin of a force (3, N) at a point (3, m)."""
-    return stacked(force, cross(point) * force)
+    return screw_of_parts(force, cross(point) * force)
 
 
 def f() -> arb_mat:

@@ -7,7 +7,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body, Stand
 from mahovik.proof.second.chart import Chart, Expr, turn
-from mahovik.proof.second.rotation import Array, elementary, fixed, mounting
+from mahovik.proof.second.rotation import Array, elementary, fixed_rotation, mounting
 
 Place = tuple[Array, Array]
 """Origin (3; m, from O1) and axes (3x3) in E1; a flywheel's at phi_s = 0."""
@@ -20,11 +20,11 @@ def places(stand: Stand) -> dict[str, Place]:
     """Place of the carrier, every instrument, flywheel and point, by name."""
     found: dict[str, Place] = {stand.carrier.name: (np.zeros(3), np.eye(3))}
     for p in stand.instruments:
-        found[p.name] = (np.array(p.position), fixed(p.angles))
+        found[p.name] = (np.array(p.position), fixed_rotation(p.angles))
     for s in stand.flywheels:
         found[s.name] = place_in_E1(found[s.mount], (np.array(s.position), mounting(s.mounting)))
     for point in stand.points:
-        found[point.name] = place_in_E1(found[point.mount], (np.array(point.position), fixed(point.angles)))
+        found[point.name] = place_in_E1(found[point.mount], (np.array(point.position), fixed_rotation(point.angles)))
     return found
 
 

@@ -21,7 +21,7 @@ def names(stand: Stand) -> tuple[str, ...]:
 
 
 @cache
-def measured() -> Expr:
+def point_quantities() -> Expr:
     """(origin, axes, place, C, gravity, V, (delta'', xi'')) -> QUANTITIES of a point fixed on the carrier.
 
     `origin` (3; m) and `axes` (3x3) in E1; `place` (3; m) of O1 and C are the pose; `gravity` (3; m/s2) in E0. On the
@@ -54,7 +54,7 @@ def points(system: System) -> dict[str, Expr]:
     count = len(where)
     acceleration = inertial_acceleration(system.V, inputs["V_dot"])
     common = (inputs["position"], inputs["C"], ca.DM(stand.gravity), system.V, acceleration)
-    found = measured().map(count)(
+    found = point_quantities().map(count)(
         np.column_stack([origin for origin, _ in where]),
         np.hstack([axes for _, axes in where]),
         *(ca.repmat(each, 1, count) for each in common),

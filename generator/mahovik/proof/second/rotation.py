@@ -35,7 +35,7 @@ def by_angles(sequence: Sequence, angles: Expr) -> Expr:
     return elementary(first, angles[0]) @ elementary(second, angles[1]) @ elementary(third, angles[2])
 
 
-def fixed(angles: Vec3) -> Array:
+def fixed_rotation(angles: Vec3) -> Array:
     """C3(psi) C2(theta) C1(phi) (3x3) of an instrument or a point."""
     return np.asarray(by_angles("ship", ca.DM(angles)).full())
 
@@ -43,7 +43,7 @@ def fixed(angles: Vec3) -> Array:
 def mounting(given: MountingAngles | MountingAxes) -> Array:
     """Axes of a flywheel in its mount's frame at phi_s = 0 (3x3)."""
     if isinstance(given, MountingAngles):
-        return fixed((given.psi, given.theta, given.zero))
+        return fixed_rotation((given.psi, given.theta, given.zero))
     first = _unit(np.array(given.axis))
     zero = _unit(np.array(given.zero))
     second = _unit(zero - first * float(first @ zero))

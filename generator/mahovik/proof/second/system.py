@@ -42,7 +42,7 @@ class System:
 
     def kinetics(self) -> tuple[Expr, Expr, Expr, Expr]:
         """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN)."""
-        T, momenta, mass = self._mapped(lagrange.body_kinetics())(self.bodies, self.q_dot, self.phi)
+        T, momenta, mass = self._map_over_bodies(lagrange.body_kinetics())(self.bodies, self.q_dot, self.phi)
         T, Z = ca.sum2(T), ca.sum2(momenta[:6, :])
         K = mass[:6, :] @ ca.DM(np.tile(np.eye(7)[:, :6], (self.count, 1)))
         if self.Lambda is not None:
@@ -52,14 +52,14 @@ class System:
 
     def center_of_mass(self) -> Expr:
         """Centre of mass of all bodies (3; m), in E1. Not a number where there is no mass."""
-        moments = self._mapped(lagrange.body_moment())(self.bodies, self.phi)
+        moments = self._map_over_bodies(lagrange.body_moment())(self.bodies, self.phi)
         return ca.sum2(moments) / sum(body.mass for body in self.stand.bodies)
 
     def inertial_force(self, V_dot: Expr, phi_ddot: Expr) -> tuple[Expr, Expr]:
         """d/dt (dT/dq') - dT/dq for the accelerations V_dot (6), phi_ddot (N): of the carrier (6), flywheels (N)."""
         acceleration = inertial_acceleration(self.V, V_dot)
         q_ddot = self._rates(acceleration, phi_ddot)
-        found = self._mapped(lagrange.body_inertial_force())(self.bodies, self.q_dot, q_ddot, self.phi)
+        found = self._map_over_bodies(lagrange.body_inertial_force())(self.bodies, self.q_dot, q_ddot, self.phi)
         carrier = ca.sum2(found[:6, :])
         if self.Lambda is not None:
             carrier += lagrange.fluid_inertial_force()(self.Lambda, self.stream, self.V, acceleration)
@@ -68,7 +68,9 @@ class System:
     def applied_force(self) -> tuple[Expr, Expr]:
         """Generalized forces of all wrenches but the drive torques: on the carrier (6), on the flywheels (N)."""
         gravity = ca.repmat(self.gravity, 1, self.count)
-        found = self._mapped(force.body_force())(self.bodies, self.law_numbers, self.phi, gravity, self._wrenches())
+        found = self._map_over_bodies(force.body_force())(
+            self.bodies, self.law_numbers, self.phi, gravity, self._wrenches()
+        )
         carrier = ca.sum2(found[:6, :])
         for law in laws.parts("second"):
             carrier += law.force(self.stand, self.inputs)
@@ -77,7 +79,7 @@ class System:
     def _wrenches(self) -> Expr:
         """P (6 x bodies): the run-time wrench and those of laws without a potential, each in its body's frame."""
         stream = ca.repmat(self.stream, 1, self.count)
-        twists = self._mapped(force.body_twist())(self.bodies, self.q_dot, self.phi, stream)
+        twists = self._map_over_bodies(force.body_twist())(self.bodies, self.q_dot, self.phi, stream)
         wrenches = ca.horzsplit(self.inputs["wrench"])
         for wrench in laws.of_bodies("second", "wrench"):
             for k, body in enumerate(self.stand.bodies):
@@ -85,7 +87,7 @@ class System:
                     wrenches[k] = wrenches[k] + found
         return ca.horzcat(*wrenches)
 
-    def _mapped(self, function: Expr) -> Expr:
+    def _map_over_bodies(self, function: Expr) -> Expr:
         """The function of one body as one of all: arguments and results side by side."""
         return function.map(self.count)
 

@@ -82,7 +82,7 @@ def deliver(
     _refuse_changed(folder, old)
     cost = _text(folder, COST)
     kept = _kept_files(folder, stand, files)
-    stale = [n for n in _unchanged(folder, old) if n not in files and n not in kept]
+    stale = [n for n in _unchanged_files(folder, old) if n not in files and n not in kept]
     if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
         stale.append(COST)
     paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
@@ -267,7 +267,7 @@ def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence
             raise UsageError(f"{path}: was changed by hand: restore it or move it away, nothing was written")
 
 
-def _unchanged(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
+def _unchanged_files(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
     """Files that the old manifest lists and that still have their hash: these may be removed."""
     if old is None:
         return []

@@ -140,16 +140,16 @@ def with_value(good: Mapping[str, Any], wrong: Wrong) -> dict[str, Any]:
     if wrong.value is NULL:
         changed[str(wrong.path[0])] = NULL
     else:
-        changed[str(wrong.path[0])] = _replaced(good[str(wrong.path[0])], wrong.path[1:], wrong.value)
+        changed[str(wrong.path[0])] = _replace_at(good[str(wrong.path[0])], wrong.path[1:], wrong.value)
     return changed
 
 
-def _replaced(value: Any, path: Path, new: Any) -> Any:
+def _replace_at(value: Any, path: Path, new: Any) -> Any:
     """A copy of nested data with the element at a path replaced."""
     if not path:
         return new
     copy: Any = dict(value) if isinstance(value, Mapping) else list(value)
-    copy[path[0]] = _replaced(value[path[0]], path[1:], new)
+    copy[path[0]] = _replace_at(value[path[0]], path[1:], new)
     return copy
 
 

@@ -32,8 +32,10 @@ _HEAD = re.compile(
     r"(?: lanes ([1-9]))?( fast)?\s*$",
 )
 _GENERATOR = re.compile(r"generator mahovik (\S+)\s*$")
+_FAST_MATH = re.compile(r"\bwrong results: (compiled with [\w, -]{1,100})\s*$")
 _FUNCTION = re.compile(
-    r"\b(\w+) (PASS|FAIL) cases ([0-9]{1,9})(?: wrong ([0-9]{1,9}))? worst (more than )?([0-9]{1,20}) ulp\s*$"
+    r"\b(\w+) (PASS|FAIL) cases ([0-9]{1,9})(?: wrong ([0-9]{1,9}))?(?: \(([a-z, ]{1,80})\))?"
+    r"(?: worst (more than )?([0-9]{1,20}) ulp|(?<=\)))\s*$"
 )
 _SWEEP = re.compile(r"\bsweep ([0-9]{1,20})\s*$")
 _HASH = re.compile(r"\b(\w+) ([0-9a-f]{8})\s*$")
@@ -44,23 +46,28 @@ _FAILURES = re.compile(r"\bfailures ([0-9]{1,9})\s*$")
 class FunctionLine:
     """Line of the test on one function: golden cases, wrong cases, worst distance in ulp.
 
-    `worst` is FAR + 1 if the test prints that it is more than FAR.
+    `worst` is FAR + 1 if the test prints that it is more than FAR. `faults`: what is wrong, as the test prints it.
     """
 
     passed: bool
     cases: int
     wrong: int
     worst: int
+    faults: str = ""
 
     @property
-    def distance(self) -> str:
-        """The worst distance as the test prints it."""
-        return f"more than {FAR} ulp" if self.worst > FAR else f"{self.worst} ulp"
+    def words(self) -> str:
+        """Faults and the worst distance, as the test prints them."""
+        distance = f"worst more than {FAR} ulp" if self.worst > FAR else f"worst {self.worst} ulp"
+        return ", ".join(filter(None, (self.faults, distance if self.worst or not self.faults else "")))
 
 
 @dataclass
 class SelfTestLog:
-    """One run of a self-test. `sweep`, `failures` are None where their line is missing."""
+    """One run of a self-test. `sweep`, `failures` are None where their line is missing.
+
+    `fast_math`: how it was compiled, where the test itself found that its results are wrong.
+    """
 
     stand: str
     structure: str
@@ -74,18 +81,24 @@ class SelfTestLog:
     failures: int | None = None
     repeated: list[str] = field(default_factory=list)
     """Functions with two lines that differ."""
+    fast_math: str = ""
 
 
 def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
     """All runs in a log, in order: a board that is reset begins again. Raises UsageError where there is none."""
     runs: list[SelfTestLog] = []
+    fast_math = ""
     for line in re.split(r"\r\n|\r|\n", text):
         if head := _HEAD.search(line):
             if head[6]:
                 raise UsageError(
                     f"{where}: of C for speed (--fast): its bits are not reproducible, its own verdict counts"
                 )
-            runs.append(SelfTestLog(head[1], head[2], head[3], head[4], lanes=int(head[5] or 1)))
+            lanes = int(head[5] or 1)
+            runs.append(SelfTestLog(head[1], head[2], head[3], head[4], lanes=lanes, fast_math=fast_math))
+            fast_math = ""
+        elif found := _FAST_MATH.search(line):
+            fast_math = found[1]
         elif runs and runs[-1].failures is None:
             _read_line(runs[-1], line)
     if not runs:
@@ -98,9 +111,10 @@ def read_log(text: str, where: str) -> tuple[SelfTestLog, ...]:
 
 def _read_line(run: SelfTestLog, line: str) -> None:
     if found := _FUNCTION.search(line):
-        name, verdict, cases, wrong, far, worst = found.groups()
-        distance = FAR + 1 if far else int(worst)
-        _record(run, run.functions, name, FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance))
+        name, verdict, cases, wrong, faults, far, worst = found.groups()
+        distance = FAR + 1 if far else int(worst or 0)
+        one = FunctionLine(verdict == "PASS", int(cases), int(wrong or 0), distance, faults or "")
+        _record(run, run.functions, name, one)
     elif found := _GENERATOR.search(line):
         run.generator = found[1]
     elif found := _SWEEP.search(line):
@@ -120,7 +134,9 @@ def problems(run: SelfTestLog, functions: Iterable[str] | None = None) -> list[s
     """Problems within a run, a line for each kind; `functions`: those of the stand, if it is known."""
     found = []
     wanted = list(functions) if functions is not None else list(dict.fromkeys((*run.functions, *run.hashes)))
-    if failed := [f"{name} (worst {line.distance})" for name, line in run.functions.items() if not line.passed]:
+    if run.fast_math:
+        found.append(f"wrong results: {run.fast_math}")
+    if failed := [f"{name} ({line.words})" for name, line in run.functions.items() if not line.passed]:
         found.append(f"FAIL: {', '.join(failed)}")
     if odd := [name for name, line in run.functions.items() if line.passed and (line.wrong or line.worst)]:
         found.append(f"PASS with wrong bits, which the self-test does not print: {', '.join(odd)}")

@@ -176,8 +176,10 @@ def run_selftest(target: Target, name: str, files: Mapping[str, str], timeout: f
 
 
 def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
-    """Problems of a printed self-test: golden vectors first, then differences from the host."""
+    """Problems of a printed self-test: fast math and golden vectors first, then differences from the host."""
     for line in found:
+        if line.startswith("wrong results"):
+            yield line
         if " FAIL " in line:
             yield f"not the interpreter's bits: {line}"
     for ours, theirs in zip(expected, found, strict=False):

@@ -57,7 +57,7 @@ class Controller:
         stand, N = wanted.stand, len(wanted.stand.flywheels)
         members = None if design is None else trim_members(design, wanted.motion, wanted.programme, servo.period)
         trim = None if design is None else (design.trim.coordinates, design.trim.harmonics)
-        self._library = library = _compiled(stand, trim)
+        self._library = library = _compile_servos(stand, trim)
         ffi, name = library.ffi, stand.name
         self._prefix, self._feedforward = name, servo.feedforward
         self._gains = ffi.new(f"{name}_servo_gains *", gains(stand, servo, wanted.motion.span))
@@ -125,7 +125,7 @@ class Controller:
 
 
 @lru_cache(maxsize=4)
-def _compiled(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
+def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
     """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
     made = generate_all(stand, "double")
     form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim))

@@ -211,7 +211,7 @@ def not_found(found: Search[Candidate]) -> str:
 
 
 def _finite_not_found(found: Search[Solved]) -> str:
-    """The same for a finite motion."""
+    """Message that no programme was found for a finite motion."""
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
         f"residual {found.best:.3g}, {found.ended}; try eight flywheels, a smaller or slower motion, or free means"

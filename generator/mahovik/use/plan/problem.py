@@ -137,7 +137,7 @@ def uniform(period: float, M: int, shift: float = 0.0) -> Array:
 EXACT = 1e-6
 """Relative residual up to which a programme is accepted."""
 KINKED = 1e-5
-"""The same with |V| in the damping laws: their second derivative jumps, so Fourier coefficients fall slowly."""
+"""EXACT with |V| in the damping laws: their second derivative jumps, so Fourier coefficients fall slowly."""
 
 _STEP = 1e-6
 """m, rad: step of the differences by the bias."""

@@ -195,7 +195,7 @@ class _Reader:
         except _EndError:
             if self._is_cut(at):
                 return Damage(f"the log ends inside {self._where(at)}", end=True), len(self._data)
-            return self._damaged(at), at
+            return self._damage_at(at), at
 
     def _is_cut(self, at: int) -> bool:
         """Whether the log just ends inside a record; not if a whole one comes after it: then its length is wrong."""
@@ -216,7 +216,7 @@ class _Reader:
             return f"the start record at byte {at}"
         return f"the record of step {self._next} at byte {at}"
 
-    def _damaged(self, at: int) -> Damage:
+    def _damage_at(self, at: int) -> Damage:
         return Damage(f"{self._where(at)} is damaged: its check does not fit; {self._rest(at)}")
 
     def _rest(self, at: int) -> str:
@@ -232,7 +232,7 @@ class _Reader:
             known = " and ".join(map(str, READ))
             return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {known}"), at
         if size not in (4, 8):
-            return self._damaged(at), at
+            return self._damage_at(at), at
         real = "double" if size == 8 else "float"
         read.dtype = np.dtype(f"<f{size}")
         name = read.take(read.number("B")).decode("ascii", "replace")
@@ -242,7 +242,7 @@ class _Reader:
         state = {member: read.reals(n) for member, n in members(flywheels).items()}
         table = read.take(read.number("I"))
         if not read.checked():
-            return self._damaged(at), at
+            return self._damage_at(at), at
         self._start = Start(
             *(at, version, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
             *(table_hash, count, state, table),
@@ -253,7 +253,7 @@ class _Reader:
     def _read_step(self, at: int) -> tuple[Step | Damage, int]:
         found = self._parse_step(at)
         if found is None:
-            return self._damaged(at), at
+            return self._damage_at(at), at
         step, after = found
         if step.count != self._next:
             return Damage(self._gap(step)), at

@@ -95,12 +95,12 @@ def mean_equations(scene: Scene, speed: Array) -> Array:
     """
     fastest = float(np.abs(speed).max(initial=0.0))
     if len(speed) <= 2 or fastest == 0.0 or any(law.nonlinear for s in scene.stand.flywheels for law in s.laws):
-        return _averaged(scene, speed)
-    still, fast = _averaged(scene, np.array([0.0, fastest]))
+        return _average_matrices(scene, speed)
+    still, fast = _average_matrices(scene, np.array([0.0, fastest]))
     return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))
 
 
-def _averaged(scene: Scene, speed: Array) -> Array:
+def _average_matrices(scene: Scene, speed: Array) -> Array:
     N, M = scene.chart.mechanics.N, NODES * len(speed)
     phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
     given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))

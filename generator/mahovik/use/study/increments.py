@@ -19,6 +19,9 @@ from mahovik.core.stand.model import Stand
 PART = 1e-3
 """Part of an increment that may be lost without a warning."""
 
+USUAL_STEP = 1e-4
+"""s: a step that is looked at where no other is asked for."""
+
 RUN_UP = 10.0
 """s: time in which a motor without a known torque reaches its speed."""
 
@@ -65,3 +68,15 @@ def lost_increments(stand: Stand, speeds: Sequence[float], dt: float) -> list[Lo
             lost = LostIncrement(flywheel.name, dt, speed, acceleration * dt, rounding, rounding / dt * J)
             found.append(lost)
     return found
+
+
+def lost_increments_line(lost: Sequence[LostIncrement]) -> str:
+    """One line on all flywheels that lose increments in steps of one length; empty without any."""
+    if not lost:
+        return ""
+    worst = max(lost, key=lambda each: each.part)
+    more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
+    return (
+        f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.2g} % of what they add to the speed of "
+        f"{worst.flywheel}{more}: use step_carried or double; --dt TIME for another step"
+    )

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from mahovik.contract.laws import of_bodies
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.member import Member, matrix, member, members, vector
+from mahovik.core.lower import units
 from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.member import Member, matrix, member, members, vector
 from mahovik.core.lower.values import Values
 from mahovik.core.program.types import Struct
 from mahovik.core.stand.model import Stand

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.member import Member
+from mahovik.core.lower import units
 from mahovik.core.lower.fmu.parameters import laws, parameters
-from mahovik.core.lower.fmu.units import Unit
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
+from mahovik.core.lower.member import Member
+from mahovik.core.lower.units import Unit
 from mahovik.core.lower.values import Values
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 

@@ -86,7 +86,7 @@ def export_programme(
         check_name(stand, layout, called)
     prescribed = None if motion is None else Prescribed(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
-    found = [_finished(layout, first, prescribed)]
+    found = [_measure_errors(layout, first, prescribed)]
     given = found[0][1].given
     accepted = max(WRONG * tolerance_for(stand, None).residual, most)
     if given is not None and given > accepted:
@@ -99,13 +99,13 @@ def export_programme(
     for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
         if finite is not None:
             table = _finite(layout, part, finite, LEAST * finite.duration / programme.span, most, source)
-            found.append(_finished(layout, _with_torques(table, finite, prescribed, source), None))
+            found.append(_measure_errors(layout, _with_torques(table, finite, prescribed, source), None))
     tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
     made = lower_programme(layout, [t.form for t in tables])
     player = Player(made, {t.form.part: t.value for t in tables})
     lines = tuple(line for t, e in found for line in table_messages(t, e, layout))
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
-    facts = Facts(programme.motion, numbers, tuple(_measured(t, e) for t, e in found), lines, most)
+    facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in found), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
     return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
 
@@ -133,7 +133,7 @@ def _course(programme: Programme, layout: Layout, prescribed: Prescribed | None,
     return quintic_table(form, programme.at, programme.span, programme.winding, torques)
 
 
-def _finished(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:
+def _measure_errors(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:
     """A table with its errors."""
     made = lower_programme(layout, [table.form])
     player = Player(made, {table.form.part: table.value})
@@ -148,7 +148,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
     while True:
         form = Form(part, "quintic", rows, False, False, layout.count)
         table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
-        error = _finished(layout, table, None)[1].judged
+        error = _measure_errors(layout, table, None)[1].judged
         if error <= most:
             return table
         if rows >= MOST_NODES:
@@ -185,7 +185,7 @@ def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str
     return f"{source}: {what} is {found.judged:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
 
 
-def _measured(table: Table, found: Errors) -> dict[str, Any]:
+def _table_facts(table: Table, found: Errors) -> dict[str, Any]:
     """Size and errors of a table as data, without those not measured."""
     known = {name: value for name, value in asdict(found).items() if value is not None}
     form = table.form
@@ -253,7 +253,7 @@ def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, st
     Files that mahovik has written are listed in the manifest of the programme or servo, `what`, with their hash.
     """
     manifest = f"{stand.name}_{called or what}.json"
-    listed = _listed(folder / manifest, what)
+    listed = _manifest_hashes(folder / manifest, what)
     for name, text in files.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() == text.encode("utf-8"):
@@ -265,7 +265,7 @@ def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, st
             raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
 
 
-def _listed(path: Path, what: str) -> dict[str, str] | None:
+def _manifest_hashes(path: Path, what: str) -> dict[str, str] | None:
     """Hashes by name from the manifest of an older programme or servo; None: there is none."""
     if not path.is_file():
         return None

@@ -264,6 +264,6 @@ def row(*items: Node) -> Node:
     return flat[0] if len(flat) == 1 else Row(tuple(flat))
 
 
-def signed(node: Node, negative: bool) -> Node:
+def attach_sign(node: Node, negative: bool) -> Node:
     """The node, after a minus sign if it is negative."""
     return row(Operator("−"), node) if negative else node

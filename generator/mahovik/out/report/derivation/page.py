@@ -19,7 +19,7 @@ from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.out.report.derivation.notation import Grid, Node, Number, Operator, Zero, row, signed, tex_text
+from mahovik.out.report.derivation.notation import Grid, Node, Number, Operator, Zero, attach_sign, row, tex_text
 from mahovik.out.report.derivation.numbers import numbers
 from mahovik.out.report.derivation.parse import notation, parse
 
@@ -124,7 +124,7 @@ def significant(value: float) -> Number:
 def _number(value: float, noise: float) -> Node:
     if value == 0:
         return Zero()
-    return row(Operator("≈"), Number("0")) if abs(value) <= noise else signed(significant(value), value < 0)
+    return row(Operator("≈"), Number("0")) if abs(value) <= noise else attach_sign(significant(value), value < 0)
 
 
 def _node(part: Part) -> Node:

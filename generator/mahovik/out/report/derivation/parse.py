@@ -32,8 +32,8 @@ from mahovik.out.report.derivation.notation import (
     Script,
     Words,
     Zero,
+    attach_sign,
     row,
-    signed,
 )
 
 _TOKEN = re.compile(r'\s*("[^"]*"|[A-Za-z]+|\d+|[-+=,;·×/()\[\]<>{}_^*\']|\S)')
@@ -66,7 +66,7 @@ class _Parser:
 
     def _items(self, ends: tuple[str, ...]) -> Iterator[Node]:
         while self._at < len(self._tokens) and self._peek() not in ends:
-            yield self._scripted()
+            yield self._parse_scripts()
 
     def _peek(self) -> str:
         return str(self._tokens[self._at]) if self._at < len(self._tokens) else ""
@@ -81,7 +81,7 @@ class _Parser:
     def _error(self, what: str) -> NotationError:
         return NotationError(f"{what} {self._peek()!r} in {self._text!r}")
 
-    def _scripted(self) -> Node:
+    def _parse_scripts(self) -> Node:
         base = self._atom()
         sub: Node | None = None
         sup: list[Node] = []
@@ -189,9 +189,9 @@ def expression(e: sp.Expr) -> Node:
     if e.is_Symbol:
         return symbol(e.name)
     if e.is_Integer:
-        return signed(Number(str(abs(e))), e < 0)
+        return attach_sign(Number(str(abs(e))), e < 0)
     if e.is_Rational:
-        return signed(Fraction(Number(str(abs(e.p))), Number(str(e.q))), e < 0)
+        return attach_sign(Fraction(Number(str(abs(e.p))), Number(str(e.q))), e < 0)
     if e.is_Add:
         return _sum(e)
     if e.is_Mul:
@@ -242,7 +242,7 @@ def _base(name: str) -> str:
 
 
 def _sum(e: sp.Add) -> Node:
-    terms = sorted((_signed(t) for t in e.args), key=lambda t: (t[0], _key(t[1])))
+    terms = sorted((_split_sign(t) for t in e.args), key=lambda t: (t[0], _key(t[1])))
     items: list[Node] = []
     for negative, term in terms:
         if negative or items:
@@ -255,7 +255,7 @@ def _negative(term: sp.Expr) -> bool:
     return bool(term.as_coeff_Mul()[0] < 0)
 
 
-def _signed(term: sp.Expr) -> tuple[bool, sp.Expr]:
+def _split_sign(term: sp.Expr) -> tuple[bool, sp.Expr]:
     """Whether a minus stands before the term, and what follows it; a sum of negative terms only is turned round."""
     factors, negative = [], False
     for factor in sp.Mul.make_args(term):
@@ -267,10 +267,10 @@ def _signed(term: sp.Expr) -> tuple[bool, sp.Expr]:
 
 
 def _product(e: sp.Mul) -> Node:
-    negative, rest = _signed(e)
+    negative, rest = _split_sign(e)
     shown = Fence("(", expression(rest)) if rest.is_Add and negative else None
     items = [shown] if shown else _factors(rest)
-    return signed(row(*items), negative)
+    return attach_sign(row(*items), negative)
 
 
 def _factors(e: sp.Expr) -> list[Node]:

@@ -136,7 +136,7 @@ def _drawing(panel: Panel, band: Band | None) -> tuple[str, dict[str, Any]]:
         made.patch.set_visible(False)
         axes = made.add_axes((LEFT / WIDTH, BELOW / whole, across / WIDTH, down / whole))
         axes.patch.set_visible(False)
-        thin = replace(panel, lines=tuple(map(_thinned, panel.lines)))
+        thin = replace(panel, lines=tuple(map(_thin_line, panel.lines)))
         lines, marks = draw_panel(axes, thin, () if band is None else (band.low, band.high))
         if band is not None:
             kept = np.union1d(envelope(band.low), envelope(band.high))
@@ -153,15 +153,15 @@ def _drawing(panel: Panel, band: Band | None) -> tuple[str, dict[str, Any]]:
         }
         buffer = io.StringIO()
         made.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
-    return _adapted(buffer.getvalue(), panel, describe_panel(panel, band)), facts
+    return _page_element(buffer.getvalue(), panel, describe_panel(panel, band)), facts
 
 
-def _thinned(line: Line) -> Line:
+def _thin_line(line: Line) -> Line:
     kept = envelope(line.y)
     return replace(line, x=line.x[kept], y=line.y[kept])
 
 
-def _adapted(svg: str, panel: Panel, words: str) -> str:
+def _page_element(svg: str, panel: Panel, words: str) -> str:
     """The drawing as an element of the page: its colours, its font, no name that another drawing has."""
     svg = _of_page(svg[svg.index("<svg") :]).rstrip()
     for useless in USELESS:

@@ -38,7 +38,7 @@ def chart_numbers(panel: Panel, band: Band | None) -> dict[str, Any]:
     edges = None
     if band is not None:
         kept = np.union1d(envelope(band.low, PARTS), envelope(band.high, PARTS))
-        y = [_encoded(each[kept]) for each in (band.low, band.high)]
+        y = [_encode_numbers(each[kept]) for each in (band.low, band.high)]
         edges = {"x": _index(band.x[kept], xs), "y": y, "count": band.count}
     marks = [[mark.x, mark.y, mark.name] for mark in panel.marks]
     return {"x": xs, "lines": lines, "band": edges, "marks": marks, "shaded": [list(each) for each in panel.shaded]}
@@ -58,7 +58,7 @@ def _line(line: Line, xs: list[dict[str, Any]]) -> dict[str, Any]:
         "alpha": 0.55 if line.dashed and not level else 1.0,
         "long": len(kept) < len(line.y),
         "x": _index(line.x[kept], xs),
-        "y": _encoded(line.y[kept]),
+        "y": _encode_numbers(line.y[kept]),
     }
 
 
@@ -67,13 +67,13 @@ def _index(x: Array, xs: list[dict[str, Any]]) -> int:
     first, last = (float(x[0]), float(x[-1])) if np.isfinite(x).all() else (0.0, 0.0)
     span = last - first
     share = (x - first) / span if span else np.zeros_like(x)
-    found = {"first": first, "span": span, "share": _encoded(share)}
+    found = {"first": first, "span": span, "share": _encode_numbers(share)}
     if found not in xs:
         xs.append(found)
     return xs.index(found)
 
 
-def _encoded(values: Array) -> str:
+def _encode_numbers(values: Array) -> str:
     """float32, little-endian, as base64 of the alphabet for addresses; NaN for what it does not hold."""
     found = np.where(np.isfinite(values) & (np.abs(values) < LARGEST), values, np.nan)
     return base64.urlsafe_b64encode(found.astype("<f4").tobytes()).decode("ascii")

@@ -49,7 +49,7 @@ def panels(
     return [
         *_carrier(programme, stand, motion, scale, t),
         *_wheels(programme, t, found, motion),
-        _bounded("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
+        _flywheel_panel("drive torque, N m", programme, seen.t, seen.tau, motion.bounds.torque),
         Panel("residual", (*residual, limit(f"accepted: {level:g}", seen.t, level)), log=True),
         *_transients(programme),
     ]
@@ -75,12 +75,14 @@ def _wheels(programme: Programme, t: Array, angles: Angles, motion: RequiredMoti
     speed = bounds.speed if bounds is not None else None
     acceleration = bounds.acceleration if bounds is not None else None
     return [
-        _bounded("speed, rpm", programme, t, RPM * angles.phi_dot, speed, RPM),
-        _bounded("acceleration, rad/s2", programme, t, angles.phi_ddot, acceleration),
+        _flywheel_panel("speed, rpm", programme, t, RPM * angles.phi_dot, speed, RPM),
+        _flywheel_panel("acceleration, rad/s2", programme, t, angles.phi_ddot, acceleration),
     ]
 
 
-def _bounded(quantity: str, programme: Programme, t: Array, columns: Array, bound: Each, unit: float = 1.0) -> Panel:
+def _flywheel_panel(
+    quantity: str, programme: Programme, t: Array, columns: Array, bound: Each, unit: float = 1.0
+) -> Panel:
     """One line per flywheel; the bound, where it is the same for all."""
     lines = family(programme.flywheels, t, columns)
     if bound is None or len(set(bound)) > 1:

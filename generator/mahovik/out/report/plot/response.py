@@ -44,7 +44,7 @@ def panels(found: Sweep) -> list[Panel]:
     ]
 
 
-def _swept(found: Sweep) -> str:
+def _speed_title(found: Sweep) -> str:
     asked = found.asked
     return "speed, rpm" if asked.swept is None else f"speed of {asked.names[asked.swept]}, rpm"
 
@@ -67,7 +67,7 @@ def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top
     note = "red: natural frequencies; dashed: orders"
     return Panel(
         f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
-        abscissa=_swept(found), height=1.4, span=_span(found), top=top, beside=True,
+        abscissa=_speed_title(found), height=1.4, span=_span(found), top=top, beside=True,
     )  # fmt: skip
 
 
@@ -99,7 +99,7 @@ def _orders(found: Sweep, lines: tuple[OrderLine, ...], floor: float) -> Panel:
         within = np.linalg.norm(found.rms(found.band), axis=1)
         drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
     quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, RMS"
-    return Panel(quantity, tuple(drawn), log=True, abscissa=_swept(found), height=1.4, span=_span(found))
+    return Panel(quantity, tuple(drawn), log=True, abscissa=_speed_title(found), height=1.4, span=_span(found))
 
 
 def _above(values: Array, floor: float) -> Array:
@@ -121,12 +121,17 @@ def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
         drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
     note = f"heights: {DECADES:g} decades of {found.unit} are two spectra apart"
     return Panel(
-        f"waterfall: {_swept(found)}", tuple(drawn), note=note, abscissa="frequency, Hz", height=1.4, span=(0.0, top)
+        f"waterfall: {_speed_title(found)}",
+        tuple(drawn),
+        note=note,
+        abscissa="frequency, Hz",
+        height=1.4,
+        span=(0.0, top),
     )
 
 
 def _level_map(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
-    """The same as a map: the largest amplitude in each cell of frequency and speed, by colour."""
+    """Response as a map: the largest amplitude in each cell of frequency and speed, by colour."""
     speeds = RPM * np.array([step.value for step in steps])
     order = np.argsort(speeds)
     edges = np.linspace(0.0, top, CELLS + 1)
@@ -139,7 +144,7 @@ def _level_map(found: Sweep, steps: list[Step], top: float, floor: float) -> Pan
     rows = np.concatenate([speeds[order][:1], middle, speeds[order][-1:]])
     levels = Levels(edges, rows, value, f"{found.quantity}, {found.unit}", floor)
     return Panel(
-        f"levels: {_swept(found)}", (), note="blank: below the scale", abscissa="frequency, Hz", height=1.4,
+        f"levels: {_speed_title(found)}", (), note="blank: below the scale", abscissa="frequency, Hz", height=1.4,
         span=(0.0, top), levels=levels, beside=True,
     )  # fmt: skip
 

@@ -51,7 +51,7 @@ def section(material: Material) -> Section | None:
     wide = found
     if split:
         near = campbell(scene, np.linspace(0.0, NEAR * last, POINTS))
-        found = _joined(near, wide)
+        found = _join_diagrams(near, wide)
     absent = int((~np.isfinite(found.natural).any(axis=0)).sum())
     shown = [panel(wide, "up to the limit of speed", absent)]
     if split:
@@ -94,7 +94,7 @@ def _order(n: int, speed: Array, top: float) -> Line:
     return Line("", x, n * x / 60.0, None, dashed=True, tag=tag)
 
 
-def _joined(near: Campbell, far: Campbell) -> Campbell:
+def _join_diagrams(near: Campbell, far: Campbell) -> Campbell:
     """Crossings of the near diagram, where the grid is finer, and those beyond it."""
     beyond = tuple(each for each in far.crossings if each.speed > near.speed[-1])
     growth = np.concatenate([near.growth, far.growth])

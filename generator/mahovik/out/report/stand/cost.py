@@ -54,11 +54,14 @@ def section(material: Material) -> Section | None:
     stand, file = material.stand, material.stand_file or f"{material.stand.name}.toml"
     missing: list[str] = []
     if material.costs:
-        found, origin = [_accepted(each) for each in material.costs], f"from {material.cost_file}, by `mahovik cost`"
+        found, origin = (
+            [_accepted_figures(each) for each in material.costs],
+            f"from {material.cost_file}, by `mahovik cost`",
+        )
     elif material.targets:
-        found, origin = _measured(stand, material.targets, missing), "measured when this report was made"
+        found, origin = _measure_on_targets(stand, material.targets, missing), "measured when this report was made"
     else:
-        found, origin = _compiled(stand, missing), "of the compiler, when this report was made"
+        found, origin = _compile_sizes(stand, missing), "of the compiler, when this report was made"
     missing += [] if any(each.instructions for each in found) else ["instructions: an emulator counts them"]
     html = markup_of(
         "cost",
@@ -107,7 +110,7 @@ def _source(stand: Stand, real: str) -> str:
     return digest(generate_once(stand, real).files[f"{stand.name}.c"])
 
 
-def _accepted(given: Mapping[str, Any]) -> Figures:
+def _accepted_figures(given: Mapping[str, Any]) -> Figures:
     """Figures of a target in cost.json."""
     by = {each["function"]: each for each in given["functions"]}
     counter = f"; instructions counted by {given['emulator']}" if given.get("emulator") else ""
@@ -122,7 +125,7 @@ def _accepted(given: Mapping[str, Any]) -> Figures:
     )  # fmt: skip
 
 
-def _measured(stand: Stand, names: str, missing: list[str]) -> list[Figures]:
+def _measure_on_targets(stand: Stand, names: str, missing: list[str]) -> list[Figures]:
     """On the targets of `--targets` that a gcc compiles, one by one; what cannot be is added to `missing`."""
     found = []
     for target, real in parse_targets(names):
@@ -145,7 +148,7 @@ def _target_figures(given: TargetCost) -> Figures:
     )  # fmt: skip
 
 
-def _compiled(stand: Stand, missing: list[str]) -> list[Figures]:
+def _compile_sizes(stand: Stand, missing: list[str]) -> list[Figures]:
     """Code and stack by the compilers of COMPILED; those that are not here are added to `missing`."""
     found = []
     for name, real in COMPILED:

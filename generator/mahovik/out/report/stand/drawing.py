@@ -57,7 +57,7 @@ def basis(shape: Shape) -> Array:
     return np.stack([right, np.cross(up, right), up])
 
 
-def magnified(shape: Shape) -> Magnified:
+def magnify(shape: Shape) -> Magnified:
     """The largest unbalance of each kind as long as the largest disc is wide, or a tenth of the stand."""
     largest = max((d.radius for d in shape.flywheels), default=0.0)
     wide = max(1.2 * largest, 0.1 * shape.size)
@@ -71,7 +71,7 @@ def magnified(shape: Shape) -> Magnified:
 
 def draw(shape: Shape) -> tuple[str, int]:
     """The drawing as SVG, and how many names had no room. Third-angle: top above the front, right side beside it."""
-    axes, length = basis(shape), magnified(shape)
+    axes, length = basis(shape), magnify(shape)
     low, high = _extent(shape, axes, length)
     size = high - low
     room = np.array([WIDTH - 4 * MARGIN, HEIGHT - 4 * MARGIN - 2 * TITLE])

@@ -36,10 +36,10 @@ def section(material: Material) -> Section | None:
         return None
     limit = max(row.speed for row in summarize(stand).unbalance)
     try:
-        found = [swept(stand, limit)]
+        found = [sweep_speeds(stand, limit)]
         near = NEAR * 2.0 * math.pi * max((float(f) for f in found[0].steps[0].natural), default=0.0)
         if 0.0 < near < limit / FAR:
-            found.insert(0, swept(stand, near))
+            found.insert(0, sweep_speeds(stand, near))
     except (CheckError, UsageError) as error:
         return Section(ANCHOR, TITLE, paragraph(f"{error}. So there is no steady vibration to show."))
     largest, speed = max(map(_largest, found))
@@ -50,7 +50,7 @@ def section(material: Material) -> Section | None:
     return Section(ANCHOR, TITLE, paragraph(_words(found)) + charts(shown), summary=summary)
 
 
-def swept(stand: Stand, limit: float) -> Sweep:
+def sweep_speeds(stand: Stand, limit: float) -> Sweep:
     """Accelerations of the first instrument, else of O1, up to a common speed, rad/s.
 
     Raises CheckError; KeyboardInterrupt at Ctrl-C, because a part of the sweep makes no section.

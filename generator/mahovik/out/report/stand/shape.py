@@ -105,7 +105,7 @@ def shape_of(stand: Stand) -> Shape:
     frames = {s.name: s for s in solids}
     shown = laws.parts("report")
 
-    def placed(body: Body) -> tuple[Array, Array]:
+    def body_placement(body: Body) -> tuple[Array, Array]:
         if isinstance(body, Instrument | Flywheel):
             return placement_in_carrier(stand, body)
         return np.zeros(3), np.eye(3)
@@ -119,7 +119,7 @@ def shape_of(stand: Stand) -> Shape:
         ties=tuple(tie for law in shown for tie in law.ties(stand)),
         points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
         center_of_mass=np.array(summarize(stand).center_of_mass),
-        marks=tuple(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, placed)),
+        marks=tuple(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, body_placement)),
         held=any(law.at_origin(stand) for law in shown),
         legend=tuple(law.LEGEND for law in shown if law.ties(stand) or law.at_origin(stand)),
         up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),

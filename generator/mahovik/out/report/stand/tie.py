@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Tie:
-    """Its point on the carrier in E1, and on the ground in E0 (3 each, m)."""
+    """A tie of the carrier to the ground, by its points: on the carrier in E1, on the ground in E0 (3 each, m)."""
 
     carrier: Array
     ground: Array

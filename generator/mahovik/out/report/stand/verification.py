@@ -22,7 +22,7 @@ from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge, report, verify_c
 from mahovik.proof.verify.judges.compare import JUDGES, compare_with_judges, load_judges
-from mahovik.proof.verify.judges.rigid import missing, stripped
+from mahovik.proof.verify.judges.rigid import bare_stand, missing
 from mahovik.proof.verify.report import Report, conclusion
 from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_targets
 
@@ -63,7 +63,7 @@ def section(material: Material) -> Section | None:
         tools=tools,
         three_verdict=_verdict_line(three),
         three_table=derivations_table(three),
-        without=_listed(missing(stand)),
+        without=_group_by_feature(missing(stand)),
         judges_verdicts=[_verdict_line(found, f"{TITLES[name]}: ") for name, found in outside.items()],
         judges_table=judges_table(outside) if outside else "",
         targets=targets,
@@ -110,7 +110,7 @@ def _three(stand: Stand) -> tuple[Report, str]:
 
 def _outside(stand: Stand, name: str) -> Report:
     """The literal reference of the stand, without what no judge has, against one of them. Raises UsageError."""
-    bare = stripped(stand)
+    bare = bare_stand(stand)
     judges = load_judges(bare, [name])
     return compare_with_judges(
         bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
@@ -180,7 +180,7 @@ def judges_table(outside: Mapping[str, Report]) -> Markup:
     return table(head, [lines], kind="verdicts")
 
 
-def _listed(left: Sequence[str]) -> str:
+def _group_by_feature(left: Sequence[str]) -> str:
     """`w1: damping`, `w2: damping` as `damping (w1, w2)`."""
     found: dict[str, list[str]] = {}
     for each in left:

@@ -22,7 +22,7 @@ def in_other_order(s: Mounted) -> Array:
     return C2(given.theta) @ C3(given.psi) @ C1(given.zero) if isinstance(given, MountingAngles) else s.C
 
 
-def exchanged(s: Flywheel) -> Flywheel:
+def exchange_mounting_angles(s: Flywheel) -> Flywheel:
     """A flywheel with the first two of its mounting angles exchanged."""
     given = s.mounting
     if not isinstance(given, MountingAngles):
@@ -41,7 +41,7 @@ def not_normalised(s: Mounted) -> Array:
     return s.C * np.array([math.hypot(*given.axis), 1.0, 1.0]) if isinstance(given, MountingAxes) else s.C
 
 
-def transposed(k: Fixed) -> Fixed:
+def transpose_rotation(k: Fixed) -> Fixed:
     """An instrument whose axes are the rows of its rotation."""
     if not isinstance(k.body, Instrument):
         return k
@@ -56,7 +56,7 @@ FAULTS = (
     Fault("order of mounting angles", "(2): Ls", "flywheels", [mounting(in_other_order)],
           "The angles of the mounting are applied in another order: C2(theta) C3(psi) instead of C3(psi) C2(theta)",
           "Cs = C3(psi) C2(theta) C1(phi), whatever sequence the carrier has"),
-    Fault("mounting angles exchanged", "(2): Ls", "flywheels", [body(exchanged)],
+    Fault("mounting angles exchanged", "(2): Ls", "flywheels", [body(exchange_mounting_angles)],
           "The first two angles of the mounting are exchanged: theta is read where psi stands",
           "`angles` of a flywheel are psi, theta, zero"),
     Fault("spin axis reversed", "(2): Ls", "flywheels", [mounting(lambda s: s.C @ np.diag([-1.0, 1.0, -1.0]))],
@@ -95,7 +95,7 @@ FAULTS = (
           [place(lambda s: replace(s, T=T(-np.array(s.body.position))))],
           "The place of the flywheels has the wrong sign: from Os to the mount",
           "Os is the flywheel's origin in its mount; <O> b = O x b"),
-    Fault("instrument rotation transposed", "(2): Lp", "fixed", [place(transposed)],
+    Fault("instrument rotation transposed", "(2): Lp", "fixed", [place(transpose_rotation)],
           "The rotation of the instruments is transposed, for themselves; flywheels and points on them are right",
           "columns of Cp are the instrument's axes in E1"),
     Fault("axis of any length not normalised", "(2): Ls", "flywheels", [mounting(not_normalised)],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.proof.diagnose.edits import carried, minus, wrench, zero
+from mahovik.proof.diagnose.edits import minus, wrench, wrench_on_carrier, zero
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed, Spinning
@@ -31,10 +31,10 @@ def rotated_wrench(P: Array, k: Placed) -> Array:
 
 # fmt: off
 FAULTS = (
-    Fault("wrench about the wrong point", "(7)", "all", [carried(rotated_wrench)],
+    Fault("wrench about the wrong point", "(7)", "all", [wrench_on_carrier(rotated_wrench)],
           "Wrenches of instruments and flywheels act without the arm of their place: moments about their own origins",
           "Lp P_p, Ls P_s: the force's moment about O1"),
-    Fault("arm of wrenches, sign", "(7)", "all", [carried(lambda P, k: 2 * rotated_wrench(P, k) - k.L @ P)],
+    Fault("arm of wrenches, sign", "(7)", "all", [wrench_on_carrier(lambda P, k: 2 * rotated_wrench(P, k) - k.L @ P)],
           "The arm of wrenches of instruments and flywheels has the wrong sign",
           "<O> in T: O x force"),
     Fault("run-time wrench does not turn", "(7)", "flywheels", [wrench(in_axes_at_zero, "run-time")],

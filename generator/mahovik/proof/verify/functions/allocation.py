@@ -22,7 +22,7 @@ from mahovik.proof.reference.allocation import (
     normal_matrix,
     scaled_demand,
     scaled_task,
-    weighted,
+    weighted_solution,
 )
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
@@ -119,7 +119,7 @@ def options_of(case: Case, number: int, limit: Array | None = None, **more: floa
     return {**given, "near": 1e-6, "damping": 0.0, **more}
 
 
-def _asked(case: Case, task: str = "") -> Iterator[tuple[int, str, State, ScaledDemand]]:
+def _demands(case: Case, task: str = "") -> Iterator[tuple[int, str, State, ScaledDemand]]:
     """The states, with what is asked of the flywheels there: V_dot of the state, or a demand of a task."""
     for number, (name, state) in enumerate(case.states):
         if task:
@@ -162,7 +162,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
     damped = Comparison("inverse", "phi_ddot, with damping", accepted)
     damped_by = Comparison("inverse", "damped_by", accepted)
     limited = Comparison("inverse", "residual, with limits", BOUNDED if case.real == "double" else 1e-3)
-    for number, name, state, scaled in _asked(case):
+    for number, name, state, scaled in _demands(case):
         given = case.backend.arguments(state)
         options = options_of(case, number)
         weight = np.array(options["weight"])
@@ -170,14 +170,14 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             status, found = answer_of(case, given, options)
             rank = int(found["rank"])
             check_rank(case, scaled, rank)
-            expected = weighted(scaled, weight, rank)
+            expected = weighted_solution(scaled, weight, rank)
             plain.note(found["phi_ddot"], expected, scale_of(scaled, weight, rank, expected), name)
             beside.note(state, options, status, found, scaled, name)
             options = options_of(case, number, near=NEAR, damping=DAMPING)
             options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
             near, damping = options["near"], options["damping"]
             status, found = answer_of(case, given, options)
-            answer = weighted(scaled, weight, rank, near, damping)
+            answer = weighted_solution(scaled, weight, rank, near, damping)
             scale = scale_of_damped(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
@@ -198,7 +198,7 @@ def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
     """Demand of a stand without flywheels: all of it as residual, and as a unit vector in the norm of K^-1."""
     residual = Comparison("inverse", "residual, without flywheels", case.bounds.default)
     hardest = Comparison("inverse", "hardest, without flywheels", case.bounds.default)
-    for _, name, state, scaled in _asked(case):
+    for _, name, state, scaled in _demands(case):
         at = case.at(state)
         natural = inverse_scales(Magnitudes(case.stand, state, at, case.bounds.cuts))["residual"]
         try:
@@ -277,7 +277,7 @@ def fast_rows(
     damped = Comparison(function, "phi_ddot, with damping", case.bounds.default)
     solved = Comparison(function, "residual of its equations", case.bounds.default)
     status_row = Comparison(function, "status", 0.0)
-    for number, name, state, scaled in _asked(case, task_of(function)):
+    for number, name, state, scaled in _demands(case, task_of(function)):
         given = case.backend.arguments(state)
         for row, damping in ((plain, 0.0), (damped, FAST_DAMPING)):
             options = options_of(case, number, damping=damping)
@@ -287,7 +287,7 @@ def fast_rows(
             note_fast(row, case, scaled, options, status, found, name, loss(state, scaled))
             if status >= 0 and not damping:
                 solved.note_difference(
-                    _unsolved(scaled, weight, np.array(found["phi_ddot"])) / loss(state, scaled), "", name
+                    _normal_residual(scaled, weight, np.array(found["phi_ddot"])) / loss(state, scaled), "", name
                 )
     if not plain.row.states:
         plain.row.reason = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
@@ -334,7 +334,7 @@ def _wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:
     return np.inf, f"status {status_words(status)}; the least pivot is {kept:.0e} of its diagonal"
 
 
-def _unsolved(scaled: ScaledDemand, weight: Array, phi_ddot: Array) -> float:
+def _normal_residual(scaled: ScaledDemand, weight: Array, phi_ddot: Array) -> float:
     """Residual of the normal equations without damping for an answer, relative to their terms.
 
     With six flywheels and more y = Omega^-1 W^T z with gram z = r: z is that of least squares, and what it leaves of

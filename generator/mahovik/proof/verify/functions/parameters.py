@@ -26,7 +26,7 @@ SHARE = 0.05
 AnyBody = TypeVar("AnyBody", bound=Body)
 
 
-def perturbed(stand: Stand, rng: np.random.Generator) -> Stand:
+def perturb(stand: Stand, rng: np.random.Generator) -> Stand:
     """The stand with a small lump on every body, and its flywheels elsewhere: as physical as the stand itself."""
 
     def flywheel(s: Flywheel) -> Flywheel:
@@ -114,7 +114,7 @@ def _row(case: Case, function: str, wants: tuple[str, ...]) -> Row:
     known = case.backend.wants_of(case.backend.complete.program)
     wants = tuple(want for want in wants if want in known)
     for number in range(STANDS):
-        other = perturbed(case.stand, case.random(200 + number))
+        other = perturb(case.stand, case.random(200 + number))
         try:
             given = parameters_of(other, case.backend.layout)
         except StandError:  # the lumps may reach beyond the range of parameters

@@ -66,7 +66,7 @@ def judge_of(name: str) -> Callable[[Case], Iterable[Row]] | None:
     return partial(judges.get(name, tasks.fast_rows), function=name)
 
 
-def unjudged(functions: Iterable[str]) -> list[str]:
+def unjudged_functions(functions: Iterable[str]) -> list[str]:
     """Names of public functions that neither answer a want nor have a judge here."""
     return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
 
@@ -77,7 +77,7 @@ def function_rows(case: Case) -> Iterator[Row]:
     A function without any judge has a row that fails, and one of which no row compared a state.
     """
     names = [function.name for function in case.backend.program.functions if function.public]
-    for name in unjudged(names):
+    for name in unjudged_functions(names):
         yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
     for name in names:
         if judge_of(name) is not None:

@@ -113,7 +113,7 @@ class Motion:
         return None
 
     @lru_cache(maxsize=16)  # noqa: B019 - a motion lives as long as its rows are made
-    def _expected(self, time: float) -> tuple[Array, Array]:
+    def _reference_states(self, time: float) -> tuple[Array, Array]:
         """States of the reference on the way (a column each), and the size of each number's group."""
         way = solve_ivp(self._rates, (0, time), self._start, method="DOP853", rtol=1e-13, atol=1e-15).y
         return way, _group_sizes(self._start, way[:, -1] - self._start, self._case.count)
@@ -122,7 +122,7 @@ class Motion:
         """Whether a component of some body's twist relative to the fluid changes sign: |V| has a kink there."""
         if self._smooth:
             return False
-        signs = np.array([np.sign(self._twists(y)) for y in self._expected(time)[0].T])
+        signs = np.array([np.sign(self._twists(y)) for y in self._reference_states(time)[0].T])
         return bool(np.any(signs != signs[0]))
 
     def _twists(self, y: Array) -> Array:
@@ -144,7 +144,7 @@ class Motion:
 
     def difference(self, x: Mapping[str, Any], time: float) -> float:
         """Difference of a state from that of the reference after a time, likewise."""
-        case, (way, sizes) = self._case, self._expected(time)
+        case, (way, sizes) = self._case, self._reference_states(time)
         found = [x["position"], quaternion_rotation(*x["attitude"]).ravel(), x["V"]]
         off = np.concatenate([*found, x.get("phi", []), x.get("phi_dot", [])]) - way[:, -1]
         turned = slice(18, 18 + case.count)

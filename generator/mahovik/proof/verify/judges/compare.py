@@ -30,9 +30,9 @@ from mahovik.proof.verify.judges.rigid import (
     OutsideJudge,
     Values,
     attitude,
+    bare_stand,
     missing,
     quaternion_rate,
-    stripped,
 )
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.scales import scales
@@ -177,18 +177,18 @@ MOTION = motion_name(UNTIL)
 
 
 def load_judges(stand: Stand, names: Sequence[str] = tuple(JUDGES)) -> list[Judge]:
-    """The judges with the model of the stand. UsageError: not installed, or the stand has what they lack.
+    """The judges with the model of the stand. UsageError: not installed.
 
-    Raises JudgeError, which is one, where a judge takes no such bodies.
+    Raises JudgeError, which is one, where the stand has what the judges lack, or a judge takes no such bodies.
     """
     found = missing(stand)
     if found:
-        raise UsageError(
+        raise JudgeError(
             f"--judges: Pinocchio and MuJoCo know rigid bodies on joints, and not {', '.join(found)}: "
             "add --bare to have the stand judged without"
         )
     if not any(body.mass > 0.0 for body in stand.bodies):
-        raise UsageError("--judges: no body of the stand has a mass")
+        raise JudgeError("--judges: no body of the stand has a mass")
     return [_load(stand, name) for name in names]
 
 
@@ -216,16 +216,14 @@ def verify_judges(
 ) -> Report:
     """Rows of every judge and quantity: generated C against the judge, relative to the natural scale.
 
-    A judge that refuses the stand has one row that says why. `bare`: of the stand without what no judge has; the
-    report names it. `until`: s, of the free motion.
+    A judge that refuses the stand has one row that says why; if all do, nothing was compared and the report does not
+    pass. `bare`: of the stand without what no judge has; the report names it. `until`: s, of the free motion.
     """
     if bare:
-        if (absent_parts := missing(stand)) and least_eigenvalue(stripped(stand))[0] < LEAST_EIGENVALUE:
-            lost = ", ".join(absent_parts)
-            raise JudgeError(
-                f"--bare: the stand without {lost} has no positive definite mass matrix, so none can judge it"
-            )
-        found = verify_judges(stripped(stand), seed=seed, count=count, names=names, until=until, progress=progress)
+        if (lacking := missing(stand)) and least_eigenvalue(bare_stand(stand))[0] < LEAST_EIGENVALUE:
+            reason = f"the stand without {', '.join(lacking)} has no positive definite mass matrix"
+            return _without_judges(stand, [_skipped_row(name, reason) for name in names], seed, count)
+        found = verify_judges(bare_stand(stand), seed=seed, count=count, names=names, until=until, progress=progress)
         return replace(found, left_out=tuple(missing(stand)))
     judges, absent = [], []
     for name in names:
@@ -234,10 +232,22 @@ def verify_judges(
         except UsageError as error:
             if name in JUDGES and not isinstance(error, JudgeError):
                 raise
-            reason = str(error).removeprefix("--judges: ")
-            absent.append(Row(name, "all quantities", verdict="not compared", reason=reason))
+            absent.append(_skipped_row(name, str(error).removeprefix("--judges: ")))
+    if not judges:
+        return _without_judges(stand, absent, seed, count)
     found = compare_with_judges(stand, judges, seed=seed, count=count, until=until, progress=progress)
     return replace(found, rows=(*found.rows, *absent))
+
+
+def _skipped_row(judge: str, reason: str) -> Row:
+    """The row of a judge that does not take the stand."""
+    return Row(judge, "all quantities", verdict="not compared", reason=reason)
+
+
+def _without_judges(stand: Stand, skipped: Sequence[Row], seed: int, count: int) -> Report:
+    """Report on a stand that no judge takes."""
+    who = ", ".join(row.want for row in skipped)
+    return report(stand, f"generated C against {who}", seed, count, DOUBLE.default, list(skipped))
 
 
 def compare_with_judges(
@@ -251,7 +261,7 @@ def compare_with_judges(
     judged: str = "generated C",
     progress: Progress | None = None,
 ) -> Report:
-    """The same by judges that have the stand already.
+    """Rows of judges that have the stand already.
 
     `backend`: what is judged, where that is not fresh C; `judged`: its name. `until` 0: no free motion.
     """

@@ -135,7 +135,7 @@ class MujocoJudge:
         return np.concatenate([axes.T @ force, axes.T @ moment])
 
     def _point(self, name: str) -> Values:
-        """Its accelerations hold minus gravity: what an accelerometer reads."""
+        """Motion of a point; MuJoCo adds minus gravity to accelerations, which is what an accelerometer reads."""
         site = self.model.site(f"at {name}").id
         velocity, acceleration = np.zeros(6), np.zeros(6)
         mujoco.mj_objectVelocity(self.model, self.data, mujoco.mjtObj.mjOBJ_SITE, site, velocity, 1)

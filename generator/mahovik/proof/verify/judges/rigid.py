@@ -96,7 +96,7 @@ def missing(stand: Stand) -> list[str]:
     return found + [law.NAME for law in laws.parts("text") if law.short(stand)]
 
 
-def stripped(stand: Stand) -> Stand:
+def bare_stand(stand: Stand) -> Stand:
     """The stand without what `missing` names."""
 
     def dry(body: Any) -> Any:
@@ -118,7 +118,7 @@ def tree(stand: Stand) -> tuple[RigidBody, ...]:
     for p in stand.instruments:
         found.append(_rigid(p, stand.carrier.name, np.array(p.position), _rotation(p.angles)))
     for s in stand.flywheels:
-        found.append(_rigid(s, s.mount, np.array(s.position), _mounted(s), turns=True))
+        found.append(_rigid(s, s.mount, np.array(s.position), _mounting_axes(s), turns=True))
     return tuple(found)
 
 
@@ -151,7 +151,7 @@ def _rotation(angles: tuple[float, float, float]) -> Array:
     return np.asarray(Rotation.from_euler("ZYX", angles).as_matrix())
 
 
-def _mounted(s: Flywheel) -> Array:
+def _mounting_axes(s: Flywheel) -> Array:
     """Axes of a flywheel at phi_s = 0."""
     if isinstance(s.mounting, MountingAngles):
         return _rotation((s.mounting.psi, s.mounting.theta, s.mounting.zero))

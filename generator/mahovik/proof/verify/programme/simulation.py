@@ -120,26 +120,26 @@ def _rates(stand: Stand, angles: Course) -> Callable[[float, Array], Array]:
 
 
 def _tabulate(angles: Course, times: Array) -> Course:
-    """The same, where those at `times` (M, s) are evaluated all at once; at any other time one by one."""
+    """A course whose angles at `times` (M, s) are evaluated all at once; at any other time one by one."""
     found = {float(t): row for t, *row in zip(times, *(each[:, None] for each in angles(times)), strict=True)}
 
-    def tabled(t: Array) -> Angles:
+    def angles_at(t: Array) -> Angles:
         row = found.get(float(t[0]))
         return angles(t) if row is None else Angles(*row)
 
-    return tabled
+    return angles_at
 
 
 def _keep_last(rates: Callable[[float, Array], Array]) -> Callable[[float, Array], Array]:
-    """The same; the last answer is kept, since a step begins with what the one before ended with."""
+    """Rates of which the last answer is kept, since a step begins with what the one before ended with."""
     last: list[tuple[float, Array, Array]] = []
 
-    def remembered(now: float, y: Array) -> Array:
+    def rates_at(now: float, y: Array) -> Array:
         if not last or last[0][0] != now or not np.array_equal(last[0][1], y):
             last[:] = [(now, y.copy(), rates(now, y))]
         return last[0][2]
 
-    return remembered
+    return rates_at
 
 
 def simulation_finding(

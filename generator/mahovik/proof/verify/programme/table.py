@@ -68,12 +68,12 @@ def neighbour_errors(samples: Samples) -> Array:
 def _wrap(samples: Samples, period: float, turn: Array) -> Samples:
     """Samples with the last row before the first and the first after the last, so that all rows are inner rows."""
 
-    def extended(column: Array, shift: Array | float) -> Array:
+    def extend(column: Array, shift: Array | float) -> Array:
         return np.concatenate([column[-1:] - shift, column, column[:1] + shift])
 
     return Samples(
-        extended(samples.t, period), extended(samples.phi, turn), extended(samples.phi_dot, 0.0),
-        extended(samples.phi_ddot, 0.0),
+        extend(samples.t, period), extend(samples.phi, turn), extend(samples.phi_dot, 0.0),
+        extend(samples.phi_ddot, 0.0),
     )  # fmt: skip
 
 

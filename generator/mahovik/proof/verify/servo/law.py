@@ -39,7 +39,7 @@ def within_half_a_turn(angle: Array) -> Array:
     return np.array([math.remainder(each, math.tau) for each in angle])
 
 
-def met(excess: Array, doubt: Array) -> bool | None:
+def limit_is_met(excess: Array, doubt: Array) -> bool | None:
     """Whether any excess is above zero; None if one is nearer to zero than its doubt and the others are below."""
     if np.any(excess > doubt):
         return True
@@ -75,7 +75,7 @@ def servo_sample(g: Values, state: Values, wanted: Values, phi: Array, phi_dot: 
     return Expected(
         {"tau": tau, "torque": tau, "speed": f, "integral": np.clip(rest, -g["limit"], g["limit"])},
         {"tau": tau_scale, "torque": tau_scale, "speed": f_scale, "integral": z_scale},
-        met(np.maximum(low - u, u - high), tolerance * tau_scale),
+        limit_is_met(np.maximum(low - u, u - high), tolerance * tau_scale),
     )
 
 
@@ -137,7 +137,7 @@ class TrimLaw:
         if self.sample == self._start + self._window + self.count:
             self.sample, self.rounds = 0, self.rounds + 1
         self.present = self.present + self.design["smoothing"] * (self.wanted - self.present)
-        return self._applied(phase, given, limited)
+        return self._corrected_demand(phase, given, limited)
 
     def _compare(self) -> None:
         """The error of the round: Fourier coefficients of the window less the target."""
@@ -163,9 +163,9 @@ class TrimLaw:
         scale = self.size[s] + np.abs(rows) @ self.error_scale.ravel()
         self.wanted[s] = np.clip(free, -limit, limit)
         self.size[s] = scale
-        return met(np.abs(free) - limit, self.tolerance * scale)
+        return limit_is_met(np.abs(free) - limit, self.tolerance * scale)
 
-    def _applied(self, phase: float, given: Values, limited: bool | None) -> Expected:
+    def _corrected_demand(self, phase: float, given: Values, limited: bool | None) -> Expected:
         """Angle, speed and torque with the corrections: a Fourier series and its derivatives by time."""
         k = np.arange(1, self.terms // 2 + 1)
         turn = k * self.design["omega"]

@@ -92,10 +92,10 @@ def _outcomes(made: CompiledServo, call: _Call) -> Iterator[tuple[str, str, int,
     for name, value in call.given.items():
         if not isinstance(value, ffi.CData):
             for wrong, status in _wrong_phases():
-                yield f"{name} = {wrong:g}", status, *_called(made, call, {name: wrong})
+                yield f"{name} = {wrong:g}", status, *_call_with(made, call, {name: wrong})
             continue
         if name not in call.optional:
-            yield f"{name} null", "BAD_ARGUMENT", *_called(made, call, {name: ffi.NULL})
+            yield f"{name} null", "BAD_ARGUMENT", *_call_with(made, call, {name: ffi.NULL})
         if name in call.results or name in call.optional:
             continue
         kind = ffi.typeof(value).item
@@ -126,7 +126,7 @@ def _wrong_numbers(made: CompiledServo, call: _Call, name: str, array: Any) -> I
         good = array[i]
         for wrong, status in _wrong_values(made, name):
             array[i] = wrong
-            yield f"{name}[{i}] = {wrong:g}", status, *_called(made, call, {})
+            yield f"{name}[{i}] = {wrong:g}", status, *_call_with(made, call, {})
             array[i] = good
 
 
@@ -140,11 +140,11 @@ def _wrong_states(made: CompiledServo, call: _Call, state: Any) -> Iterator[tupl
     end = int(design["settling"]) + int(design["window"]) + made.count
     for name, wrong in (("sample", -1), ("sample", end), ("rounds", -1)):
         setattr(state, name, wrong)
-        yield f"{name} = {wrong}", "BAD_ARGUMENT", *_called(made, call, {})
+        yield f"{name} = {wrong}", "BAD_ARGUMENT", *_call_with(made, call, {})
         setattr(state, name, 0)
 
 
-def _called(made: CompiledServo, call: _Call, other: dict[str, Any]) -> tuple[int, bool]:
+def _call_with(made: CompiledServo, call: _Call, other: dict[str, Any]) -> tuple[int, bool]:
     """Status of the call with other arguments, and whether every byte that it may write is as before."""
     ffi = made.library.ffi
     given = call.given | other

@@ -217,7 +217,7 @@ class _Equations:
             moving = still._replace(V_r_dot=still.V_r_dot + V_dot)
             wheels = linear(prescribed_at(mechanics, moving), phi, phi_dot, phi_ddot)
             by = by_carrier(mechanics, moving, phi, phi_dot)
-        mass, by_state = _arranged(by, wheels, push_by_phi)
+        mass, by_state = _arrange_derivatives(by, wheels, push_by_phi)
         tau = wheels.tau[0] - about
         if not all(np.all(np.isfinite(x)) for x in (V_dot, tau, mass, by_state)):
             raise StateError(f"{stand.name}: the linear model is not finite at this state")
@@ -234,7 +234,7 @@ class _Equations:
         return np.hsplit(solved, [len(columns)])
 
 
-def _arranged(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
+def _arrange_derivatives(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
     """The full mass matrix (6 + N), and derivatives of R and -tau by pose, V, phi, phi' (6 + N, 12 + 2 N)."""
     coupled = [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
     mass = np.block([[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], coupled])
@@ -281,7 +281,7 @@ def check_model_file(path: Path) -> str:
     return found
 
 
-def rendered(model: LinearModel, suffix: str) -> bytes:
+def model_file(model: LinearModel, suffix: str) -> bytes:
     """The content of a file: `suffix` .json or .mat. The same model gives the same bytes."""
     if suffix == ".mat":
         return _mat(model)

@@ -96,14 +96,14 @@ def _mode(value: complex, shape: Complex, turning: bool) -> Mode:
     damping = -value.real / size
     if abs(damping) <= FREE:
         damping = 0.0  # rounding, of either sign
-    return Mode(kind, value, size / (2.0 * np.pi), damping, _scaled(shape))
+    return Mode(kind, value, size / (2.0 * np.pi), damping, _scale_mode(shape))
 
 
 def _free(shape: Array) -> Mode:
-    return Mode("free", 0j, 0.0, 0.0, _scaled(shape.astype(np.complex128)))
+    return Mode("free", 0j, 0.0, 0.0, _scale_mode(shape.astype(np.complex128)))
 
 
-def _scaled(shape: Complex) -> Complex:
+def _scale_mode(shape: Complex) -> Complex:
     """Scale so that the largest displacement (m or rad) is 1."""
     largest = shape[int(np.argmax(np.abs(shape)))]
     return np.asarray(shape / largest) if largest != 0.0 else shape

@@ -62,13 +62,13 @@ class Amplitudes:
 
     def at(self, speeds: Array) -> Complex:
         """Amplitudes (axes x N) at these speeds (N, rad/s), for phases zero; zero for a flywheel at rest."""
-        return self._solved(speeds)[0]
+        return self._solve(speeds)[0]
 
     def states(self, speeds: Array) -> Complex:
         """Amplitudes (12 x N) of the carrier's pose and V."""
-        return self._solved(speeds)[1]
+        return self._solve(speeds)[1]
 
-    def _solved(self, speeds: Array) -> tuple[Complex, Complex]:
+    def _solve(self, speeds: Array) -> tuple[Complex, Complex]:
         A = self.A0 + np.tensordot(speeds, self.A1, axes=1)
         turning = np.flatnonzero(speeds)
         y = np.zeros((len(self.C), len(speeds)), dtype=np.complex128)

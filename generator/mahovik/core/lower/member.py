@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.lower.fmu import units
-from mahovik.core.lower.fmu.units import Unit
+from mahovik.core.lower import units
+from mahovik.core.lower.units import Unit
 from mahovik.core.program.types import Field, Kind, Struct
 
 _INERTIA = ("J11", "J22", "J33", "J12", "J13", "J23")

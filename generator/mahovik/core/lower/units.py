@@ -1,4 +1,4 @@
-"""Units of an FMU's variables: names as FMI tools know them, exponents of the SI base units, units to display."""
+"""Units of the numbers that simulators list: names as FMI tools know them, SI base exponents, units to display."""
 
 from __future__ import annotations
 
