@@ -47,9 +47,9 @@ def test_three_wheels_do_the_part_of_a_failed_one() -> None:
 
 def test_wanted_speeds_are_approached_without_a_change_of_the_motion() -> None:
     target = np.array([100.0, -100.0, 100.0, -100.0])  # a null space of the pyramid
-    options = {"target_speed": target, "target_rate": 0.02}
-    moved = MODEL.torque_for(state(-target), "pointing", [0.01, 0.0, 0.0], **options)
-    plain = MODEL.torque_for(state(-target), "pointing", [0.01, 0.0, 0.0])
+    demand = [0.01, 0.0, 0.0]
+    moved = MODEL.torque_for(state(-target), "pointing", demand, target_speed=target, target_rate=0.02)
+    plain = MODEL.torque_for(state(-target), "pointing", demand)
     np.testing.assert_allclose(moved.V_dot[3:], plain.V_dot[3:], rtol=1e-10, atol=1e-14)
     along = (moved.phi_ddot - plain.phi_ddot) @ target / np.linalg.norm(target)
     assert along == pytest.approx(0.02 * 2 * np.linalg.norm(target), rel=1e-2)

@@ -38,7 +38,7 @@ def test_both_backends_give_the_same_and_other_wants_take_the_motion(c: CBackend
     assert one.keys() == other.keys() and one["status"] == other["status"] == "OK" and one["rank"] == 3
     for name in ("phi_ddot", "V_dot", "sigma", "tau", "mount_wrench"):
         np.testing.assert_allclose(one[name], other[name], rtol=1e-10, atol=1e-12)
-    np.testing.assert_allclose(one["V_dot"][3:], TASK["demand"], rtol=1e-9)
+    np.testing.assert_allclose(one["V_dot"][3:], np.array(TASK["demand"]), rtol=1e-9)
     assert np.abs(one["tau"]).max() < 0.2  # within the motors
     moved = {**STATE, "phi_ddot": one["phi_ddot"], "want": ["forward"]}
     np.testing.assert_allclose(answers(Second(SAT), moved)[0]["V_dot"], one["V_dot"], rtol=1e-9)

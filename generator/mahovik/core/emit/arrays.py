@@ -52,9 +52,7 @@ def array_source(stand: Stand, generated: Generated, batches: bool = True) -> di
         "arrays.c.j2",
         batches=batches,
         sizes=_sizes(generated, code.names),
-        functions=[
-            _call(f, generated, code.names, batches and row_of(f.name).batched) for f in _functions(generated)
-        ],
+        functions=[_call(f, generated, code.names, batches and row_of(f.name).batched) for f in _functions(generated)],
     )
     return {f"{stand.name}_arrays.c": text}
 

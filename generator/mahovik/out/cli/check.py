@@ -87,7 +87,7 @@ def check(
         print_json(found)
         return
     steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
-    _print(summary, names, [*map(str, short), *steps, *([over] if over else [])], written)
+    _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else [])], written)
 
 
 def read_distance(text: str) -> float:

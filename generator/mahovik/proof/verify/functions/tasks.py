@@ -13,7 +13,7 @@ from mahovik.contract.functions import task_of
 from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted
+from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted_solution
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.excess import shares
 from mahovik.proof.reference.forward import bias, forward
@@ -60,7 +60,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
             status, found = allocation.answer_of(case, given, options, function)
             rank = int(found["rank"])
-            answer = weighted(scaled, np.array(options["weight"]), rank, options["near"], options["damping"])
+            answer = weighted_solution(scaled, np.array(options["weight"]), rank, options["near"], options["damping"])
             scale = allocation.scale_of_damped(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, options["near"], options["damping"])
@@ -110,7 +110,7 @@ def _note_plain(
     """Count an answer with weights; returns the expected one."""
     rank, weight = int(found["rank"]), np.array(options["weight"])
     allocation.check_rank(case, scaled, rank)
-    expected = weighted(scaled, weight, rank)
+    expected = weighted_solution(scaled, weight, rank)
     scale = _loss(case, state, scaled) * allocation.scale_of(scaled, weight, rank, expected)
     row.note(found["phi_ddot"], expected, scale, name)
     return expected
