@@ -1,0 +1,127 @@
+"""Jitter as a file: JSON with every line, CSV with a row per speed."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import Any
+
+import numpy as np
+
+from mahovik.use.plan.array import Array
+from mahovik.use.study.jitter.lines import COMBINATION, LineName
+from mahovik.use.study.jitter.quantity import ARCSEC
+from mahovik.use.study.jitter.study import Jitter
+from mahovik.use.study.linear.model import encode_lines
+
+RPM = 30.0 / np.pi
+AXES = ("x", "y", "z")
+SUMS = ("rms", "rss", "worst", "mean")
+SHOWN = 60
+"""Lines of orders with columns of their own in CSV."""
+
+
+def sums(found: Jitter) -> dict[str, Array]:
+    """rms, rss, worst, mean (S, 3 each), by name."""
+    lines = found.lines
+    return {"rms": lines.rms(), "rss": lines.rss(), "worst": lines.worst(), "mean": found.mean}
+
+
+def order_entries(found: Jitter, combinations: bool = False) -> list[dict[str, Any]]:
+    """Lines of single wheels, or of combinations, largest first.
+
+    Without a sweep frequency is a number and amplitude has three; otherwise each is a list over the speeds.
+    """
+    chosen = [i for i, name in enumerate(found.lines.names) if (name.source == COMBINATION) is combinations]
+    largest = [float(np.nanmax(found.lines.sizes[:, i], initial=0.0)) for i in chosen]
+    ranked = sorted(zip(chosen, largest, strict=True), key=lambda each: -each[1])
+    return [_entry(found, i) for i, size in ranked if size > 0.0]
+
+
+def _entry(found: Jitter, i: int) -> dict[str, Any]:
+    name = found.lines.names[i]
+    frequency, a = found.lines.frequency[:, i], found.lines.amplitude[:, i]
+    entry = {
+        **_origin(name),
+        "frequency": _plain(frequency, found.swept),
+        "amplitude": _plain(np.abs(a), found.swept),
+    }
+    return entry | ({"phase": _plain(np.angle(a), found.swept)} if not name.part else {})
+
+
+def _origin(name: LineName) -> dict[str, Any]:
+    order: float | int = int(name.order) if name.order == int(name.order) else name.order
+    found: dict[str, Any] = {"wheel": name.wheel, "order": order, "source": name.source}
+    return found | ({"part": name.part} if name.part else {})
+
+
+def _plain(values: Array, swept: bool) -> Any:
+    """All values, or the first without a sweep; null for what is not finite."""
+    plain = np.where(np.isfinite(values), values, np.nan).tolist()
+    return _null(plain if swept else plain[0])
+
+
+def _null(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_null(each) for each in value]
+    return value if np.isfinite(value) else None
+
+
+def as_object(found: Jitter) -> dict[str, Any]:
+    """Contents of the JSON file; SI, frequencies in Hz."""
+    asked, quantity, swept = found.asked, found.measure, found.swept
+    values = sums(found)
+    result: dict[str, Any] = {
+        "schema": 1,
+        "stand": found.stand.name,
+        "point": found.point,
+        "quantity": found.quantity,
+        "units": {
+            "amplitude": quantity.unit, "phase": "rad", "frequency": "Hz", "speeds": "rad/s", "hold": "N, N m",
+            **dict.fromkeys(SUMS, quantity.unit),
+        },
+        "flywheels": list(asked.names),
+        "swept": None if asked.sweep is None or asked.swept is None else asked.names[asked.swept],
+        "interrupted": found.interrupted,
+        "speeds": _plain(found.speeds, swept),
+        "phases": found.phases.tolist(),
+        "method": found.method,
+        "left_out": _plain(found.left_out, swept),
+        "highest_order": list(found.order) if swept else found.order[0],
+        "checks": [{"speed": float(found.value[c.step]), "left_out": c.left_out, "off": c.off} for c in found.checks],
+        "hold": found.hold.tolist(),
+        "problems": [{"speed": float(found.value[i]), "problem": text} for i, text in found.problems],
+        "orders": order_entries(found),
+        "combinations": order_entries(found, combinations=True),
+    }  # fmt: skip
+    result |= {name: _plain(each, swept) for name, each in values.items()}
+    if quantity.arcsec:
+        in_arcsec = {name: _plain(each * ARCSEC, swept) for name, each in values.items()}
+        result["arcsec"] = {"unit": quantity.arcsec, **in_arcsec}
+    return result
+
+
+def json_text(found: Jitter) -> str:
+    """JSON, one key per line."""
+    return encode_lines(as_object(found)) + "\n"
+
+
+def csv_text(found: Jitter) -> str:
+    """A row per speed: speeds, sums on the axes, amplitudes of the largest lines."""
+    unit = found.measure.unit
+    head = [f"speed {name} [rpm]" for name in found.asked.names]
+    columns = [RPM * found.speeds]
+    for name, values in sums(found).items():
+        head += [f"{name} {axis} [{unit}]" for axis in AXES]
+        columns.append(values)
+    largest = found.lines.sizes.max(axis=(0, 2), initial=0.0)
+    for i in np.argsort(-largest, kind="stable")[:SHOWN]:
+        if largest[i] > 0.0:
+            head += [f"{found.lines.names[i].text} {axis} [{unit}]" for axis in AXES]
+            columns.append(found.lines.sizes[:, i])
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(head)
+    for row in np.hstack(columns):
+        writer.writerow([f"{x:.12g}" if np.isfinite(x) else "" for x in row])
+    return file.getvalue()
