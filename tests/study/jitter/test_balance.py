@@ -8,16 +8,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mahovik.core.stand import load
+from mahovik.core.stand import Stand, load
 from mahovik.errors import CheckError
 from mahovik.stands import path
-from mahovik.use.study.jitter import balance, jitter
+from mahovik.use.study.jitter import Jitter, Seen, balance
+from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.quantity import QUANTITIES
+from mahovik.use.study.linear.model import places
 from mahovik.use.study.response import periodic_response
 from mahovik.use.study.response.periodic import rms
 from mahovik.use.study.response.scene import Scene
-from mahovik.use.study.response.speeds import read_speeds
+from mahovik.use.study.response.speeds import SpeedPlan, read_speeds
 from study.jitter.stands import J_SPIN, J_TRANSVERSE, M_CARRIER, M_WHEEL, one_wheel
 
 OMEGA = 240.0
@@ -27,6 +29,11 @@ SUSPENSION = """
 stiffness = [9e5, 9e5, 9e5, 50, 50, 50]
 damping = [40, 40, 40, 0.1, 0.1, 0.1]
 """
+
+
+def jitter(stand: Stand, asked: SpeedPlan, steps: int, point: str, quantity: str = "angle") -> Jitter:
+    """Jitter of a point by name."""
+    return find(stand, asked, steps, Seen.of(places(stand, [point])[0], quantity))
 
 
 def first_order(stand_file: Path, unbalance: str, quantity: str, more: str = "") -> np.ndarray:

@@ -156,7 +156,6 @@ def _print(found: Jitter) -> None:
     import numpy as np
 
     from mahovik.use.study.jitter.quantity import ARCSEC
-    from mahovik.use.study.jitter.tables import sums
 
     study = found.study
     scale, unit = (1.0, found.unit) if study.measure.arcsec is None else (ARCSEC, study.measure.arcsec)
@@ -171,7 +170,7 @@ def _print(found: Jitter) -> None:
         if total[at, i] > 0.0:
             sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i]]
             rows.append((f"{lines.names[i].text} {lines.names[i].part}", f"{lines.frequency[at, i]:.6g}", *sizes))
-    for name, values in sums(study).items():
+    for name, values in study.sums().items():
         if name != "mean":
             at = int(np.nanargmax(np.linalg.norm(values, axis=1)))
             words = {"rms": "RMS", "rss": "RMS over all phases", "worst": "worst case over phases"}[name]

@@ -17,7 +17,8 @@ from mahovik.out.functions.vibration import speed_text, warn_of_planned_speeds
 from mahovik.use.study.jitter import Jitter as Study
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.lines import LineName
-from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, sums
+from mahovik.use.study.jitter.quantity import Seen
+from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries
 from mahovik.use.study.response.speeds import read_speeds
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ class Jitter(Table):
     def columns(self) -> tuple[Column, ...]:
         study, unit = self.study, self.unit
         found = [Column(f"speed {name}", "rad/s", study.speeds[:, s]) for s, name in enumerate(study.asked.names)]
-        for name, values in sums(study).items():
+        for name, values in study.sums().items():
             found += [Column(f"{name} {axis}", unit, values[:, i]) for i, axis in enumerate(AXES)]
         for i, label in enumerate(_labels(study.lines.names)):
             size = study.lines.sizes[:, i]
@@ -60,17 +61,17 @@ class Jitter(Table):
     @property
     def rms(self) -> Array:
         """Root mean square (S, 3) at the given phases, along the point's axes."""
-        return self.study.lines.rms()
+        return self.study.sums()["rms"]
 
     @property
     def rss(self) -> Array:
         """Root mean square (S, 3) over all phases of the flywheels."""
-        return self.study.lines.rss()
+        return self.study.sums()["rss"]
 
     @property
     def worst(self) -> Array:
         """Sum of all amplitudes (S, 3): the largest value at the worst phases."""
-        return self.study.lines.worst()
+        return self.study.sums()["worst"]
 
     @property
     def orders(self) -> list[dict[str, Any]]:
@@ -154,7 +155,7 @@ def jitter(
     from mahovik.use.study.linear.model import places
 
     own = Stand.of(stand)
-    places(own, [at])
+    place = places(own, [at])[0]
     texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
     asked = read_speeds(own, texts)
     warn_of_planned_speeds(own, asked, texts)
@@ -165,8 +166,9 @@ def jitter(
         return go_on is None or go_on(done)
 
     phi = by_flywheel("phases", phases, own)
+    seen = Seen.of(place, quantity)
     found = find(
-        own, asked, steps, at, quantity=quantity, phases=phi, order=order, exact=exact, go_on=shall_go_on
+        own, asked, steps, seen, phases=phi, order=order, exact=exact, go_on=shall_go_on
     )  # fmt: skip
     if not len(found.value):
         raise KeyboardInterrupt

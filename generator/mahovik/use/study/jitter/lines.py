@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.jitter.torus import Flags
 
 SAME = 1e-9
 """Relative difference of frequencies below which two lines are one: a beat lasts years."""
@@ -25,12 +26,14 @@ class LineName(NamedTuple):
     order    frequency over the flywheel's speed; of a combination the sum of |k_s|
     source   unbalance, combination: from (8); table: from a maker's harmonics, of phase unknown
     part     what of the table: radial force, axial force, radial moment, axial moment; else empty
+    tolerance   of the amplitude, relative: of a table
     """
 
     wheel: str
     order: float
     source: str = UNBALANCE
     part: str = ""
+    tolerance: float = 0.0
 
     @property
     def text(self) -> str:
@@ -77,7 +80,7 @@ class Lines:
             np.concatenate([self.amplitude, other.amplitude], axis=1),
         )
 
-    def kept(self, which: Array) -> Lines:
+    def selected(self, which: Flags) -> Lines:
         """Some of the lines: `which` (L) of bool."""
         names = tuple(name for name, keep in zip(self.names, which, strict=True) if keep)
         return Lines(names, self.frequency[:, which], self.amplitude[:, which])

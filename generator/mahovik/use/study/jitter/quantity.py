@@ -1,13 +1,18 @@
-"""Quantities of jitter at a point: angle and rate of turning, displacement, velocity, acceleration, in its axes."""
+"""Quantities of jitter at a point: angle and rate of turning, displacement, velocity, acceleration, in its axes.
+
+A line of sight turns by a matrix of sensitivities times displacements and turnings of several points.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.jitter.structure import Structure
 from mahovik.use.study.linear.model import Place, output_rows
 from mahovik.use.study.response.periodic import point_motion
 
@@ -36,35 +41,85 @@ QUANTITIES = {
     "acceleration": Quantity("m/s2", False, 2),
 }
 
+SIGHT = "line of sight"
+"""Angle of a line of sight, by a matrix of sensitivities of several points."""
+
 
 def find_quantity(name: str) -> Quantity:
     """The quantity of a name. Raises UsageError."""
+    if name == SIGHT:
+        return QUANTITIES["angle"]
     if name not in QUANTITIES:
         raise UsageError(f"quantity {name!r}: expected one of {', '.join(QUANTITIES)}")
     return QUANTITIES[name]
 
 
-def values(place: Place, quantity: str, y: Array, V_dot: Array) -> Array:
-    """The quantity (M, 3) from states y (M, 12) in the chart about rest and V* (M, 6), in full.
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What is looked at: a quantity of one point, or a line of sight from several.
 
-    Angle: rotation vector from rest; rate: angular velocity; both in the point's axes. Others in its axes at rest.
+    name      of the point, or of the table of sensitivities
+    quantity  a key of QUANTITIES; SIGHT for a line of sight
+    parts     points, and for each (3, 6): the quantity's integral of order `power` from displacement and turning of the
+              point in its axes
     """
-    if quantity == "angle":
-        return np.asarray(y[:, 3:6] @ place.axes)
-    if quantity == "rate":
-        return np.asarray(y[:, 9:] @ place.axes)
-    found: Array = getattr(point_motion(place, y, V_dot), quantity)
-    return found
 
+    name: str
+    quantity: str
+    parts: tuple[tuple[Place, Array], ...]
 
-def rows(place: Place, quantity: str) -> Array:
-    """(3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest."""
-    if find_quantity(quantity).turning:
-        return np.hstack([np.zeros((3, 3)), place.axes.T])
-    return output_rows(place, np.zeros(6), np.zeros(6))[0][:3, :6]
+    @staticmethod
+    def of(place: Place, quantity: str) -> Seen:
+        """A quantity of one point. Raises UsageError."""
+        part = np.zeros((3, 6))
+        part[:, 3:] = np.eye(3) if find_quantity(quantity).turning else 0.0
+        part[:, :3] = 0.0 if find_quantity(quantity).turning else np.eye(3)
+        return Seen(place.name, quantity, ((place, part),))
 
+    @property
+    def measure(self) -> Quantity:
+        """Unit and kind of the quantity."""
+        return find_quantity(self.quantity)
 
-def by_pose(place: Place, quantity: str, pose: Complex, omega: Array) -> Complex:
-    """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
-    power = find_quantity(quantity).power
-    return np.asarray((pose @ rows(place, quantity).T) * ((1j * omega) ** power)[..., None])
+    @property
+    def rows(self) -> Array:
+        """(3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest."""
+        found = np.zeros((3, 6))
+        for place, part in self.parts:
+            displacement = output_rows(place, np.zeros(6), np.zeros(6))[0][:3, :6]
+            turning = np.hstack([np.zeros((3, 3)), place.axes.T])
+            found += part @ np.vstack([displacement, turning])
+        return found
+
+    def by_pose(self, pose: Complex, omega: Array) -> Complex:
+        """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
+        return np.asarray((pose @ self.rows.T) * self.derivative(omega)[..., None])
+
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of `power` derivatives at omega (...; rad/s)."""
+        return np.asarray((1j * omega) ** self.measure.power)
+
+    def shape(self, structure: Structure) -> Array:
+        """(3, m): the same from the modes of a structure. Raises JitterFileError."""
+        found = np.zeros((3, len(structure.omega)))
+        for place, part in self.parts:
+            at = structure.at(place.name, "point")
+            found += part @ np.vstack([place.axes.T @ at[:3], place.axes.T @ at[3:]])
+        return found
+
+    def values(self, y: Array, V_dot: Array) -> Array:
+        """The quantity (M, 3) from states y (M, 12) in the chart about rest and V* (M, 6), in full.
+
+        Angle: rotation vector from rest; rate: angular velocity; both in the point's axes. Others in its axes at rest.
+        """
+        if self.quantity == SIGHT:
+            found = np.zeros((len(y), 3))
+            for place, part in self.parts:
+                moved = point_motion(place, y, V_dot).displacement
+                found += np.hstack([moved, y[:, 3:6] @ place.axes]) @ part.T
+            return found
+        place = self.parts[0][0]
+        if self.measure.turning:
+            return np.asarray(y[:, 3:6] @ place.axes if self.measure.power == 0 else y[:, 9:] @ place.axes)
+        motion: Array = getattr(point_motion(place, y, V_dot), self.quantity)
+        return motion

@@ -16,11 +16,12 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
+from mahovik.use.study.jitter.chain import Chain, Makers
 from mahovik.use.study.jitter.exact import exact_lines
-from mahovik.use.study.jitter.lines import LineName, Lines
+from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
+from mahovik.use.study.jitter.noise import Broadband, broadband
 from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import Quantity, by_pose, find_quantity
-from mahovik.use.study.linear.model import Place, places
+from mahovik.use.study.jitter.quantity import Quantity, Seen
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
 
@@ -43,6 +44,8 @@ class Check(NamedTuple):
 class Jitter:
     """Lines at a point over S speeds.
 
+    seen       the point and quantity; chain: what the wheels' wrenches drive, with the makers' tables
+    noise      broadband part, of the worst speed (by the lines)
     speeds     (S, N; rad/s); value (S): the swept speed; phases (N, rad) at t = 0
     lines      L lines at S speeds
     method     "harmonic balance" or "first order"
@@ -55,12 +58,13 @@ class Jitter:
 
     stand: Stand
     asked: SpeedPlan
-    point: str
-    quantity: str
+    seen: Seen
+    chain: Chain
     speeds: Array
     value: Array
     phases: Array
     lines: Lines
+    noise: Broadband | None
     method: str
     left_out: Array
     checks: tuple[Check, ...]
@@ -70,9 +74,19 @@ class Jitter:
     interrupted: bool = False
 
     @property
+    def point(self) -> str:
+        """Name of the point, or of the table of sensitivities."""
+        return self.seen.name
+
+    @property
+    def quantity(self) -> str:
+        """Name of the quantity."""
+        return self.seen.quantity
+
+    @property
     def measure(self) -> Quantity:
         """Unit and kind of the quantity."""
-        return find_quantity(self.quantity)
+        return self.seen.measure
 
     @property
     def swept(self) -> bool:
@@ -85,34 +99,56 @@ class Jitter:
         constant = self.lines.frequency[:, :, None] == 0.0
         return np.asarray(np.where(constant, self.lines.amplitude.real, 0.0).sum(axis=1))
 
+    def sums(self) -> dict[str, Array]:
+        """rms, rss, worst, mean (S, 3 each), by name; noise is in the first two, three times its RMS in `worst`."""
+        square = 0.0 if self.noise is None else self.noise.mean_square
+        return {
+            "rms": np.sqrt(self.lines.rms() ** 2 + square),
+            "rss": np.sqrt(self.lines.rss() ** 2 + square),
+            "worst": self.lines.worst() + 3.0 * np.sqrt(square),
+            "mean": self.mean,
+        }
+
+    @property
+    def worst_step(self) -> int:
+        """The speed of the largest RMS over all phases (root of the sum of squares of the axes)."""
+        return _largest(self.lines)
+
+
+def _largest(lines: Lines) -> int:
+    total = np.linalg.norm(lines.rss(), axis=1)
+    return int(np.argmax(np.where(np.isfinite(total), total, -1.0)))
+
 
 def jitter(
     stand: Stand,
     asked: SpeedPlan,
     steps: int,
-    point: str,
+    seen: Seen,
     *,
-    quantity: str = "angle",
     phases: Sequence[float] | None = None,
+    makers: Makers | None = None,
     order: int | None = None,
     exact: bool = False,
     go_on: Callable[[int], bool] = lambda done: True,
 ) -> Jitter:
     """Jitter at `steps` speeds (one without a sweep). `go_on` (speeds done) is called before each exact one.
 
+    makers   tables of the wheels' disturbances and of structural modes; an order in a wheel's table replaces its own
     order    of the harmonic balance, the largest sum of |k_s|; None: raised until at most 1e-6 is left out
     exact    solve the full equations at every speed of a sweep
 
-    Raises UsageError: unknown point or quantity. CheckError: no equilibrium, or no speed has a steady state.
+    Raises UsageError, JitterFileError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
+    state.
     """
-    find_quantity(quantity)
-    place = places(stand, [point])[0]
     if order is not None and order < 1:
         raise UsageError(f"order {order}: expected a whole number of at least 1")
     value = np.array(asked.values(steps))
     speeds = np.array([asked.speeds(x) for x in value])
     start = np.zeros(speeds.shape[1]) if phases is None else np.array(phases, dtype=np.float64)
-    study = _Study(Scene.of(stand), asked, place, quantity, speeds, value, start, order)
+    scene = Scene.of(stand)
+    chain = Chain.of(Plant.of(scene), seen, makers or Makers(), np.abs(speeds).max(axis=0))
+    study = _Study(scene, asked, chain, speeds, value, start, order)
     if len(value) == 1 or exact:
         return study.exact(go_on)
     return study.first_order(go_on)
@@ -122,8 +158,7 @@ def jitter(
 class _Study:
     scene: Scene
     asked: SpeedPlan
-    place: Place
-    quantity: str
+    chain: Chain
     speeds: Array
     value: Array
     phases: Array
@@ -131,6 +166,18 @@ class _Study:
 
     def _balance(self, i: int) -> Balance:
         return balance(self.scene, self.speeds[i].tolist(), self.phases.tolist(), self.order)
+
+    def _exact_lines(self, found: Balance) -> Lines:
+        return self._without_tabled(exact_lines(found, self.chain.seen, self.phases, self.chain))
+
+    def _without_tabled(self, lines: Lines) -> Lines:
+        """Lines without those that a maker's table replaces."""
+        tables = self.chain.makers.harmonics
+        which = [
+            name.source != UNBALANCE or name.wheel not in tables or name.order not in tables[name.wheel].order
+            for name in lines.names
+        ]
+        return lines.selected(np.array(which, dtype=bool))
 
     def exact(self, go_on: Callable[[int], bool]) -> Jitter:
         """The full equations at every speed. Raises CheckError if there is a steady state at none."""
@@ -142,7 +189,7 @@ class _Study:
                     break
                 try:
                     one = self._balance(i)
-                    found.append((one, exact_lines(one, self.place, self.quantity, self.phases)))
+                    found.append((one, self._exact_lines(one)))
                 except CheckError as error:
                     problems.append((i, str(error)))
                     found.append(None)
@@ -177,7 +224,7 @@ class _Study:
                     problems.append((i, str(error)))
                     continue
                 left[i] = one.left_out
-                size = float(np.linalg.norm(exact_lines(one, self.place, self.quantity, self.phases).rms()))
+                size = float(np.linalg.norm(self._exact_lines(one).rms()))
                 off = abs(float(total[i]) - size) / size if size else 0.0
                 checks.append(Check(i, one.left_out, off))
                 hold = max(hold, one.hold, key=lambda w: float(np.abs(w).max()))
@@ -187,13 +234,20 @@ class _Study:
 
     def linear_lines(self) -> Lines:
         """First orders of all flywheels to first order in unbalance, at all speeds."""
-        plant = Plant.of(self.scene)
+        chain, plant = self.chain, self.chain.plant
         omega, wrench = plant.unbalance(self.speeds, self.phases)
         still = omega == 0.0
-        pose = plant.pose(self.speeds, np.where(still, 1.0, omega), wrench[..., None])[..., 0]
-        pose[still] = 0.0
+        positive = np.where(still, 1.0, omega)
+        pose = plant.pose(self.speeds, positive, wrench[..., None])[..., 0]
+        a = chain.seen.by_pose(pose, positive)
+        if chain.one_way:
+            mounts = chain.mounts(self.speeds, positive, pose)
+            each = np.arange(mounts.shape[2])
+            mounts[:, each, each] += wrench
+            a += chain.driven(self.speeds, positive, mounts)
+        a[still] = 0.0
         names = tuple(LineName(s.name, 1.0) for s in self.scene.stand.flywheels)
-        return Lines(names, omega / (2.0 * np.pi), by_pose(self.place, self.quantity, pose, omega))
+        return self._without_tabled(Lines(names, omega / (2.0 * np.pi), a))
 
     def _result(
         self,
@@ -207,9 +261,12 @@ class _Study:
         interrupted: bool = False,
     ) -> Jitter:
         S = len(lines.frequency)
+        if S:
+            lines = lines.joined(self.chain.table_lines(self.speeds[:S]))
+        noise = broadband(self.chain, self.speeds[_largest(lines)]) if S else None
         return Jitter(
-            self.scene.stand, self.asked, self.place.name, self.quantity, self.speeds[:S], self.value[:S], self.phases,
-            lines, method, left, checks, hold, order, problems, interrupted or len(self.value) > S,
+            self.scene.stand, self.asked, self.chain.seen, self.chain, self.speeds[:S], self.value[:S], self.phases,
+            lines, noise, method, left, checks, hold, order, problems, interrupted or len(self.value) > S,
         )  # fmt: skip
 
 

@@ -21,12 +21,6 @@ SHOWN = 60
 """Lines of orders with columns of their own in CSV."""
 
 
-def sums(found: Jitter) -> dict[str, Array]:
-    """rms, rss, worst, mean (S, 3 each), by name."""
-    lines = found.lines
-    return {"rms": lines.rms(), "rss": lines.rss(), "worst": lines.worst(), "mean": found.mean}
-
-
 def order_entries(found: Jitter, combinations: bool = False) -> list[dict[str, Any]]:
     """Lines of single wheels, or of combinations, largest first.
 
@@ -70,7 +64,7 @@ def _null(value: Any) -> Any:
 def as_object(found: Jitter) -> dict[str, Any]:
     """Contents of the JSON file; SI, frequencies in Hz."""
     asked, quantity, swept = found.asked, found.measure, found.swept
-    values = sums(found)
+    values = found.sums()
     result: dict[str, Any] = {
         "schema": 1,
         "stand": found.stand.name,
@@ -111,7 +105,7 @@ def csv_text(found: Jitter) -> str:
     unit = found.measure.unit
     head = [f"speed {name} [rpm]" for name in found.asked.names]
     columns = [RPM * found.speeds]
-    for name, values in sums(found).items():
+    for name, values in found.sums().items():
         head += [f"{name} {axis} [{unit}]" for axis in AXES]
         columns.append(values)
     largest = found.lines.sizes.max(axis=(0, 2), initial=0.0)
