@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -39,6 +39,10 @@ SHOWN = 12
 """Lines in the table."""
 
 
+def _table(declaration: str, help: str) -> Any:
+    return option(declaration, help, metavar="NAME=FILE.csv", multiple=True)
+
+
 @command()
 def jitter(
     stand_file: str = STAND_FILE,
@@ -50,9 +54,7 @@ def jitter(
         multiple=True,
         required=True,
     ),
-    point: str = option(
-        "--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT", required=True
-    ),
+    point: str | None = option("--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT"),
     quantity: str = choice(
         "--quantity",
         ["angle", "rate", "displacement", "velocity", "acceleration"],
@@ -67,6 +69,17 @@ def jitter(
         default=61,
     ),
     phases: tuple[str, ...] = PHASES,
+    harmonics: tuple[str, ...] = _table("--harmonics", "Add a maker's table of harmonics, all=FILE or by name."),
+    noise: tuple[str, ...] = _table("--noise", "Add a maker's table of broadband noise."),
+    inner_modes: tuple[str, ...] = _table("--inner-modes", "Add a wheel's radial, axial and rocking modes."),
+    modes: str | None = file_option("--modes", "FILE.csv", "Add structural modes, one-way."),
+    sight: str | None = file_option("--sight", "FILE.csv", "Find a line of sight by sensitivities, instead of --at."),
+    require: tuple[str, ...] = option(
+        "--require",
+        'Judge by a limit, "rms 0.1 arcsec", "worst 1 um 10..200Hz", or by a mask in a CSV file.',
+        metavar="LIMIT",
+        multiple=True,
+    ),
     order: int | None = option(
         "--order",
         "Keep combinations of this many turns in all; default: as many as the accuracy needs.",
@@ -87,14 +100,15 @@ def jitter(
 
     One set of speeds is solved by harmonic balance of the full equations; what it leaves out is measured. A sweep is
     solved to first order and compared with the full equations at some speeds; --exact solves them at all.
+
+    Exit status: 0 all requirements met, or none given; 1 a requirement failed, or no steady motion; 2 bad input; 130
+    Ctrl-C.
     """
     stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.out.functions.jitter import jitter as run
-    from mahovik.use.study.linear.model import places
     from mahovik.use.study.response.speeds import read_speeds
 
-    places(stand, [point])
     swept = read_speeds(stand, speeds).sweep is not None
     for name, given in (("steps", is_given("steps")), ("exact", exact)):
         if given and not swept:
@@ -109,23 +123,38 @@ def jitter(
 
     with progress(f"jitter of {stand.name}, speeds") as stage:
         found = run(
-            stand, speeds, point, quantity=quantity, steps=steps, phases=turned, order=order, exact=exact, go_on=go_on,
-            progress=stage.show,
+            stand, speeds, point, quantity=quantity, steps=steps, phases=turned,
+            harmonics=_files("--harmonics", harmonics), noise=_files("--noise", noise),
+            inner_modes=_files("--inner-modes", inner_modes), modes=modes, sight=sight, require=require,
+            order=order, exact=exact, go_on=go_on, progress=stage.show,
         )  # fmt: skip
     if output is not None:
         _write(found, Path(output), suffix)
     if as_json:
         from mahovik.use.study.jitter.tables import json_text
 
-        print_json_text(json_text(found.study))
+        print_json_text(json_text(found.study, found.verdicts))
     else:
         _print(found)
+    if not found.met:
+        raise SystemExit(1)
     if found.interrupted:
         cut = end is not None and time.monotonic() >= end
         words = "warning: --time cut the exact solutions" if cut else "error: interrupted"
         click.echo(f"{words}: {len(found)} speeds are done", err=True)
         if not cut:
             raise SystemExit(INTERRUPTED)
+
+
+def _files(name: str, given: tuple[str, ...]) -> dict[str, str]:
+    """Files by flywheel. Raises UsageError."""
+    found: dict[str, str] = {}
+    for each in given:
+        wheel, separator, path = each.partition("=")
+        if not separator or wheel in found:
+            raise UsageError(f"{name} {each}: expected NAME=FILE.csv, each name once")
+        found[wheel] = path
+    return found
 
 
 def _check_place(path: Path, suffix: str) -> None:
@@ -148,7 +177,7 @@ def _write(found: Jitter, path: Path, suffix: str) -> None:
     else:
         from mahovik.use.study.jitter.tables import csv_text, json_text
 
-        write(path, json_text(found.study) if suffix == ".json" else csv_text(found.study))
+        write(path, json_text(found.study, found.verdicts) if suffix == ".json" else csv_text(found.study))
 
 
 def _print(found: Jitter) -> None:
@@ -177,7 +206,21 @@ def _print(found: Jitter) -> None:
             speed = f" at {RPM * study.value[at]:.6g} rpm" if study.swept else ""
             rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at])))
     print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
+    if found.verdicts:
+        _print_verdicts(found, scale, unit)
     _remarks(found)
+
+
+def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
+    """Print requirements: limit, value, margin, worst speed."""
+    columns = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "margin>", "axis", "speed, rpm>", "")
+    rows: list[tuple[Any, ...]] = []
+    for each in found.verdicts:
+        numbers = (f"{scale * each.requirement.limit:.6g}", f"{scale * each.value:.6g}", f"{100 * each.margin:.4g} %")
+        speed = f"{RPM * found.study.value[each.step]:.6g}"
+        said = ("met", "green") if each.met else ("failed", "red")
+        rows.append((each.requirement.text, *numbers, "xyz"[each.axis], speed, said))
+    print_table(columns, rows, title="requirements, with the makers' tolerances")
 
 
 def _remarks(found: Jitter) -> None:
@@ -195,6 +238,13 @@ def _remarks(found: Jitter) -> None:
         click.echo(
             f"harmonic balance of order {max(study.order)}; accelerations left out: at most "
             f"{np.nanmax(study.left_out):.1e} of the largest"
+        )
+    structure = study.chain.makers.structure
+    if structure is not None:
+        mass, gyro = (float(each.max(initial=0.0)) for each in study.chain.ratios)
+        click.echo(
+            f"{len(structure.omega)} structural modes, one-way; the way back to the wheels would shift a frequency by "
+            f"up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
         )
     if study.problems:
         count = f"; so at {len(study.problems)} speeds" if len(study.problems) > 1 else ""

@@ -7,6 +7,7 @@ import numpy as np
 from mahovik.out.report.plot.panel import Array, Levels, Line, Panel
 from mahovik.use.study.jitter.lines import coherent
 from mahovik.use.study.jitter.quantity import ARCSEC
+from mahovik.use.study.jitter.spectrum import budget, spectrum
 from mahovik.use.study.jitter.study import Jitter
 
 RPM = 30.0 / np.pi
@@ -20,9 +21,12 @@ CELLS = 100
 ROWS = 200
 """Speeds in the waterfall at most."""
 
+BARS = 8
+"""Shares of the budget at most."""
+
 
 def panels(found: Jitter) -> list[Panel]:
-    """All panels: of one speed its spectrum and cumulative RMS; of a sweep sums over speed and the waterfall."""
+    """All panels: spectrum of one speed, or sums and waterfall of a sweep; cumulative RMS, density, budget."""
     scale, unit = (1.0, found.measure.unit) if found.measure.arcsec is None else (ARCSEC, found.measure.arcsec)
     what = f"{found.quantity} of {found.point}, {unit}"
     size = scale * np.linalg.norm(found.lines.sizes, axis=2)
@@ -31,8 +35,10 @@ def panels(found: Jitter) -> list[Panel]:
         return [Panel(f"{what}: nothing moves", ())]
     floor = largest * 10.0**-DECADES
     if len(found.value) == 1:
-        return [_spectrum(found, what, scale, floor), _cumulative(found, what, scale)]
-    return [_sums(found, what, scale), _waterfall(found, what, size, floor)]
+        first = [_spectrum(found, what, scale, floor)]
+    else:
+        first = [_sums(found, what, scale), _waterfall(found, what, size, floor)]
+    return [*first, _cumulative(found, what, scale), _density(found, what, scale), _budget(found, what, scale)]
 
 
 def _swept(found: Jitter) -> str:
@@ -52,15 +58,53 @@ def _spectrum(found: Jitter, what: str, scale: float, floor: float) -> Panel:
 
 
 def _cumulative(found: Jitter, what: str, scale: float) -> Panel:
-    f, a = coherent(found.lines.frequency[0], found.lines.amplitude[0])
-    total = scale * np.sqrt(np.cumsum(np.abs(a) ** 2, axis=0) / 2.0)
-    top = 1.1 * float(f.max(initial=0.0))
-    lines = []
+    step = found.worst_step
+    f, total = spectrum(found, step).cumulative()
+    top = 1.05 * float(f.max(initial=0.0)) or 1.0
+    drawn = []
     for i, axis in enumerate("xyz"):
         x = np.concatenate([[0.0], np.repeat(f, 2), [top]])
-        y = np.concatenate([[0.0, 0.0], np.repeat(total[:, i], 2)])
-        lines.append(Line(axis, x, y, i))
-    return Panel(f"cumulative RMS of {what}", tuple(lines), abscissa="frequency, Hz", span=(0.0, top))
+        y = np.concatenate([[0.0, 0.0], np.repeat(scale * total[:, i], 2)])
+        drawn.append(Line(axis, x, y, i))
+    return Panel(
+        f"cumulative RMS of {what}", tuple(drawn), note=_at(found, step), abscissa="frequency, Hz", span=(0.0, top)
+    )
+
+
+def _density(found: Jitter, what: str, scale: float) -> Panel:
+    step = found.worst_step
+    at = spectrum(found, step)
+    value = scale**2 * at.density
+    floor = float(value.max(initial=0.0)) * 10.0 ** (-2 * DECADES)
+    x = np.repeat(at.edges, 2)[1:-1]
+    drawn = [Line(axis, x, np.repeat(np.maximum(value[:, i], floor), 2), i) for i, axis in enumerate("xyz")]
+    return Panel(
+        f"density of {what}: square by Hz, bands of 1 Hz", tuple(drawn), log=True, note=_at(found, step),
+        abscissa="frequency, Hz", span=(0.0, float(at.edges[-1])),
+    )  # fmt: skip
+
+
+def _budget(found: Jitter, what: str, scale: float) -> Panel:
+    """A bar per wheel and order, the largest first."""
+    step = found.worst_step
+    every = budget(found, step)
+    most = max((float(np.linalg.norm(share.rms)) for share in every), default=0.0)
+    shares = [share for share in every if np.linalg.norm(share.rms) > most * 10.0**-DECADES][:BARS]
+    drawn = []
+    largest = max((float(np.linalg.norm(share.rms)) for share in shares), default=0.0) * scale
+    for n, share in enumerate(shares):
+        size = scale * float(np.linalg.norm(share.rms))
+        x = n + np.array([0.1, 0.1, 0.9, 0.9])
+        name = f"{n + 1}: {share.wheel} {share.what}".replace(":  ", ": ")
+        drawn.append(Line(name, x, np.array([0.0, size, size, 0.0]), n % 6))
+    return Panel(
+        f"budget, RMS of {what}", tuple(drawn), note=_at(found, step), abscissa="share, in the order of the legend",
+        height=1.2, span=(0.0, float(max(len(shares), 1))), least=1e-3 * largest,
+    )  # fmt: skip
+
+
+def _at(found: Jitter, step: int) -> str:
+    return f"at {RPM * found.value[step]:.6g} rpm" if found.swept else ""
 
 
 def _sums(found: Jitter, what: str, scale: float) -> Panel:

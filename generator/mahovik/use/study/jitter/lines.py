@@ -72,6 +72,11 @@ class Lines:
         ]
         return np.asarray(np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0))
 
+    def toleranced(self) -> Lines:
+        """These lines with the largest amplitudes that the tolerances of the tables allow."""
+        factor = 1.0 + np.array([name.tolerance for name in self.names])
+        return Lines(self.names, self.frequency, self.amplitude * factor[:, None])
+
     def joined(self, other: Lines) -> Lines:
         """These lines and others at the same speeds."""
         return Lines(

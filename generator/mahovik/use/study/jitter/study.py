@@ -7,7 +7,7 @@ with the full equations at some of the speeds; `exact` solves the full equations
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -110,6 +110,11 @@ class Jitter:
         }
 
     @property
+    def toleranced(self) -> Jitter:
+        """The same with the largest amplitudes that the makers' tolerances allow."""
+        return replace(self, lines=self.lines.toleranced())
+
+    @property
     def worst_step(self) -> int:
         """The speed of the largest RMS over all phases (root of the sum of squares of the axes)."""
         return _largest(self.lines)
@@ -206,8 +211,8 @@ class _Study:
 
     def first_order(self, go_on: Callable[[int], bool]) -> Jitter:
         """The linear equations at every speed, compared with the full ones at some."""
-        lines = self.linear_lines()
-        total = np.linalg.norm(lines.rms(), axis=1)
+        own = self.linear_lines()
+        total = np.linalg.norm(own.rms(), axis=1)
         S = len(self.value)
         worst = int(np.nanargmax(np.where(np.isfinite(total), total, -1.0)))
         chosen = sorted({worst, *np.linspace(0, S - 1, CHECKED).astype(int).tolist()})
@@ -224,12 +229,13 @@ class _Study:
                     problems.append((i, str(error)))
                     continue
                 left[i] = one.left_out
-                size = float(np.linalg.norm(self._exact_lines(one).rms()))
+                size = float(np.linalg.norm(exact_lines(one, self.chain.seen, self.phases, self.chain).rms()))
                 off = abs(float(total[i]) - size) / size if size else 0.0
                 checks.append(Check(i, one.left_out, off))
                 hold = max(hold, one.hold, key=lambda w: float(np.abs(w).max()))
         except KeyboardInterrupt:
             interrupted = True
+        lines = self._without_tabled(own)
         return self._result(lines, "first order", left, tuple(checks), hold, (1,) * S, tuple(problems), interrupted)
 
     def linear_lines(self) -> Lines:
@@ -247,7 +253,7 @@ class _Study:
             a += chain.driven(self.speeds, positive, mounts)
         a[still] = 0.0
         names = tuple(LineName(s.name, 1.0) for s in self.scene.stand.flywheels)
-        return self._without_tabled(Lines(names, omega / (2.0 * np.pi), a))
+        return Lines(names, omega / (2.0 * np.pi), a)
 
     def _result(
         self,

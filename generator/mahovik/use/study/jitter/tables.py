@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ import numpy as np
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.lines import COMBINATION, LineName
 from mahovik.use.study.jitter.quantity import ARCSEC
+from mahovik.use.study.jitter.requirement import Verdict
+from mahovik.use.study.jitter.spectrum import budget, spectrum
 from mahovik.use.study.jitter.study import Jitter
 from mahovik.use.study.linear.model import encode_lines
 
@@ -61,7 +64,7 @@ def _null(value: Any) -> Any:
     return value if np.isfinite(value) else None
 
 
-def as_object(found: Jitter) -> dict[str, Any]:
+def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]:
     """Contents of the JSON file; SI, frequencies in Hz."""
     asked, quantity, swept = found.asked, found.measure, found.swept
     values = found.sums()
@@ -89,15 +92,56 @@ def as_object(found: Jitter) -> dict[str, Any]:
         "combinations": order_entries(found, combinations=True),
     }  # fmt: skip
     result |= {name: _plain(each, swept) for name, each in values.items()}
+    if any(name.tolerance for name in found.lines.names):
+        result["with_tolerance"] = {name: _plain(each, swept) for name, each in found.toleranced.sums().items()}
     if quantity.arcsec:
         in_arcsec = {name: _plain(each * ARCSEC, swept) for name, each in values.items()}
         result["arcsec"] = {"unit": quantity.arcsec, **in_arcsec}
+    result |= _at_the_worst(found)
+    result["one_way"] = _one_way(found)
+    result["requirements"] = [verdict_object(found, each) for each in verdicts]
     return result
 
 
-def json_text(found: Jitter) -> str:
+def _at_the_worst(found: Jitter) -> dict[str, Any]:
+    """Budget and spectrum at the speed of the largest RSS."""
+    step = found.worst_step
+    at = spectrum(found, step)
+    frequency, cumulative = at.cumulative()
+    return {
+        "worst_speed": float(found.value[step]),
+        "budget": [{"wheel": x.wheel, "what": x.what, "rms": x.rms.tolist()} for x in budget(found, step)],
+        "cumulative": {"frequency": frequency.tolist(), "rms": cumulative.tolist()},
+        "psd": {"edges": at.edges.tolist(), "density": at.density.tolist()},
+    }
+
+
+def _one_way(found: Jitter) -> dict[str, Any] | None:
+    """Structural modes, and estimates of what the way back to the wheels would change."""
+    structure = found.chain.makers.structure
+    if structure is None:
+        return None
+    mass, gyro = found.chain.ratios
+    return {"modes": len(structure.omega), "mass_ratio": mass.tolist(), "gyro_ratio": gyro.tolist()}
+
+
+def verdict_object(found: Jitter, verdict: Verdict) -> dict[str, Any]:
+    """A requirement and how it is met."""
+    wanted = verdict.requirement
+    return {
+        "requirement": wanted.text,
+        "limit": wanted.limit,
+        "value": verdict.value if np.isfinite(verdict.value) else None,
+        "margin": verdict.margin if np.isfinite(verdict.margin) else None,
+        "met": verdict.met,
+        "worst_speed": float(found.value[verdict.step]),
+        "axis": AXES[verdict.axis],
+    }
+
+
+def json_text(found: Jitter, verdicts: Sequence[Verdict] = ()) -> str:
     """JSON, one key per line."""
-    return encode_lines(as_object(found)) + "\n"
+    return encode_lines(as_object(found, verdicts)) + "\n"
 
 
 def csv_text(found: Jitter) -> str:
