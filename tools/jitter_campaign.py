@@ -27,7 +27,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.stands import path
 from mahovik.use.simulate.by_c import compiled_backend
 from mahovik.use.simulate.case import wrap_phases
-from mahovik.use.study.jitter import Balance, Makers, Seen, balance, jitter
+from mahovik.use.study.jitter import Balance, Makers, View, balance, jitter
 from mahovik.use.study.jitter.exact import exact_lines
 from mahovik.use.study.jitter.lines import UNBALANCE
 from mahovik.use.study.jitter.maker import Harmonics
@@ -115,7 +115,7 @@ def agreement_rows(course: Course) -> list[tuple[Any, ...]]:
     words = ", ".join(f"{x:.6g}" for x in course.speeds)
     result = []
     for quantity in QUANTITIES:
-        seen = Seen.of(place, quantity)
+        seen = View.of(place, quantity)
         lines = exact_lines(found, seen, np.zeros(len(course.speeds)))
         values = seen.values(y, np.zeros((len(y), 6)))
         size = np.abs(lines.amplitude[0]).max(axis=1)
@@ -185,7 +185,7 @@ def sweep_row(speeds: int, harmonics: int = 20, modes: int = 50) -> tuple[Any, .
     structure = Structure(
         Path("modes.csv"), 2 * np.pi * rng.uniform(20, 400, modes), np.full(modes, 0.005), np.full(modes, 20.0), shapes
     )
-    seen = Seen.of(places(stand, ["acc1"])[0], "angle")
+    seen = View.of(places(stand, ["acc1"])[0], "angle")
     begin = time.perf_counter()
     found = jitter(
         stand, read_speeds(stand, ["all=0..6000rpm"]), speeds, seen, makers=Makers(tables, structure=structure)
@@ -203,7 +203,7 @@ def sweep_page(found: Figures) -> str:
     )
 
 
-CODE = ("use/study/jitter", "use/study/response", "use/study/linear", "jitter_campaign.py")
+CODE = ("use/study", "use/simulate", "jitter_campaign.py")
 HEAD = "campaign: tools/jitter_campaign.py --write"
 AGREEMENT_CAMPAIGN = Campaign(
     "jitter", campaign.Block("docs/results/jitter.md", HEAD), agreement_page, CODE, agreement_sample

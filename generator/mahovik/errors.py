@@ -50,10 +50,6 @@ class ServoError(FileError):
     """A servo file was refused."""
 
 
-class JitterFileError(FileError):
-    """A table of a wheel's disturbances, of structural modes or of requirements was refused."""
-
-
 class ForeignError(FileError):
     """A model of another program was refused: no stand, or no model."""
 

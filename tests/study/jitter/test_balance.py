@@ -11,7 +11,7 @@ import pytest
 from mahovik.core.stand import Stand, load
 from mahovik.errors import CheckError
 from mahovik.stands import path
-from mahovik.use.study.jitter import Jitter, Seen, balance
+from mahovik.use.study.jitter import Jitter, View, balance
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.balance import _Search
 from mahovik.use.study.jitter.quantity import QUANTITIES
@@ -33,7 +33,7 @@ damping = [40, 40, 40, 0.1, 0.1, 0.1]
 
 def jitter(stand: Stand, asked: SpeedPlan, steps: int, point: str, quantity: str = "angle") -> Jitter:
     """Jitter of a point by name."""
-    return find(stand, asked, steps, Seen.of(places(stand, [point])[0], quantity))
+    return find(stand, asked, steps, View.of(places(stand, [point])[0], quantity))
 
 
 def first_order(stand_file: Path, unbalance: str, quantity: str, more: str = "") -> np.ndarray:

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand, load
-from mahovik.errors import JitterFileError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.mounts import mounts
 from mahovik.stands import path
 from mahovik.use.plan.array import Array
-from mahovik.use.study.jitter import Jitter, Makers, Seen, balance, jitter
+from mahovik.use.study.jitter import Jitter, Makers, View, balance, jitter
+from mahovik.use.study.jitter.csv_table import JitterFileError
 from mahovik.use.study.jitter.exact import mount_wrenches
 from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inner_modes, read_noise
 from mahovik.use.study.jitter.structure import read_structure
@@ -26,7 +26,7 @@ OMEGA = 240.0
 
 
 def run(stand: Stand, speed: str, makers: Makers, quantity: str, point: str = "eye") -> Jitter:
-    seen = Seen.of(places(stand, [point])[0], quantity)
+    seen = View.of(places(stand, [point])[0], quantity)
     asked = read_speeds(stand, [speed])
     return jitter(stand, asked, 3, seen, makers=makers)
 

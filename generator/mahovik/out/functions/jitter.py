@@ -17,7 +17,7 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import speed_text, warn_of_planned_speeds
 from mahovik.use.study.jitter import Jitter as Study
-from mahovik.use.study.jitter import Makers, Seen
+from mahovik.use.study.jitter import Makers, View
 from mahovik.use.study.jitter import jitter as find
 from mahovik.use.study.jitter.lines import LineName
 from mahovik.use.study.jitter.maker import read_harmonics, read_inner_modes, read_noise
@@ -179,7 +179,7 @@ def jitter(
     Raises StandError, UsageError, JitterFileError, CheckError.
     """
     own = Stand.of(stand)
-    seen = _seen(own, at, quantity, sight)
+    seen = _find_view(own, at, quantity, sight)
     limits = read_requirements([str(each) for each in require], seen.measure)
     makers = Makers(
         _by_wheel(own, "harmonics", harmonics, read_harmonics),
@@ -205,15 +205,15 @@ def jitter(
     return Jitter(found, limits)
 
 
-def _seen(stand: Stand, at: str | None, quantity: str, sight: str | Path | None) -> Seen:
-    """What is looked at. Raises UsageError: neither a point nor a line of sight, or both."""
+def _find_view(stand: Stand, at: str | None, quantity: str, sight: str | Path | None) -> View:
+    """The point or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.use.study.linear.model import places
 
     if (at is None) is (sight is None):
         raise UsageError("expected a point or a line of sight: one of --at and --sight")
     if sight is not None:
         return read_sight(Path(sight), stand)
-    return Seen.of(places(stand, [str(at)])[0], quantity)
+    return View.of(places(stand, [str(at)])[0], quantity)
 
 
 def _by_wheel(

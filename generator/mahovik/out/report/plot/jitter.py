@@ -97,7 +97,11 @@ def _cumulative(found: Jitter, what: str, scale: float) -> Panel:
         y = np.concatenate([[0.0, 0.0], np.repeat(scale * total[:, i], 2)])
         drawn.append(Line(axis, x, y, i))
     return Panel(
-        f"cumulative RMS of {what}", tuple(drawn), note=_at(found, step), abscissa="frequency, Hz", span=(0.0, top)
+        f"cumulative RMS of {what}",
+        tuple(drawn),
+        note=_speed_note(found, step),
+        abscissa="frequency, Hz",
+        span=(0.0, top),
     )
 
 
@@ -109,7 +113,7 @@ def _density(found: Jitter, what: str, scale: float) -> Panel:
     x = np.repeat(at.edges, 2)[1:-1]
     drawn = [Line(axis, x, np.repeat(np.maximum(value[:, i], floor), 2), i) for i, axis in enumerate("xyz")]
     return Panel(
-        f"density of {what}: square by Hz, bands of 1 Hz", tuple(drawn), log=True, note=_at(found, step),
+        f"density of {what}: square by Hz, bands of 1 Hz", tuple(drawn), log=True, note=_speed_note(found, step),
         abscissa="frequency, Hz", span=(0.0, float(at.edges[-1])),
     )  # fmt: skip
 
@@ -128,12 +132,12 @@ def _budget(found: Jitter, what: str, scale: float) -> Panel:
         name = f"{n + 1}: {share.wheel} {share.what}".replace(":  ", ": ")
         drawn.append(Line(name, x, np.array([0.0, size, size, 0.0]), n % 6))
     return Panel(
-        f"budget, RMS of {what}", tuple(drawn), note=_at(found, step), abscissa="share, in the order of the legend",
+        f"budget, RMS of {what}", tuple(drawn), note=_speed_note(found, step), abscissa="share, in the order of the legend",
         height=1.2, span=(0.0, float(max(len(shares), 1))), least=1e-3 * largest,
     )  # fmt: skip
 
 
-def _at(found: Jitter, step: int) -> str:
+def _speed_note(found: Jitter, step: int) -> str:
     return f"at {RPM * found.value[step]:.6g} rpm" if found.swept else ""
 
 

@@ -11,7 +11,7 @@ from mahovik.out.report.plot.inline import charts
 from mahovik.out.report.plot.jitter import RPM, report_panels
 from mahovik.out.report.stand.markup import paragraph
 from mahovik.out.report.stand.material import Material, Section
-from mahovik.use.study.jitter import Jitter, Seen, jitter
+from mahovik.use.study.jitter import Jitter, View, jitter
 from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.response.speeds import ALL, read_speeds
@@ -48,7 +48,7 @@ def section(material: Material) -> Section | None:
 def swept(stand: Stand, limit: float) -> Jitter:
     """Angle of the first point or instrument, else of E1, up to a common speed, rad/s. Raises CheckError."""
     place = [*places(stand), *places(stand, ["carrier"])][0]
-    found = jitter(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, Seen.of(place, "angle"))
+    found = jitter(stand, read_speeds(stand, [f"{ALL}=0..{limit!r} rad/s"]), STEPS, View.of(place, "angle"))
     if found.interrupted:
         raise KeyboardInterrupt
     return found
@@ -58,6 +58,6 @@ def _words(found: Jitter, where: str) -> str:
     off = max((check.off for check in found.checks), default=0.0)
     return (
         f"Angle of {where} to first order in the unbalance, {STEPS} common speeds of all flywheels. The full "
-        f"equations, solved at {len(found.checks)} of them, give the same RMS within {off:.1e}. The last two diagrams are "
-        "of the worst speed. ``mahovik jitter`` takes any speeds, makers' tables, structural modes and requirements."
+        f"equations, solved at {len(found.checks)} of them, give the same RMS within {off:.1e}. The last two diagrams "
+        "are of the worst speed. ``mahovik jitter`` takes any speeds, makers' tables, modes, requirements."
     )

@@ -15,7 +15,7 @@ from mahovik.use.plan.residual import Mechanics
 from mahovik.use.study.jitter.lines import TABLE, LineName, Lines
 from mahovik.use.study.jitter.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import Seen
+from mahovik.use.study.jitter.quantity import View
 from mahovik.use.study.jitter.structure import Structure, way_back
 from mahovik.use.study.jitter.torus import Whole
 
@@ -45,7 +45,7 @@ class Chain:
     """
 
     plant: Plant
-    seen: Seen
+    seen: View
     makers: Makers
     names: tuple[str, ...]
     own: Array
@@ -56,7 +56,7 @@ class Chain:
     ratios: tuple[Array, Array]
 
     @staticmethod
-    def of(plant: Plant, seen: Seen, makers: Makers, fastest: Array) -> Chain:
+    def of(plant: Plant, seen: View, makers: Makers, fastest: Array) -> Chain:
         """The chain for speeds of up to `fastest` (N, rad/s). Raises JitterFileError: a shape is missing."""
         mechanics = Mechanics.of(plant.stand)
         tables, names = mechanics.tables, tuple(s.name for s in plant.stand.flywheels)
@@ -88,7 +88,7 @@ class Chain:
 
         speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
         """
-        passed = self._passed(speeds, omega, mounts)
+        passed = self._transmit(speeds, omega, mounts)
         more = (passed - mounts).sum(axis=2)
         a = np.zeros((*omega.shape, 3), dtype=np.complex128)
         if more.any():
@@ -99,7 +99,7 @@ class Chain:
             a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
         return a
 
-    def _passed(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+    def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
         found = mounts.astype(np.complex128)
         for s, name in enumerate(self.names):

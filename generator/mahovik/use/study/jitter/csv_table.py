@@ -14,7 +14,7 @@ import numpy as np
 
 from mahovik.core.stand.content import TABLE, content
 from mahovik.core.stand.units import Dimension, QuantityError, factor
-from mahovik.errors import JitterFileError
+from mahovik.errors import FileError
 from mahovik.nearest import suggestion
 from mahovik.use.plan.array import Array
 
@@ -22,6 +22,10 @@ _HEAD = re.compile(r"\s*([^\[\]]*?)\s*(?:\[(.*)\])?\s*")
 
 PLAIN = Dimension("a plain number", "")
 TEXT = Dimension("a text", "")
+
+
+class JitterFileError(FileError):
+    """A table of a wheel's disturbances, of structural modes, of a line of sight or of requirements was refused."""
 
 
 @dataclass(frozen=True, eq=False)

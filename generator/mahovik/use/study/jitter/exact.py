@@ -11,13 +11,13 @@ from mahovik.use.plan.residual.prescribed import prescribed_at
 from mahovik.use.study.jitter.balance import SLOW, Balance
 from mahovik.use.study.jitter.chain import Chain
 from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines
-from mahovik.use.study.jitter.quantity import Seen
+from mahovik.use.study.jitter.quantity import View
 
 NEGLIGIBLE = 1e-9
 """Part of the largest amplitude below which a line is left out."""
 
 
-def exact_lines(found: Balance, seen: Seen, phases: Array, chain: Chain | None = None) -> Lines:
+def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None = None) -> Lines:
     """Lines (S = 1) of a motion on the torus, for phases (N, rad) at t = 0.
 
     chain    what the exact mount wrenches drive in addition: internal modes of wheels, structural modes

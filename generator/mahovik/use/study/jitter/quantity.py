@@ -55,8 +55,8 @@ def find_quantity(name: str) -> Quantity:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
-    """What is looked at: a quantity of one point, or a line of sight from several.
+class View:
+    """A quantity of one point, or a line of sight from several.
 
     name      of the point, or of the table of sensitivities
     quantity  a key of QUANTITIES; SIGHT for a line of sight
@@ -69,12 +69,12 @@ class Seen:
     parts: tuple[tuple[Place, Array], ...]
 
     @staticmethod
-    def of(place: Place, quantity: str) -> Seen:
+    def of(place: Place, quantity: str) -> View:
         """A quantity of one point. Raises UsageError."""
         part = np.zeros((3, 6))
         part[:, 3:] = np.eye(3) if find_quantity(quantity).turning else 0.0
         part[:, :3] = 0.0 if find_quantity(quantity).turning else np.eye(3)
-        return Seen(place.name, quantity, ((place, part),))
+        return View(place.name, quantity, ((place, part),))
 
     @property
     def measure(self) -> Quantity:

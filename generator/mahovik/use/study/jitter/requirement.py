@@ -144,7 +144,7 @@ def _values(found: Jitter, requirement: Requirement) -> Array:
         empty = spectrum(found, 0)
         noise = Spectrum(
             np.zeros(0), np.zeros((0, 3)), empty.noise_frequency, empty.noise_density, empty.edges, empty.density
-        ).within(requirement.low, requirement.high)
+        ).mean_square_within(requirement.low, requirement.high)
     sizes = np.where(there[..., None], lines.sizes, 0.0)
     if requirement.sum == "worst":
         return np.asarray(sizes.sum(axis=1) + 3.0 * np.sqrt(noise))

@@ -8,14 +8,13 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
-from mahovik.errors import JitterFileError
-from mahovik.use.study.jitter.csv_table import PLAIN, read_columns
-from mahovik.use.study.jitter.quantity import SIGHT, Seen
+from mahovik.use.study.jitter.csv_table import PLAIN, JitterFileError, read_columns
+from mahovik.use.study.jitter.quantity import SIGHT, View
 from mahovik.use.study.jitter.structure import SHAPE
 from mahovik.use.study.linear.model import places
 
 
-def read_sight(path: Path, stand: Stand) -> Seen:
+def read_sight(path: Path, stand: Stand) -> View:
     """The line of sight of a CSV file: columns `POINT x` to `POINT z` [rad/m], `POINT rx` to `POINT rz` [-].
 
     Two or three rows: angles of the line of sight. Displacement and turning are along the point's axes; missing columns
@@ -24,12 +23,12 @@ def read_sight(path: Path, stand: Stand) -> Seen:
     known_places = {place.name: place for place in [*places(stand), *places(stand, [stand.carrier.name])]}
     names = [f"{name} {part}" for name in known_places for part in SHAPE]
 
-    def known(name: str) -> Dimension | None:
+    def dimension_of(name: str) -> Dimension | None:
         if name not in names:
             return None
         return PLAIN if name.rpartition(" ")[2].startswith("r") else Dimension("an angle by displacement", "rad/m")
 
-    found = read_columns(path, known, (), names)
+    found = read_columns(path, dimension_of, (), names)
     if found.rows not in (2, 3):
         raise JitterFileError([f"{path}: {found.rows} rows, expected two or three: the angles of the line of sight"])
     parts = []
@@ -38,4 +37,4 @@ def read_sight(path: Path, stand: Stand) -> Seen:
         for j, part in enumerate(SHAPE):
             matrix[: found.rows, j] = found.get(f"{name} {part}")
         parts.append((known_places[name], matrix))
-    return Seen(path.stem, SIGHT, tuple(parts))
+    return View(path.stem, SIGHT, tuple(parts))

@@ -25,7 +25,7 @@ class Spectrum:
     edges: Array
     density: Array
 
-    def within(self, low: float, high: float) -> Array:
+    def mean_square_within(self, low: float, high: float) -> Array:
         """Mean square (3) from `low` to `high` (Hz, ends included)."""
         there = (self.frequency >= low * (1 - 1e-9)) & (self.frequency <= high * (1 + 1e-9))
         total = self.mean_square[there].sum(axis=0)

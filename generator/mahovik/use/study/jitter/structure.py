@@ -19,10 +19,9 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
-from mahovik.errors import JitterFileError
 from mahovik.nearest import suggestion
 from mahovik.use.plan.array import Array, Complex
-from mahovik.use.study.jitter.csv_table import PLAIN, read_columns, refuse
+from mahovik.use.study.jitter.csv_table import PLAIN, JitterFileError, read_columns, refuse
 
 SHAPE = ("x", "y", "z", "rx", "ry", "rz")
 """Components of a shape, in E1: displacement by q (1), turning by q (rad/m)."""
@@ -58,7 +57,7 @@ def read_structure(path: Path, stand: Stand) -> Structure:
     bodies.append(stand.carrier.name)
     plain = {"frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "modal mass": Dimension("a mass", "kg")}
 
-    def known(name: str) -> Dimension | None:
+    def dimension_of(name: str) -> Dimension | None:
         if name in plain:
             return plain[name]
         body, _, part = name.rpartition(" ")
@@ -67,7 +66,7 @@ def read_structure(path: Path, stand: Stand) -> Structure:
         return Dimension("turning by displacement", "rad/m") if part.startswith("r") else PLAIN
 
     names = [*plain, *(f"{body} {part}" for body in bodies for part in SHAPE)]
-    found = read_columns(path, known, plain, names)
+    found = read_columns(path, dimension_of, plain, names)
     numbers = found.numbers
     shapes: dict[str, Array] = {}
     for body in dict.fromkeys(name.rpartition(" ")[0] for name in numbers if name not in plain):

@@ -21,7 +21,7 @@ from mahovik.use.study.jitter.exact import exact_lines
 from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.noise import Broadband, broadband
 from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import Quantity, Seen
+from mahovik.use.study.jitter.quantity import Quantity, View
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
 
@@ -58,7 +58,7 @@ class Jitter:
 
     stand: Stand
     asked: SpeedPlan
-    seen: Seen
+    seen: View
     chain: Chain
     speeds: Array
     value: Array
@@ -129,7 +129,7 @@ def jitter(
     stand: Stand,
     asked: SpeedPlan,
     steps: int,
-    seen: Seen,
+    seen: View,
     *,
     phases: Sequence[float] | None = None,
     makers: Makers | None = None,
