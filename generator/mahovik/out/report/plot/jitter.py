@@ -132,8 +132,8 @@ def _budget(found: Jitter, what: str, scale: float) -> Panel:
         name = f"{n + 1}: {share.wheel} {share.what}".replace(":  ", ": ")
         drawn.append(Line(name, x, np.array([0.0, size, size, 0.0]), n % 6))
     return Panel(
-        f"budget, RMS of {what}", tuple(drawn), note=_speed_note(found, step), abscissa="share, in the order of the legend",
-        height=1.2, span=(0.0, float(max(len(shares), 1))), least=1e-3 * largest,
+        f"budget, RMS of {what}", tuple(drawn), note=_speed_note(found, step),
+        abscissa="share, in the order of the legend", height=1.2, span=(0.0, float(max(len(shares), 1))), least=1e-3 * largest,
     )  # fmt: skip
 
 
