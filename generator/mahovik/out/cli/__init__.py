@@ -60,7 +60,6 @@ def main() -> None:
         mahovik new bench8               copy an example stand
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
-
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 

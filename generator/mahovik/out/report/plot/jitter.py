@@ -133,7 +133,8 @@ def _budget(found: Jitter, what: str, scale: float) -> Panel:
         drawn.append(Line(name, x, np.array([0.0, size, size, 0.0]), n % 6))
     return Panel(
         f"budget, RMS of {what}", tuple(drawn), note=_speed_note(found, step),
-        abscissa="share, in the order of the legend", height=1.2, span=(0.0, float(max(len(shares), 1))), least=1e-3 * largest,
+        abscissa="share, in the order of the legend", height=1.2, span=(0.0, float(max(len(shares), 1))),
+        least=1e-3 * largest,
     )  # fmt: skip
 
 
