@@ -53,6 +53,7 @@ help:
 	@echo "make design-campaign  how often few flywheels are found for simple motions: docs/results/design.md; a quarter of an hour"
 	@echo "make plan-campaign  how often and how fast programmes are found: docs/results/planning.md, run-ups too; hours"
 	@echo "make ocp-campaign  (13) by IPOPT on bench8 and random stands: docs/results/optimal-control.md; minutes"
+	@echo "make jitter-campaign  jitter against the C, time of a sweep: docs/results/jitter.md, docs/results/jitter-sweep.md"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/results/linear.md, docs/results/response.md"
 	@echo "make jitter-picture  the sweep that the README shows: docs/jitter.svg"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
@@ -199,6 +200,9 @@ traceability-page: setup-test
 
 commands-page: setup-test
 	$(BIN)/python tools/commands_page.py
+
+jitter-campaign: setup-test
+	$(BIN)/python tools/jitter_campaign.py --write
 
 linear-campaign: setup-test
 	$(BIN)/python tools/linear_campaign.py --write

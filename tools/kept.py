@@ -30,6 +30,7 @@ NOT_SAMPLED = {
     "start": "wall-clock times of one machine",
     "profile": "wall-clock times of one machine",
     "install": "times of one machine and its network",
+    "jitter-sweep": "wall-clock times of one machine",
     "fuzzing": "its inputs grow from campaign to campaign; `make fuzz-quick` runs the same harnesses",
     "benchmarks": "times of one machine beside those of peers; `make bench-gate` counts our instructions again",
     "proofs": "a quarter of an hour of Frama-C; `make proofs-quick` repeats some",

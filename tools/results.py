@@ -19,6 +19,7 @@ from kept import Campaign
 TOOLS = (
     "verify_campaign",
     "float_bounds",
+    "jitter_campaign",
     "linear_campaign",
     "plan_campaign",
     "refusal_campaign",

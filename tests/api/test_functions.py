@@ -38,6 +38,7 @@ def results() -> dict[str, Table]:
     return {
         "simulate": mahovik.simulate(shaker(), 0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy"),
         "response": mahovik.response(shaker(), {"left": "0..600rpm", "right": "-1*left"}, "carrier", steps=3),
+        "jitter": mahovik.jitter(shaker(), {"left": "0..600rpm", "right": "-100rpm"}, "carrier", steps=3),
         "rest": mahovik.rest(shaker()),
         "modes": mahovik.modes(shaker()),
         "linearize": mahovik.linearize(shaker()),
@@ -49,7 +50,7 @@ def results() -> dict[str, Table]:
 
 
 NAMES = (
-    "simulate", "response", "rest", "modes", "linearize", "plan", "programme", "verify_programme", "generate",
+    "simulate", "response", "jitter", "rest", "modes", "linearize", "plan", "programme", "verify_programme", "generate",
 )  # fmt: skip
 
 
@@ -80,7 +81,7 @@ def test_an_unknown_column_is_named() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["simulate", "response", "modes", "linearize", "plan", "programme"])
+@pytest.mark.parametrize("name", ["simulate", "response", "jitter", "modes", "linearize", "plan", "programme"])
 def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

@@ -22,6 +22,7 @@ CALLS: dict[str, tuple[str, ...]] = {
     "simulate": ("--until", "1", "-o", "run.csv"),
     "follow": ("--programme", "p.json", "--motion", SPIN, "--servo", "s.toml"),
     "response": ("--speed", "left=100rpm", "--at", "carrier"),
+    "jitter": ("--speed", "left=100rpm", "--at", "carrier"),
     "quiet": ("--point", "base", "--band", "1..2Hz", "--momentum", "0 0 0"),
     "rest": (),
     "modes": (),

@@ -21,6 +21,7 @@ from mahovik.out.cli.export import export
 from mahovik.out.cli.generate import generate
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.import_model import import_model
+from mahovik.out.cli.jitter import jitter
 from mahovik.out.cli.judge import judge
 from mahovik.out.cli.judge_log import judge_log
 from mahovik.out.cli.linear import linearize, modes
@@ -39,7 +40,7 @@ from mahovik.out.cli.verify_programme import verify_programme
 SECTIONS = {
     "A stand": (new, import_model, check, derive, rest),
     "Its C, and the evidence": (generate, verify, judge, cost, evidence, judge_log),
-    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, quiet),
+    "Motion, vibration": (evaluate, simulate, replay, modes, linearize, response, jitter, quiet),
     "Programmes of the flywheels": (plan, design, verify_programme),
     "Interfaces and tools": (report, plot, export, doctor, completion),
 }
@@ -59,7 +60,6 @@ def main() -> None:
         mahovik new bench8               copy an example stand
         mahovik generate bench8.toml     C into ./bench8
         mahovik verify bench8.toml       that C against the literal reference
-
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 

@@ -95,9 +95,9 @@ def response(
 
     own = Stand.of(stand)
     places(own, [at])
-    texts = [_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
+    texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
     asked = read_speeds(own, texts)
-    _warn(own, asked, texts)
+    warn_of_planned_speeds(own, asked, texts)
     count, words = 1 if asked.sweep is None else steps, f"response of {own.name}, speeds"
 
     def shall_go_on(done: int) -> bool:
@@ -111,11 +111,12 @@ def response(
     return Response(found)
 
 
-def _text(name: str, speed: Number) -> str:
+def speed_text(name: str, speed: Number) -> str:
+    """A speed (rad/s, or a text) as of `--speed`."""
     return f"{name}={speed}" if isinstance(speed, str) else f"{name}={float(speed)!r} rad/s"
 
 
-def _warn(stand: Stand, asked: SpeedPlan, given: Sequence[str]) -> None:
+def warn_of_planned_speeds(stand: Stand, asked: SpeedPlan, given: Sequence[str]) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
     fastest = [max(map(abs, each)) for each in zip(*(asked.speeds(x) for x in asked.sweep or (0.0,)), strict=True)]
     texts = dict.fromkeys(asked.names, "")

@@ -17,6 +17,7 @@ ORDER = (
     "histories",
     "programme",
     "response",
+    "jitter",
     "reach",
     "campbell",
     "animation",

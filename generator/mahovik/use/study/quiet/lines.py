@@ -51,13 +51,13 @@ class Amplitudes:
         N = len(stand.flywheels)
         measure = MEASURES[options.measure]
         across = np.array(options.axes)
-        still = _mean(stand, rest, options.point, np.zeros(N))
-        moving = [_mean(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
+        still = mean_model(stand, rest, options.point, np.zeros(N))
+        moving = [mean_model(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
         C, power = still[2], 1 - measure.integrals
         if measure.turning:
             L = dict(point_transfers(stand))[options.point]
             C, power = np.hstack([np.zeros((3, 9)), L[:3, :3].T]), -measure.integrals
-        turning, hanging = _wrenches(stand, rest)
+        turning, hanging = unbalance_wrenches(stand, rest)
         return Amplitudes(still[0], np.array(moving), still[1], turning, hanging, across @ C, power)
 
     def at(self, speeds: Array) -> Complex:
@@ -83,8 +83,8 @@ class Amplitudes:
         return y, x
 
 
-def _mean(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, Array, Array]:
-    """A, B, and C of the point's velocity, means over phase."""
+def mean_model(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, Array, Array]:
+    """A, B, and C of the point's velocity of the carrier under turning flywheels, means over phase."""
     found = []
     for phase in QUARTERS:
         N = len(speeds)
@@ -95,7 +95,7 @@ def _mean(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, 
     return A, B, C
 
 
-def _wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:
+def unbalance_wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:
     """First harmonics (N x 6 each) of the wrench on the carrier: by the square of the speed, and independent of it."""
     N = len(stand.flywheels)
 

@@ -98,21 +98,24 @@ class SpeedPlan:
 def read_speeds(stand: Stand, given: Sequence[str]) -> SpeedPlan:
     """Speeds from texts NAME=SPEED, NAME=FROM..TO, NAME=[FACTOR*]OTHER; a flywheel that is not named stands still.
 
-    NAME may be `all`. Raises UsageError: an unknown name, no speed, two sweeps, a name twice, gears in a circle.
+    NAME may be `all`; a name after it replaces the speed that `all` gave. Raises UsageError: an unknown name, no speed,
+    two sweeps, a name twice, gears in a circle.
     """
     names = [s.name for s in stand.flywheels]
     if not names:
         raise UsageError(f"--speed: {stand.name} has no flywheel")
     texts: dict[str, tuple[str, str]] = {}
+    by_all: set[str] = set()
     for each in given:
         name, separator, text = each.partition("=")
         if not separator:
             raise UsageError(f"--speed {each}: expected NAME=SPEED or NAME=FROM..TO, as w1=0..6000rpm")
         _refuse_unknown(name, names, each)
         for one in names if name == ALL else [name]:
-            if one in texts:
+            if one in texts and (name == ALL or one not in by_all):
                 raise UsageError(f'--speed {each}: flywheel "{one}" has a speed already')
             texts[one] = (each, text.strip())
+        by_all = set(names) if name == ALL else by_all - {name}
     return _plan_speeds(names, texts)
 
 

@@ -1,0 +1,255 @@
+"""`mahovik jitter`: what wheels at any constant speeds do to a point."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mahovik.errors import UsageError
+from mahovik.out.cli.options import (
+    JSON,
+    PHASES,
+    STAND_FILE,
+    choice,
+    command,
+    file_option,
+    flag,
+    is_given,
+    load_stand,
+    option,
+)
+from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
+from mahovik.out.cli.progress import progress
+from mahovik.out.cli.rest import read_phases
+from mahovik.writing import probe
+
+if TYPE_CHECKING:
+    from mahovik.out.functions.jitter import Jitter
+
+PICTURES = (".svg", ".png")
+SUFFIXES = (".csv", ".json", *PICTURES)
+
+RPM = 9.549296585513721
+"""1 rad/s in rpm."""
+
+SHOWN = 12
+"""Lines in the table."""
+
+
+def _table(declaration: str, help: str) -> Any:
+    return option(declaration, help, metavar="NAME=FILE.csv", multiple=True)
+
+
+@command()
+def jitter(
+    stand_file: str = STAND_FILE,
+    speeds: tuple[str, ...] = option(
+        "--speed",
+        'Turn flywheels: "all=3000rpm", then others by name, "w2=2987rpm"; one swept, "w1=0..6000rpm"; geared, '
+        '"w3=-0.5*w1"; the rest stand still.',
+        metavar="NAME=..",
+        multiple=True,
+        required=True,
+    ),
+    point: str | None = option("--at", "Measure at a point or instrument; carrier stands for O1.", metavar="POINT"),
+    quantity: str = choice(
+        "--quantity",
+        ["angle", "rate", "displacement", "velocity", "acceleration"],
+        "Find this quantity.",
+        default="angle",
+    ),
+    steps: int = option(
+        "--steps",
+        "Divide the sweep into this number of speeds.",
+        metavar="N",
+        type=click.IntRange(2, 100000),
+        default=61,
+    ),
+    phases: tuple[str, ...] = PHASES,
+    harmonics: tuple[str, ...] = _table("--harmonics", "Add a maker's table of harmonics, all=FILE or by name."),
+    noise: tuple[str, ...] = _table("--noise", "Add a maker's table of broadband noise."),
+    inner_modes: tuple[str, ...] = _table("--inner-modes", "Add a wheel's radial, axial and rocking modes."),
+    modes: str | None = file_option("--modes", "FILE.csv", "Add structural modes, one-way."),
+    sight: str | None = file_option("--sight", "FILE.csv", "Find a line of sight by sensitivities, instead of --at."),
+    require: tuple[str, ...] = option(
+        "--require",
+        'Judge by a limit, "rms 0.1 arcsec", "worst 1 um 10..200Hz", or by a mask in a CSV file.',
+        metavar="LIMIT",
+        multiple=True,
+    ),
+    order: int | None = option(
+        "--order",
+        "Keep combinations of this many turns in all; default: as many as the accuracy needs.",
+        metavar="N",
+        type=click.IntRange(1, 20),
+    ),
+    exact: bool = flag("--exact", "Solve the full equations at every speed of a sweep."),
+    seconds: float | None = option(
+        "--time", "Limit the time of the exact solutions.", metavar="S", type=click.FloatRange(min=0, min_open=True)
+    ),
+    output: str | None = file_option("-o", "FILE", f"Write numbers or a picture: {', '.join(SUFFIXES)}."),
+    as_json: bool = JSON,
+) -> None:
+    """Find the jitter of a point.
+
+    Flywheels turn at any constant speeds, without a common period: lines of every wheel and order and of their
+    combinations, RMS, worst case over all phases.
+
+    One set of speeds is solved by harmonic balance of the full equations; what it leaves out is measured. A sweep is
+    solved to first order and compared with the full equations at some speeds; --exact solves them at all.
+
+    Exit status: 0 all requirements met, or none given; 1 a requirement failed, or no steady motion; 2 bad input; 130
+    Ctrl-C.
+    """
+    stand = load_stand(stand_file)
+    suffix = "" if output is None else require_suffix(output, SUFFIXES)
+    from mahovik.out.functions.jitter import jitter as run
+    from mahovik.use.study.response.speeds import read_speeds
+
+    swept = read_speeds(stand, speeds).sweep is not None
+    for name, given in (("steps", is_given("steps")), ("exact", exact)):
+        if given and not swept:
+            raise UsageError(f"--{name}: no speed is swept; give a range, as w1=0..6000rpm")
+    turned = read_phases(stand, phases)
+    if output is not None:
+        _check_place(Path(output), suffix)
+    end = None if seconds is None else time.monotonic() + seconds
+
+    def go_on(done: int) -> bool:
+        return end is None or done == 0 or time.monotonic() < end
+
+    with progress(f"jitter of {stand.name}, speeds") as stage:
+        found = run(
+            stand, speeds, point, quantity=quantity, steps=steps, phases=turned,
+            harmonics=_files("--harmonics", harmonics), noise=_files("--noise", noise),
+            inner_modes=_files("--inner-modes", inner_modes), modes=modes, sight=sight, require=require,
+            order=order, exact=exact, go_on=go_on, progress=stage.show,
+        )  # fmt: skip
+    if output is not None:
+        _write(found, Path(output), suffix)
+    if as_json:
+        from mahovik.use.study.jitter.tables import json_text
+
+        print_json_text(json_text(found.study, found.verdicts))
+    else:
+        _print(found)
+    if not found.met:
+        raise SystemExit(1)
+    if found.interrupted:
+        cut = end is not None and time.monotonic() >= end
+        words = "warning: --time cut the exact solutions" if cut else "error: interrupted"
+        click.echo(f"{words}: {len(found)} speeds are done", err=True)
+        if not cut:
+            raise SystemExit(INTERRUPTED)
+
+
+def _files(name: str, given: tuple[str, ...]) -> dict[str, str]:
+    """Files by flywheel. Raises UsageError."""
+    found: dict[str, str] = {}
+    for each in given:
+        wheel, separator, path = each.partition("=")
+        if not separator or wheel in found:
+            raise UsageError(f"{name} {each}: expected NAME=FILE.csv, each name once")
+        found[wheel] = path
+    return found
+
+
+def _check_place(path: Path, suffix: str) -> None:
+    """Check, before anything is computed, that the file can be written. Raises UsageError."""
+    if suffix in PICTURES:
+        from mahovik.out.report.plot.draw import require
+
+        require("plot")
+    probe(path)
+
+
+def _write(found: Jitter, path: Path, suffix: str) -> None:
+    from mahovik.writing import write
+
+    if suffix in PICTURES:
+        from mahovik.out.report.plot.draw import draw
+        from mahovik.out.report.plot.jitter import panels
+
+        write(path, draw(f"{found.stand.name}: jitter", panels(found.study), suffix))
+    else:
+        from mahovik.use.study.jitter.tables import csv_text, json_text
+
+        write(path, json_text(found.study, found.verdicts) if suffix == ".json" else csv_text(found.study))
+
+
+def _print(found: Jitter) -> None:
+    """Print lines, sums, and remarks on accuracy."""
+    import numpy as np
+
+    from mahovik.use.study.jitter.quantity import ARCSEC
+
+    study = found.study
+    scale, unit = (1.0, found.unit) if study.measure.arcsec is None else (ARCSEC, study.measure.arcsec)
+    many = "one speed" if len(found) == 1 else f"{len(found)} speeds"
+    largest = "largest " if study.swept else ""
+    columns = ("line", "Hz>", *(f"{largest}amplitude {axis}, {unit}>" for axis in "xyz"))
+    rows = []
+    lines = study.lines
+    total = np.linalg.norm(lines.sizes, axis=2)
+    for i in np.argsort(-np.nanmax(total, axis=0, initial=0.0), kind="stable")[:SHOWN]:
+        at = int(np.nanargmax(total[:, i]))
+        if total[at, i] > 0.0:
+            sizes = [f"{scale * x:.6g}" for x in lines.sizes[at, i]]
+            rows.append((f"{lines.names[i].text} {lines.names[i].part}", f"{lines.frequency[at, i]:.6g}", *sizes))
+    for name, values in study.sums().items():
+        if name != "mean":
+            at = int(np.nanargmax(np.linalg.norm(values, axis=1)))
+            words = {"rms": "RMS", "rss": "RMS over all phases", "worst": "worst case over phases"}[name]
+            speed = f" at {RPM * study.value[at]:.6g} rpm" if study.swept else ""
+            rows.append((f"{words}{speed}", "", *(f"{scale * x:.6g}" for x in values[at])))
+    print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
+    if found.verdicts:
+        _print_verdicts(found, scale, unit)
+    _remarks(found)
+
+
+def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
+    """Print requirements: limit, value, margin, worst speed."""
+    columns = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "margin>", "axis", "speed, rpm>", "")
+    rows: list[tuple[Any, ...]] = []
+    for each in found.verdicts:
+        numbers = (f"{scale * each.requirement.limit:.6g}", f"{scale * each.value:.6g}", f"{100 * each.margin:.4g} %")
+        speed = f"{RPM * found.study.value[each.step]:.6g}"
+        said = ("met", "green") if each.met else ("failed", "red")
+        rows.append((each.requirement.text, *numbers, "xyz"[each.axis], speed, said))
+    print_table(columns, rows, title="requirements, with the makers' tolerances")
+
+
+def _remarks(found: Jitter) -> None:
+    """Print what is left out, and speeds without a steady state."""
+    import numpy as np
+
+    study = found.study
+    if study.checks:
+        worst = max(study.checks, key=lambda check: check.off)
+        click.echo(
+            f"first order; at {len(study.checks)} speeds the full equations give the same RMS within {worst.off:.1e}, "
+            f"the most at {RPM * study.value[worst.step]:.6g} rpm"
+        )
+    elif np.isfinite(study.left_out).any():
+        click.echo(
+            f"harmonic balance of order {max(study.order)}; accelerations left out: at most "
+            f"{np.nanmax(study.left_out):.1e} of the largest"
+        )
+    structure = study.chain.makers.structure
+    if structure is not None:
+        mass, gyro = (float(each.max(initial=0.0)) for each in study.chain.ratios)
+        click.echo(
+            f"{len(structure.omega)} structural modes, one-way; the way back to the wheels would shift a frequency by "
+            f"up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
+        )
+    if study.problems:
+        count = f"; so at {len(study.problems)} speeds" if len(study.problems) > 1 else ""
+        click.echo(f"warning: {study.problems[0][1]}{count}", err=True)
+    if np.abs(study.hold).max() > 1e-12:
+        force, moment = (float(np.linalg.norm(part)) for part in (study.hold[:3], study.hold[3:]))
+        held = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m"
+        click.echo(f"the stand is free to drift: {held} holds its mean place")

@@ -1,0 +1,229 @@
+"""`jitter`: what wheels at any constant speeds do to a point: angle, rate, displacement, acceleration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.api.fields import Array
+from mahovik.out.api.stands import Stand
+from mahovik.out.functions.given import Number, StandGiven, by_flywheel
+from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.functions.table import Column, Table
+from mahovik.out.functions.vibration import speed_text, warn_of_planned_speeds
+from mahovik.use.study.jitter import Jitter as Study
+from mahovik.use.study.jitter import Makers, View
+from mahovik.use.study.jitter import jitter as find
+from mahovik.use.study.jitter.lines import LineName
+from mahovik.use.study.jitter.maker import read_harmonics, read_inner_modes, read_noise
+from mahovik.use.study.jitter.requirement import Requirement, judge, read_requirements
+from mahovik.use.study.jitter.sight import read_sight
+from mahovik.use.study.jitter.structure import read_structure
+from mahovik.use.study.jitter.tables import AXES, as_object, csv_text, json_text, order_entries, verdict_object
+from mahovik.use.study.response.speeds import ALL, read_speeds
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plot.panel import Panel
+
+
+class Jitter(Table):
+    """Jitter of a point: a row per speed, columns of RMS, RSS, worst case and of the amplitude of each line.
+
+    `study` holds all lines with phases; `stand`, `index` as in other tables.
+    """
+
+    def __init__(self, study: Study, requirements: Sequence[Requirement] = ()) -> None:
+        self.study, self.stand = study, study.stand
+        self.verdicts = tuple(judge(study, each) for each in requirements)
+        asked = study.asked
+        self.index = "" if asked.sweep is None or asked.swept is None else f"speed {asked.names[asked.swept]}"
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        study, unit = self.study, self.unit
+        found = [Column(f"speed {name}", "rad/s", study.speeds[:, s]) for s, name in enumerate(study.asked.names)]
+        for name, values in study.sums().items():
+            found += [Column(f"{name} {axis}", unit, values[:, i]) for i, axis in enumerate(AXES)]
+        for i, label in enumerate(_labels(study.lines.names)):
+            size = study.lines.sizes[:, i]
+            if np.nanmax(size, initial=0.0) > 0.0:
+                found += [Column(f"{label} {axis}", unit, size[:, j]) for j, axis in enumerate(AXES)]
+        return tuple(found)
+
+    @property
+    def unit(self) -> str:
+        """SI unit of the quantity."""
+        return self.study.measure.unit
+
+    @property
+    def speeds(self) -> Array:
+        """Speeds (S, N), rad/s."""
+        return self.study.speeds
+
+    @property
+    def rms(self) -> Array:
+        """Root mean square (S, 3) at the given phases, along the point's axes."""
+        return self.study.sums()["rms"]
+
+    @property
+    def rss(self) -> Array:
+        """Root mean square (S, 3) over all phases of the flywheels."""
+        return self.study.sums()["rss"]
+
+    @property
+    def worst(self) -> Array:
+        """Sum of all amplitudes (S, 3): the largest value at the worst phases."""
+        return self.study.sums()["worst"]
+
+    @property
+    def orders(self) -> list[dict[str, Any]]:
+        """Lines of single wheels, largest first: wheel, order, frequency (Hz), amplitude and phase along the axes."""
+        return order_entries(self.study)
+
+    @property
+    def combinations(self) -> list[dict[str, Any]]:
+        """Lines at sums and differences of the wheels' frequencies, largest first."""
+        return order_entries(self.study, combinations=True)
+
+    @property
+    def left_out(self) -> Array:
+        """Largest remaining acceleration of the full equations (S), relative; NaN where it was not evaluated."""
+        return self.study.left_out
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """Why speeds have no steady state, one reason per such speed."""
+        return tuple(text for _, text in self.study.problems)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether something is missing, by Ctrl-C or `go_on`."""
+        return self.study.interrupted
+
+    @property
+    def requirements(self) -> list[dict[str, Any]]:
+        """Requirements: limit, value, margin, whether met, worst speed and axis."""
+        return [verdict_object(self.study, each) for each in self.verdicts]
+
+    @property
+    def met(self) -> bool:
+        """Whether all requirements are met."""
+        return all(each.met for each in self.verdicts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All figures, as `mahovik jitter --json` prints them."""
+        return as_object(self.study, self.verdicts)
+
+    def save(self, path: str | Path) -> None:
+        """Write .json or .csv. Raises UsageError."""
+        from mahovik.writing import format_of, write
+
+        suffix = format_of(Path(path), (".csv", ".json"))
+        if suffix is None:
+            raise UsageError(f"{path}: expected a name that ends in .csv or .json")
+        write(Path(path), json_text(self.study, self.verdicts) if suffix == ".json" else csv_text(self.study))
+
+    def _panels(self) -> Sequence[Panel]:
+        from mahovik.out.report.plot.jitter import panels
+
+        return panels(self.study)
+
+    def __repr__(self) -> str:
+        study, many = self.study, len(self.study.value)
+        speeds = "one speed" if many == 1 else f"{many} speeds"
+        return f"<Jitter of {study.stand.name}: {study.quantity} of {study.point} at {speeds}>"
+
+
+def _labels(names: Sequence[LineName]) -> list[str]:
+    return [f"{name.text} {name.part}".strip() for name in names]
+
+
+def jitter(
+    stand: StandGiven,
+    speeds: Mapping[str, Number] | Sequence[str],
+    at: str | None = None,
+    *,
+    quantity: str = "angle",
+    steps: int = 61,
+    phases: Mapping[str, Number] | Sequence[Number] | None = None,
+    harmonics: Mapping[str, str | Path] | None = None,
+    noise: Mapping[str, str | Path] | None = None,
+    inner_modes: Mapping[str, str | Path] | None = None,
+    modes: str | Path | None = None,
+    sight: str | Path | None = None,
+    require: Sequence[str | Path] = (),
+    order: int | None = None,
+    exact: bool = False,
+    go_on: Callable[[int], bool] | None = None,
+    progress: OnProgress | None = None,
+) -> Jitter:
+    """Find what wheels at any constant speeds do to a point: lines of every wheel and order, RMS, worst case.
+
+    speeds   by flywheel: `{"all": "3000rpm", "w2": "2987rpm"}`; rad/s, or a text as of `--speed`; one may be swept
+    at       a point or instrument, "carrier" for O1
+    quantity "angle", "rate", "displacement", "velocity" or "acceleration"
+    phases   at t = 0, rad or a text, by flywheel
+    harmonics, noise, inner_modes   CSV files by flywheel, or by "all": what its maker says
+    modes    CSV file of structural modes, one-way
+    sight    CSV file of sensitivities of a line of sight, in place of `at` and `quantity`
+    require  limits, `["rms 0.1 arcsec"]`, or CSV files of a mask
+    order    highest combination of wheels in the harmonic balance; None: as high as the accuracy needs
+    exact    in a sweep solve the full equations at every speed, not the linear ones
+    go_on    gets the number of speeds done, and ends with False
+
+    Raises StandError, UsageError, JitterFileError, CheckError.
+    """
+    own = Stand.of(stand)
+    seen = _find_view(own, at, quantity, sight)
+    limits = read_requirements([str(each) for each in require], seen.measure)
+    makers = Makers(
+        _by_wheel(own, "harmonics", harmonics, read_harmonics),
+        _by_wheel(own, "noise", noise, read_noise),
+        _by_wheel(own, "inner_modes", inner_modes, read_inner_modes),
+        None if modes is None else read_structure(Path(modes), own),
+    )
+    texts = [speed_text(*each) for each in speeds.items()] if isinstance(speeds, Mapping) else list(speeds)
+    asked = read_speeds(own, texts)
+    warn_of_planned_speeds(own, asked, texts)
+    count, words = 1 if asked.sweep is None else steps, f"jitter of {own.name}, speeds"
+
+    def shall_go_on(done: int) -> bool:
+        tell(progress, Progress(words, done, count))
+        return go_on is None or go_on(done)
+
+    phi = by_flywheel("phases", phases, own)
+    found = find(
+        own, asked, steps, seen, phases=phi, makers=makers, order=order, exact=exact, go_on=shall_go_on
+    )  # fmt: skip
+    if not len(found.value):
+        raise KeyboardInterrupt
+    return Jitter(found, limits)
+
+
+def _find_view(stand: Stand, at: str | None, quantity: str, sight: str | Path | None) -> View:
+    """The point or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
+    from mahovik.use.study.linear.model import places
+
+    if (at is None) is (sight is None):
+        raise UsageError("expected a point or a line of sight: one of --at and --sight")
+    if sight is not None:
+        return read_sight(Path(sight), stand)
+    return View.of(places(stand, [str(at)])[0], quantity)
+
+
+def _by_wheel(
+    stand: Stand, option: str, given: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
+) -> dict[str, Any]:
+    """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, JitterFileError."""
+    names = [s.name for s in stand.flywheels]
+    found: dict[str, Any] = {}
+    for name, path in sorted((given or {}).items(), key=lambda each: each[0] != ALL):
+        if name != ALL and name not in names:
+            raise UsageError(f'{option}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
+        found |= dict.fromkeys(names if name == ALL else [name], read(Path(path)))
+    return found

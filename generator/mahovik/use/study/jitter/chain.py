@@ -1,0 +1,199 @@
+"""From wrenches of the wheels on their mounts to what is seen: internal modes, rigid carrier, structural modes.
+
+All of it is linear and one-way: nothing that is driven here acts back on the wheels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.study.jitter.lines import TABLE, LineName, Lines
+from mahovik.use.study.jitter.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
+from mahovik.use.study.jitter.plant import Plant
+from mahovik.use.study.jitter.quantity import View
+from mahovik.use.study.jitter.structure import Structure, way_back
+from mahovik.use.study.jitter.torus import Whole
+
+CHUNK = 2_000_000
+"""Speeds, lines and modes treated at once: their product."""
+
+
+@dataclass(frozen=True, eq=False)
+class Makers:
+    """What makers and analysts say: of wheels by name, and of the structure."""
+
+    harmonics: Mapping[str, Harmonics] = field(default_factory=dict)
+    noise: Mapping[str, Noise] = field(default_factory=dict)
+    inner: Mapping[str, InnerModes] = field(default_factory=dict)
+    structure: Structure | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Linear chain of a stand.
+
+    own          (N, 6, 6): transfer of a wheel's mount, axes at phase 0, to E1 about O1
+    Theta, gyro  (N, 6, 6): mean inertia of each wheel in E1 about O1; wrench on the carrier by V, at a speed of 1
+    seen_modes   (3, m): what is seen of each structural mode
+    mount_modes  (N, m, 6): modal forces of wrenches of a wheel on its mount, in E1 about O1
+    ratios       mass_ratio, gyro_ratio of `structure.way_back`
+    """
+
+    plant: Plant
+    seen: View
+    makers: Makers
+    names: tuple[str, ...]
+    own: Array
+    Theta: Array
+    gyro: Array
+    seen_modes: Array
+    mount_modes: Array
+    ratios: tuple[Array, Array]
+
+    @staticmethod
+    def of(plant: Plant, seen: View, makers: Makers, fastest: Array) -> Chain:
+        """The chain for speeds of up to `fastest` (N, rad/s). Raises JitterFileError: a shape is missing."""
+        mechanics = Mechanics.of(plant.stand)
+        tables, names = mechanics.tables, tuple(s.name for s in plant.stand.flywheels)
+        N, structure = len(names), makers.structure
+        Theta = tables.Theta[0]
+        gyro = np.linalg.inv(plant.inverse) @ plant.gyro if N else np.zeros((0, 6, 6))
+        if structure is None:
+            none = np.zeros((3, 0))
+            ratios = (np.zeros(0), np.zeros(0))
+            return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, none, np.zeros((N, 0, 6)), ratios)
+        about = np.array([_to_mount(L) for L in tables.Lm])
+        modes = np.zeros((N, len(structure.omega), 6))
+        for s, name in enumerate(names):
+            if fastest[s] > 0.0 or name in structure.shapes:
+                modes[s] = structure.at(name, "the mount of").T @ about[s]
+        local = np.array([about[s] @ Theta[s] @ about[s].T for s in range(N)])
+        spin = tables.axis * (tables.Theta_ff * fastest)[:, None]
+        ratios = way_back(structure, names, local, spin)
+        shown = seen.shape(structure)
+        return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, shown, modes, ratios)
+
+    @property
+    def one_way(self) -> bool:
+        """Whether mount wrenches drive anything beside the rigid carrier."""
+        return bool(self.makers.inner) or self.makers.structure is not None
+
+    def driven(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+        """Amplitudes (S, L, 3) in addition to the rigid motion, by rigid mount wrenches (S, L, N, 6) in E1 about O1.
+
+        speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
+        """
+        passed = self._transmit(speeds, omega, mounts)
+        more = (passed - mounts).sum(axis=2)
+        a = np.zeros((*omega.shape, 3), dtype=np.complex128)
+        if more.any():
+            a += self.seen.by_pose(self.plant.pose(speeds, omega, more[..., None])[..., 0], omega)
+        if self.makers.structure is not None:
+            force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
+            q = force * self.makers.structure.compliance(omega)
+            a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
+        return a
+
+    def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+        """Mount wrenches after the internal modes of the wheels."""
+        found = mounts.astype(np.complex128)
+        for s, name in enumerate(self.names):
+            inner = self.makers.inner.get(name)
+            if inner is not None:
+                own = mounts[:, :, s] @ np.linalg.inv(self.own[s]).T
+                found[:, :, s] = inner.transmitted(own, omega, speeds[:, s, None]) @ self.own[s].T
+        return found
+
+    def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
+        """Wrenches (S, L, N, 6) of wheels on their mounts by the carrier's motion: inertia and spin, to first order."""
+        V = 1j * omega[..., None] * pose
+        inertial = -np.einsum("sij,tlj->tlsi", self.Theta, 1j * omega[..., None] * V)
+        turning = np.einsum("sij,tlj,ts->tlsi", self.gyro, V, speeds)
+        return np.asarray(inertial + turning)
+
+    def table_lines(self, speeds: Array) -> Lines:
+        """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
+        found = Lines((), np.zeros((len(speeds), 0)), np.zeros((len(speeds), 0, 3), dtype=np.complex128))
+        for s, name in enumerate(self.names):
+            table = self.makers.harmonics.get(name)
+            if table is not None:
+                found = found.joined(self._wheel_lines(s, name, table, speeds))
+        return found
+
+    def _wheel_lines(self, s: int, name: str, table: Harmonics, speeds: Array) -> Lines:
+        there = np.flatnonzero(table.amplitude.any(axis=0))
+        omega = np.abs(speeds[:, s, None]) * table.order
+        still = omega == 0.0
+        size = table.amplitude[:, there] * np.where(still, 0.0, 1.0)[..., None] * (speeds[:, s] ** 2)[:, None, None]
+        answer = self.unit_answers(s, there, speeds, np.where(still, 1.0, omega))  # (S, H, 3, P)
+        a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
+        parts = [list(PARTS)[i] for i in there]
+        tolerance = np.repeat(table.tolerance, len(parts))
+        names = [LineName(name, float(order), TABLE, part) for order in table.order for part in parts]
+        names = [label._replace(tolerance=float(t)) for label, t in zip(names, tolerance, strict=True)]
+        kept = (table.amplitude[:, there] > 0.0).ravel()
+        frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
+        return Lines(tuple(names), frequency, a).selected(kept)
+
+    def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
+        """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
+
+        Radial parts turn with the wheel, or against it (`backward`).
+        """
+        sense = np.where((speeds[:, s] < 0.0) ^ backward, -1.0, 1.0)[:, None]
+        gains = self._part_gains(s, parts, sense * omega, speeds[:, s, None])  # (S, L, P)
+        basis = (self.own[s] @ PATTERNS[parts].T.astype(np.complex128)) + 0.0  # (6, P)
+        turned = np.where(sense[:, :, None] < 0.0, basis.conj(), basis)  # (S, 6, P)
+        S, L = omega.shape
+        a = np.empty((S, L, 3, len(parts)), dtype=np.complex128)
+        step = max(1, CHUNK // max(L * max(len(self.seen_modes.T), 6), 1))
+        for i in range(0, S, step):
+            at = slice(i, i + step)
+            a[at] = self._rigid_and_modes(s, speeds[at], omega[at], turned[at])
+        return a * gains[:, :, None, :]
+
+    def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
+        inner = self.makers.inner.get(self.names[s])
+        if inner is None:
+            return np.ones((*signed.shape, len(parts)), dtype=np.complex128)
+        kinds = {"radial force": "radial", "axial force": "axial", "radial moment": "rocking", "axial moment": ""}
+        found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
+        gains = np.stack(found, axis=-1)
+        return np.where(signed[..., None] < 0.0, gains.conj(), gains)
+
+    def _rigid_and_modes(self, s: int, speeds: Array, omega: Array, wrench: Complex) -> Complex:
+        """Amplitudes (S, L, 3, P) by wrenches (S, 6, P) of wheel s on its mount."""
+        pose = self.plant.pose(speeds, omega, np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:])))
+        a = self.seen.rows @ pose
+        structure = self.makers.structure
+        if structure is not None:
+            S, m = len(speeds), len(structure.omega)
+            # the carrier's motion p moves all wheels: sum_s mount_modes_s (omega^2 Theta_s + i omega gyro_s phi_s') p
+            inertia = np.einsum("smi,sij->mj", self.mount_modes, self.Theta)
+            spin = np.einsum("smi,sij,ts->tmj", self.mount_modes, self.gyro, speeds)
+            direct = self.mount_modes[s] @ wrench  # (S, m, P)
+            P = wrench.shape[2]
+            right = np.empty((S, m, 3 * (P + 12)), dtype=np.complex128)
+            right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
+            right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
+            right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
+            out = structure.compliance(omega) @ right  # (S, L, 3 (P + 12))
+            L = omega.shape[1]
+            w = omega[:, :, None, None]
+            by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
+            by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
+            a += out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
+        return np.asarray(a * self.seen.derivative(omega)[:, :, None, None])
+
+
+def _to_mount(L: Array) -> Array:
+    """(6, 6): a wrench in E1 about O1 as one in E1 about Os; L: transfer of the wheel's frame to E1 about O1."""
+    arm = L[3:, :3] @ L[:3, :3].T  # <Os>
+    found = np.eye(6)
+    found[3:, :3] = -arm
+    return found

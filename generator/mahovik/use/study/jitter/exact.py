@@ -1,0 +1,84 @@
+"""Lines of the full equations at one set of speeds, by harmonic balance."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.residual.evaluate import flywheel_damping
+from mahovik.use.plan.residual.flywheels import waves
+from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.study.jitter.balance import SLOW, Balance
+from mahovik.use.study.jitter.chain import Chain
+from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines
+from mahovik.use.study.jitter.quantity import View
+
+NEGLIGIBLE = 1e-9
+"""Part of the largest amplitude below which a line is left out."""
+
+
+def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None = None) -> Lines:
+    """Lines (S = 1) of a motion on the torus, for phases (N, rad) at t = 0.
+
+    chain    what the exact mount wrenches drive in addition: internal modes of wheels, structural modes
+    """
+    torus = found.torus
+    w = found.frequencies
+    y, y_dot = torus.values(found.c), torus.values(1j * w[:, None] * found.c)
+    a = torus.coefficients(seen.values(y, y_dot[:, 6:]))
+    if chain is not None and chain.one_way:
+        mounts = torus.coefficients(mount_wrenches(found, y, y_dot[:, 6:]))
+        a = a + _driven(chain, found.speeds, w, mounts)
+    a = a * np.exp(1j * (torus.k @ phases[list(found.turning)]))[:, None]
+    a = np.where(w[:, None] < 0.0, a.conj(), a)
+    fastest = float(np.abs(found.speeds).max(initial=0.0))
+    f = np.where(np.abs(w) <= SLOW * fastest, 0.0, np.abs(w)) / (2.0 * np.pi)
+    sizes = np.abs(a).max(axis=1)
+    kept = (sizes > NEGLIGIBLE * sizes[f > 0.0].max(initial=0.0)) | (torus.k == 0).all(axis=1)
+    names = [found.scene.stand.flywheels[s].name for s in found.turning]
+    labels = [_name(k.tolist(), names) for k in torus.k[kept]]
+    return Lines(tuple(labels), f[kept][None], a[kept][None])
+
+
+def _name(k: list[int], names: list[str]) -> LineName:
+    """Name of the line of k, one whole number per flywheel that turns."""
+    there = [(n, name) for n, name in zip(k, names, strict=True) if n]
+    if len(there) == 1:
+        return LineName(there[0][1], float(abs(there[0][0])), UNBALANCE)
+    words = ""
+    for n, name in there:
+        sign = ("-" if n < 0 else "+") if words else ("-" if n < 0 else "")
+        words += f" {sign} " if words else sign
+        words += name if abs(n) == 1 else f"{abs(n)} {name}"
+    return LineName(words, float(sum(map(abs, k))), COMBINATION)
+
+
+def mount_wrenches(found: Balance, y: Array, V_dot: Array) -> Array:
+    """Wrench (M, N, 6) of each flywheel on its mount, in E1 about O1, at the nodes of the torus: exact."""
+    mechanics = found.scene.chart.mechanics
+    theta = found.torus.nodes
+    phi = np.tile(found.phases, (len(theta), 1))
+    phi[:, list(found.turning)] = theta
+    phi_dot = np.tile(found.speeds, (len(theta), 1))
+    at = found.scene.chart.twists(y)
+    given = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
+    h, _ = waves(phi)
+    taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.spun[:, :6] * phi_dot**2
+    wrench = -np.einsum("hms,hims->msi", h, taken)
+    for s, damping in enumerate(mechanics.tables.damping):
+        if damping is not None:
+            wrench[:, s] += flywheel_damping(mechanics.tables, s, at.V_r, phi[:, s], phi_dot[:, s])[0][:6].T
+    return np.asarray(wrench)
+
+
+def _driven(chain: Chain, speeds: Array, w: Array, mounts: Complex) -> Complex:
+    """Amplitudes (n, 3) that mount wrenches (n, N, 6) at w (n; rad/s, of either sign) drive; none at 0."""
+    a = np.zeros((len(w), 3), dtype=np.complex128)
+    moving = np.abs(w) > SLOW * float(np.abs(speeds).max(initial=0.0))
+    if not moving.any():
+        return a
+    back = w[moving, None, None] < 0.0
+    given = np.where(back, mounts[moving].conj(), mounts[moving])
+    driven = chain.driven(speeds[None], np.abs(w[None, moving]), given[None])[0]
+    a[moving] = np.where(back[:, 0], driven.conj(), driven)
+    return a

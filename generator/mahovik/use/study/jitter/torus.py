@@ -1,0 +1,138 @@
+"""Functions of several phases at once: trigonometric polynomials on a torus, sampled at the nodes of a lattice rule.
+
+A motion with speeds in no whole ratio is y(t) = sum_k y_k exp(i k . theta(t)), theta_s = phi_s' t + phi_s(0), k whole
+numbers, one per flywheel that turns. A rank-1 lattice samples it at theta_j = 2 pi j z / M, j = 0 .. M - 1: there
+k . theta_j is the harmonic k . z mod M of one periodic function, so that one FFT finds all coefficients. Source: L.
+Kaemmerer, Multiple rank-1 lattices as sampling schemes for multivariate trigonometric polynomials (2018), section 2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.errors import CheckError
+from mahovik.use.plan.array import Array, Complex
+
+Whole = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+MOST_NODES = 40_000
+"""Most nodes of a lattice: time and memory grow in proportion."""
+
+TRIES = 200
+"""Generators tried per number of nodes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Torus:
+    """Index set and lattice of `count` phases.
+
+    k      (n, count) whole numbers: one of k and -k, the zero first; by size, then in order
+    z, M   generator (count) and number of nodes, odd; k . z differ mod M for all k and -k
+    """
+
+    k: Whole
+    z: Whole
+    M: int
+
+    @staticmethod
+    def of(count: int, order: int) -> Torus:
+        """All k with |k_1| + |k_2| + ... <= order. Raises CheckError: too many nodes."""
+        return _torus(count, order)
+
+    @property
+    def count(self) -> int:
+        """Number of phases."""
+        return int(self.k.shape[1])
+
+    @property
+    def nodes(self) -> Array:
+        """Phases (M, count; rad) of the nodes."""
+        return np.asarray(2.0 * np.pi * (np.outer(np.arange(self.M), self.z) % self.M) / self.M)
+
+    def _places(self) -> tuple[Whole, Flags]:
+        """Harmonic in 0 .. M // 2 of every k, and whether it is that of -k."""
+        b = self.k @ self.z % self.M
+        mirrored = b > self.M // 2
+        return np.where(mirrored, self.M - b, b), mirrored
+
+    def values(self, c: Complex) -> Array:
+        """Values (M, ...) at the nodes of coefficients c (n, ...): the real part of sum c_k exp(i k . theta)."""
+        bins, mirrored = self._places()
+        spectrum = np.zeros((self.M // 2 + 1, *c.shape[1:]), dtype=np.complex128)
+        spectrum[bins] = np.where(mirrored.reshape(-1, *(1,) * (c.ndim - 1)), c.conj(), c) / 2.0
+        spectrum[0] = c[0].real
+        return np.asarray(np.fft.irfft(spectrum * self.M, self.M, axis=0))
+
+    def coefficients(self, values: Array) -> Complex:
+        """Coefficients (n, ...) of values (M, ...) at the nodes; the first is the mean."""
+        bins, mirrored = self._places()
+        found = np.fft.rfft(values, axis=0)[bins] * (2.0 / self.M)
+        found = np.where(mirrored.reshape(-1, *(1,) * (values.ndim - 1)), found.conj(), found)
+        found[0] = found[0].real / 2.0
+        return np.asarray(found)
+
+    def at(self, c: Complex, theta: Array) -> Array:
+        """Values (m, ...) at phases theta (m, count; rad)."""
+        wave = np.exp(1j * (theta @ self.k.T))
+        return np.asarray(np.tensordot(wave, c, axes=1).real)
+
+    def frequencies(self, speeds: Array) -> Array:
+        """k . speeds (n; rad/s), of either sign."""
+        return np.asarray(self.k @ speeds)
+
+
+def indices(count: int, order: int) -> Whole:
+    """One of k and -k (n, count) with the sum of |k_s| at most `order`, the zero first, then by size."""
+    found = [(0,) * count]
+    for size in range(1, order + 1 if count else 1):
+        found += sorted(_of_size(count, size), reverse=True)
+    return np.array(found, dtype=np.int64).reshape(len(found), count)
+
+
+def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
+    """All k of this size whose first number that is not zero is positive."""
+
+    def shares(places: int, left: int) -> list[tuple[int, ...]]:
+        if places == 1:
+            return [(left,)]
+        return [(first, *rest) for first in range(left + 1) for rest in shares(places - 1, left - first)]
+
+    found = []
+    for share in shares(count, size):
+        at = [i for i, x in enumerate(share) if x]
+        for signs in product((1, -1), repeat=len(at) - 1):
+            one = list(share)
+            for i, sign in zip(at[1:], signs, strict=True):
+                one[i] *= sign
+            found.append(tuple(one))
+    return found
+
+
+@lru_cache(maxsize=32)
+def _torus(count: int, order: int) -> Torus:
+    k = indices(count, order)
+    rng = np.random.default_rng(count * 1000 + order)
+    M = 2 * len(k) + 1
+    while M <= MOST_NODES:
+        for z in _generators(count, M, rng):
+            b = k @ z % M
+            both = np.concatenate([b, M - b[1:]])
+            if len(np.unique(both)) == len(both):
+                return Torus(k, z, M)
+        M = int(M * 1.15) | 1
+    raise CheckError(f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order")
+
+
+def _generators(count: int, M: int, rng: np.random.Generator) -> Whole:
+    """Generators (TRIES, count): powers of one number, which are often good, then random ones."""
+    powers = np.ones((TRIES // 2, count), dtype=np.int64)
+    first = rng.integers(2, max(M - 1, 3), TRIES // 2)
+    for i in range(1, count):
+        powers[:, i] = powers[:, i - 1] * first % M
+    return np.asarray(np.concatenate([powers, rng.integers(1, M, (TRIES // 2, count))]))

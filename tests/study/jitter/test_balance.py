@@ -1,0 +1,135 @@
+"""Harmonic balance: closed forms, the periodic response, the equations themselves, directions without a spring."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mahovik.core.stand import Stand, load
+from mahovik.errors import CheckError
+from mahovik.stands import path
+from mahovik.use.study.jitter import Jitter, View, balance
+from mahovik.use.study.jitter import jitter as find
+from mahovik.use.study.jitter.balance import _Search
+from mahovik.use.study.jitter.quantity import QUANTITIES
+from mahovik.use.study.linear.model import places
+from mahovik.use.study.response import periodic_response
+from mahovik.use.study.response.periodic import rms
+from mahovik.use.study.response.scene import Scene
+from mahovik.use.study.response.speeds import SpeedPlan, read_speeds
+from study.jitter.stands import J_SPIN, J_TRANSVERSE, M_CARRIER, M_WHEEL, one_wheel
+
+OMEGA = 240.0
+STATIC, DYNAMIC = 5e-4, 2e-6
+SUSPENSION = """
+[suspension]
+stiffness = [9e5, 9e5, 9e5, 50, 50, 50]
+damping = [40, 40, 40, 0.1, 0.1, 0.1]
+"""
+
+
+def jitter(stand: Stand, asked: SpeedPlan, steps: int, point: str, quantity: str = "angle") -> Jitter:
+    """Jitter of a point by name."""
+    return find(stand, asked, steps, View.of(places(stand, [point])[0], quantity))
+
+
+def first_order(stand_file: Path, unbalance: str, quantity: str, more: str = "") -> np.ndarray:
+    stand = one_wheel(stand_file, unbalance, more)
+    found = jitter(stand, read_speeds(stand, [f"w={OMEGA}"]), 1, "eye", quantity=quantity)
+    names = [(name.wheel, name.order) for name in found.lines.names]
+    return np.asarray(found.lines.sizes[0, names.index(("w", 1.0))])
+
+
+def test_static_unbalance_of_a_free_stand_by_closed_form(tmp_path: Path) -> None:
+    """In the plane both bodies go round the common centre of mass, and nothing turns."""
+    size = first_order(tmp_path, 'static = "5 g cm"', "displacement")
+    radius = 5e-5 / (M_CARRIER + M_WHEEL)
+    assert size == pytest.approx([radius, radius, 0.0], rel=1e-6, abs=1e-20)
+    acceleration = first_order(tmp_path, 'static = "5 g cm"', "acceleration")
+    assert acceleration == pytest.approx([radius * OMEGA**2, radius * OMEGA**2, 0.0], rel=1e-6, abs=1e-16)
+
+
+def test_static_unbalance_on_springs_by_closed_form(tmp_path: Path) -> None:
+    size = first_order(tmp_path, 'static = "5 g cm"', "displacement", SUSPENSION)
+    radius = 5e-5 * OMEGA**2 / abs(9e5 - (M_CARRIER + M_WHEEL) * OMEGA**2 + 40j * OMEGA)
+    assert size[:2] == pytest.approx([radius, radius], rel=1e-6)
+
+
+@pytest.mark.parametrize(("quantity", "power"), [("angle", 0), ("rate", 1)])
+def test_dynamic_unbalance_by_closed_form(quantity: str, power: int, tmp_path: Path) -> None:
+    """J theta'' - i H theta' = U Omega^2 exp(i Omega t), theta = theta_x + i theta_y, H the wheel's spin momentum."""
+    size = first_order(tmp_path, 'dynamic = "20 g cm^2"', quantity)
+    angle = DYNAMIC / (J_TRANSVERSE + 0.011 - J_SPIN) * OMEGA**power
+    assert size == pytest.approx([angle, angle, 0.0], rel=1e-6, abs=1e-20)
+
+
+@pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
+@pytest.mark.parametrize(
+    ("name", "speeds", "point"),
+    [
+        ("sat4", ["rw1=3000rpm", "rw2=2000rpm", "rw3=-1000rpm"], "acc1"),
+        ("sat4", ["all=3000rpm"], "acc1"),
+        ("bench8", ["w1=60", "w2=-40", "w3=20"], "carrier"),
+    ],
+)
+def test_with_a_common_period_it_is_the_periodic_response(
+    name: str, speeds: list[str], point: str, quantity: str
+) -> None:
+    stand = load(path(name))
+    asked = read_speeds(stand, speeds)
+    found = jitter(stand, asked, 1, point, quantity=quantity)
+    other = periodic_response(stand, asked.speeds(0.0), [point])
+    wanted = rms(other.points[point].harmonics(quantity), other.frequencies)
+    assert found.lines.rms()[0] == pytest.approx(wanted, rel=1e-6)
+
+
+def test_what_is_left_out_falls_with_the_order() -> None:
+    stand = load(path("bench8"))
+    left = [balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=order).left_out for order in (1, 2, 3, 4)]
+    assert all(after < before / 5.0 for before, after in pairwise(left))
+    assert left[3] < 1e-6
+
+
+def test_a_wrong_motion_is_seen_in_what_is_left_out() -> None:
+    """A planted fault: one coefficient off by a thousandth."""
+    search = _Search(Scene.of(load(path("sat4"))), np.array([300.0, 0.0, 0.0, 211.0]), np.zeros(4))
+    found = search.at(3)
+    zero = np.zeros((len(found.c), found.scene.free.shape[1]), dtype=np.complex128)
+    good = search._left_out(found, zero)
+    found.c[1] *= 1.001
+    assert good < 1e-7
+    assert 2e-4 < search._left_out(found, zero) < 2e-3
+
+
+def test_a_free_stand_keeps_its_place_and_needs_no_hold() -> None:
+    found = balance(load(path("sat4")), [314.0, 312.7, 261.8, -129.3])
+    assert np.abs(found.hold).max() < 1e-14
+    mean = found.c[0].real
+    assert np.abs(found.scene.free_displacement @ mean).max() < 1e-14
+
+
+def test_flywheels_at_rest_move_nothing() -> None:
+    stand = load(path("sat4"))
+    found = jitter(stand, read_speeds(stand, ["rw1=0"]), 1, "acc1")
+    assert not found.lines.rms().any() and found.left_out[0] == 0.0
+
+
+def test_quantities_are_derivatives_of_one_another() -> None:
+    stand = load(path("sat4"))
+    asked = read_speeds(stand, ["all=3000rpm", "rw2=2987rpm"])
+    found = {name: jitter(stand, asked, 1, "acc1", quantity=name).lines for name in QUANTITIES}
+    for low, high in (("angle", "rate"), ("displacement", "velocity"), ("velocity", "acceleration")):
+        for name in ("rw1", "rw2"):
+            i, j = ([each.wheel for each in found[q].names].index(name) for q in (low, high))
+            omega = 2.0 * np.pi * found[low].frequency[0, i]
+            assert found[high].sizes[0, j] == pytest.approx(omega * found[low].sizes[0, i], rel=1e-5)
+
+
+def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
+    rate = 9e5 / (M_CARRIER + M_WHEEL)
+    stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION.replace("damping = [40, 40, 40, 0.1, 0.1, 0.1]", ""))
+    with pytest.raises(CheckError, match="no steady motion found"):
+        balance(stand, [float(np.sqrt(rate))])
