@@ -18,6 +18,7 @@ ORDER = (
     "programme",
     "response",
     "reach",
+    "envelopes",
     "campbell",
     "animation",
     "bodies",
