@@ -47,6 +47,7 @@ def test_statuses_are_those_promised() -> None:
         "UNREACHABLE": 8,
         "RANK_DEFICIENT": 16,
         "COARSE": 32,
+        "EXCESSIVE": 64,
         "NOT_FINITE": -1,
         "RANGE": -2,
         "NOT_POSITIVE_DEFINITE": -3,

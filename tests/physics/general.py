@@ -41,6 +41,9 @@ def draw(
     """
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, flywheels, replace(EVERYTHING, instruments=instruments, stream=stream))
+    stand = replace(  # what its flywheels can do is no matter here: nothing is EXCESSIVE
+        stand, inverse_most=1e300, flywheels=tuple(replace(s, motor=None) for s in stand.flywheels)
+    )
     if not added:
         stand = without_added_mass(stand)
 

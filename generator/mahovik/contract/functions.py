@@ -312,6 +312,13 @@ CONFLICTS = tuple(
 """Pairs of wants that give two values to one name, and the name."""
 
 
+TASK_TAKERS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].takes and name != "inverse")
+"""Wants that take the motion which results of a state's task, in place of its V_dot and phi_ddot."""
+
+TASK_CONFLICTS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].gives)
+"""Wants that give another motion than the task of a state."""
+
+
 def wants_of(referee: str) -> tuple[str, ...]:
     """Wants that a referee can answer, in the order of the evaluation contract."""
     return tuple(name for name in WANTS if referee in FUNCTIONS[name].judges)

@@ -10,7 +10,7 @@ from typing import Any
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.law import body_schemas
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import INVERSE_MOST, Stand
 from mahovik.core.stand.structure import structure
 
 
@@ -30,7 +30,11 @@ def identities(stand: Stand) -> Identities:
     """Both identities of `stand`."""
     form, numbers = asdict(structure(stand)), asdict(stand)
     form |= dict(form.pop("laws"))
-    del numbers["laws"]
+    del numbers["laws"], numbers["tasks"]
+    if stand.inverse_most == INVERSE_MOST:
+        del numbers["inverse_most"]  # as in a file without the key
+    if not stand.tasks:
+        del form["tasks"]
     for law in parts("schema"):
         numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
     body_of = {body.name: body for body in stand.bodies}

@@ -19,6 +19,13 @@ Sequence = Literal["ship", "aircraft", "euler"]
 About = Literal["origin", "center_of_mass"]
 PhaseInput = Literal["angle", "sincos"]
 
+Component = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
+COMPONENTS: tuple[Component, ...] = ("vx", "vy", "vz", "wx", "wy", "wz")
+"""Components that a task may demand: of the acceleration (v.) and of the angular acceleration (w.)."""
+
+INVERSE_MOST = 1e4
+"""rad/s2: default of `inverse_most`."""
+
 WRENCH_LETTERS = ("X", "Y", "Z", "K", "M", "N")
 TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
 
@@ -166,11 +173,31 @@ class Point:
 
 
 @dataclass(frozen=True)
+class TaskRow:
+    """One demanded component: of O1 where `of` is "" (derivative of a component of V, in E1).
+
+    Else of the point or instrument `of`: its acceleration or angular acceleration relative to E0, in its own axes.
+    """
+
+    of: str
+    component: Component
+
+
+@dataclass(frozen=True)
+class Task:
+    """Components of the carrier's motion that are demanded together; what no row names is free."""
+
+    name: str
+    rows: tuple[TaskRow, ...]
+
+
+@dataclass(frozen=True)
 class Stand(WithLaws):
     """A whole stand. `stream` is None where the file has no such key; bodies are in the file's order.
 
     `laws`: data of the laws between E0 and the carrier that the stand has.
     `phase_input`: "sincos" where the C has functions that take sines and cosines of the phases as well.
+    `inverse_most`: rad/s2, phi'' of a flywheel without motor above which an answer of `inverse` is EXCESSIVE.
     """
 
     name: str
@@ -182,6 +209,8 @@ class Stand(WithLaws):
     flywheels: tuple[Flywheel, ...]
     points: tuple[Point, ...]
     phase_input: PhaseInput = "angle"
+    tasks: tuple[Task, ...] = ()
+    inverse_most: float = INVERSE_MOST
 
     @property
     def bodies(self) -> tuple[Body, ...]:

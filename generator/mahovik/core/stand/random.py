@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from mahovik.contract.laws import LAWS, of_bodies, part
 from mahovik.core.stand.draw import Draw, rows
 from mahovik.core.stand.model import (
+    COMPONENTS,
     Carrier,
     Encoder,
     Flywheel,
@@ -28,8 +29,11 @@ from mahovik.core.stand.model import (
     Point,
     Sequence,
     Stand,
+    Task,
+    TaskRow,
 )
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.task import dependent, places_of
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 
@@ -44,6 +48,7 @@ class Features:
 
     fluid           added mass, and the laws of bodies (on flywheels as well)
     wrench_inputs   some bodies take a run-time wrench
+    tasks           how many, each of one to six rows
     laws            how many of each law of `laws/`, by its folder; where there can be one only, 1 or more gives it
     """
 
@@ -55,12 +60,13 @@ class Features:
     points: int | None = None
     wrench_inputs: bool | None = None
     motors: bool | None = None
+    tasks: int | None = None
     laws: Mapping[str, int] = field(default_factory=dict)
 
 
-EVERYTHING = Features(None, 2, True, True, True, 2, True, True, dict.fromkeys(LAWS, 2))
+EVERYTHING = Features(None, 2, True, True, True, 2, True, True, 2, dict.fromkeys(LAWS, 2))
 """Every kind of wrench and body at once; the attitude sequence is drawn."""
-BARE = Features(None, 0, False, False, False, 0, False, False, dict.fromkeys(LAWS, 0))
+BARE = Features(None, 0, False, False, False, 0, False, False, 0, dict.fromkeys(LAWS, 0))
 """Carrier and flywheels in free space."""
 
 
@@ -101,6 +107,10 @@ def random_stand(
     gravity = draw.vec3(6.0) if draw.flag(features.gravity) else (0.0, 0.0, 0.0)
     stream = draw.vec3(0.8) if draw.flag(features.stream) else None
     laws = [part(law, "random").random_law(draw, features.laws.get(law), mounts) for law in LAWS]
+    points = tuple(
+        Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
+        for k in range(draw.count(features.points, 2))
+    )
     return Stand(
         name=name,
         angles=angles,
@@ -109,12 +119,34 @@ def random_stand(
         carrier=carrier,
         instruments=instruments,
         flywheels=wheels,
-        points=tuple(
-            Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
-            for k in range(draw.count(features.points, 2))
-        ),
+        points=points,
+        tasks=_tasks(_tasks_generator(rng), features.tasks, instruments, points) if flywheels else (),
         laws=tuple(law for law in laws if law is not None),
     )
+
+
+def _tasks_generator(rng: np.random.Generator) -> np.random.Generator:
+    """A generator of its own for tasks: what else is drawn of `rng` stays as it is without tasks."""
+    return rng.spawn(1)[0]
+
+
+def _tasks(
+    rng: np.random.Generator, given: int | None, instruments: tuple[Instrument, ...], points: tuple[Point, ...]
+) -> tuple[Task, ...]:
+    """Tasks of random independent rows, of O1 and of instruments and points."""
+    places = places_of(instruments, points)
+    frames = ["", *places]
+    found = []
+    for k in range(Draw(rng).count(given, 1)):
+        task = Task(f"t{k + 1}", ())
+        most = int(rng.integers(1, 7))
+        while len(task.rows) < most:
+            row = TaskRow(frames[int(rng.integers(len(frames)))], COMPONENTS[int(rng.integers(6))])
+            longer = Task(task.name, (*task.rows, row))
+            if dependent(longer, places) is None:
+                task = longer
+        found.append(task)
+    return tuple(found)
 
 
 class _Bodies(Draw):

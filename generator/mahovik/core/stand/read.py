@@ -12,7 +12,7 @@ from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.law import AnyTable, LawSchema, keys_of, with_laws
-from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand
+from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand, Task
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import (
     CarrierTable,
@@ -21,6 +21,7 @@ from mahovik.core.stand.schema import (
     InstrumentTable,
     PointTable,
 )
+from mahovik.core.stand.task import TaskTable, check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
@@ -96,6 +97,8 @@ def read(document: dict[str, Any], source: str) -> Stand:
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
     points: list[Point] = [build.point(table) for _, table in point_tables]
+    tasks = _tasks(problems, document)
+    check_tasks(problems, tasks, tuple(instruments), tuple(points))
     if carrier is not None and carrier_table is not None:
         physical.check_body(carrier, "carrier", problems, carrier_table.moments)
     for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
@@ -116,6 +119,8 @@ def read(document: dict[str, Any], source: str) -> Stand:
         flywheels=tuple(flywheels),
         points=tuple(points),
         phase_input=header.phase_input,
+        tasks=tasks,
+        inverse_most=header.inverse_most,
         laws=tuple(law for law in laws if law is not None),
     )
     physical.check_stand(stand, problems)
@@ -129,7 +134,7 @@ def _header(document: dict[str, Any], problems: Problems) -> Header | None:
     own_keys = keys_of(Header)
     law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
     law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
-    known = [*own_keys, "carrier", *law_keys, *_ARRAYS]
+    known = [*own_keys, "carrier", *law_keys, *_ARRAYS, "task"]
     own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
         if key not in known:
@@ -195,6 +200,25 @@ def _array(problems: Problems, document: dict[str, Any], key: str, table: type[A
         if valid is not None:
             found.append((where, valid))
     return found
+
+
+def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
+    """The valid tasks, in the file's order."""
+    raw = document.get("task", {})
+    if not isinstance(raw, dict):
+        problems.add("task", f"expected tables [task.NAME], found {show(raw)}")
+        return ()
+    if raw and not document.get("flywheel"):
+        problems.add("task", "a task is what flywheels are to do, but there is no flywheel")
+    found = []
+    for name, item in raw.items():
+        where = f"task {show(name)}"
+        if (problem := name_of_task_problem(name)) is not None:
+            problems.add(where, problem)
+        table = _validate(problems, where, TaskTable, item)
+        if table is not None:
+            found.append(Task(name, table.rows))
+    return tuple(found)
 
 
 def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:

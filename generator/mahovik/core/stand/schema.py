@@ -33,7 +33,7 @@ from mahovik.core.stand.fields import (
     text,
     validator,
 )
-from mahovik.core.stand.model import About, PhaseInput, Vec3
+from mahovik.core.stand.model import INVERSE_MOST, About, PhaseInput, Vec3
 from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.moments import Moments, moments_of
 from mahovik.core.stand.shapes import vec3, vector
@@ -90,6 +90,7 @@ class Header(Table):
     gravity: Annotated[Vec3, validator(_gravity, units.ACCELERATION)] = ZERO3
     stream: Annotated[Vec3, validator(lambda raw: vec3(raw, units.VELOCITY), units.VELOCITY)] | None = None
     phase_input: Annotated[PhaseInput, validator(_phase_input)] = "angle"
+    inverse_most: Annotated[float, scalar(units.ANGULAR_ACCELERATION, above=0.0)] = INVERSE_MOST
 
 
 class BodyTable(Table):

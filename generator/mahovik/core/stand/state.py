@@ -22,6 +22,8 @@ class State:
     phi, phi_dot, phi_ddot   flywheel phases, speeds, accelerations, one each, rad
     tau         drive torques, one per flywheel, N m
     wrench      run-time wrench by body name, in the body's own frame about its origin (a flywheel's turns with phi_s)
+    task        name of a task of the stand whose rows are demanded in place of V_dot; "" for none
+    demand      what it demands, one a row, m/s2 or rad/s2
     """
 
     position: Vec3
@@ -34,6 +36,8 @@ class State:
     V_dot: Vec6
     tau: tuple[float, ...]
     wrench: Mapping[str, Vec6] = field(default_factory=lambda: MappingProxyType({}))
+    task: str = ""
+    demand: tuple[float, ...] = ()
 
 
 def rest_state(stand: Stand) -> State:

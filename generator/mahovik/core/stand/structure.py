@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.law import body_schemas
-from mahovik.core.stand.model import Body, PhaseInput, Sequence, Stand
+from mahovik.core.stand.model import Body, PhaseInput, Sequence, Stand, Task
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,7 @@ class Structure:
     wrench_inputs: tuple[int, ...]
     phase_input: PhaseInput
     """"sincos": functions that take sines and cosines of the phases are there as well."""
+    tasks: tuple[Task, ...] = ()
     laws: tuple[tuple[str, Any], ...] = ()
     """Facts of the laws of `laws/`, by key."""
 
@@ -72,6 +73,7 @@ def structure(stand: Stand) -> Structure:
         or any(instrument.added_mass is not None for instrument in stand.instruments),
         wrench_inputs=where(lambda body: body.wrench_input),
         phase_input=stand.phase_input,
+        tasks=stand.tasks,
         laws=tuple(
             item
             for said in (

@@ -13,6 +13,7 @@ from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capa
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
 from mahovik.core.stand.slips import slips
+from mahovik.core.stand.task import row_name
 from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3
 
 DEFAULT_SPEED = 100 * math.pi  # 3000 rpm, rad/s
@@ -73,6 +74,14 @@ class UnbalanceRow:
 
 
 @dataclass(frozen=True)
+class TaskSummary:
+    """A task and the names of its rows: `wx`, or `telescope.wy` of a point."""
+
+    name: str
+    rows: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Summary:
     """Figures of a whole stand, in E1, flywheels at phi = 0.
 
@@ -94,6 +103,7 @@ class Summary:
     momentum: Capacity
     torque: Capacity
     warnings: tuple[str, ...]
+    tasks: tuple[TaskSummary, ...] = ()
 
     def as_dict(self) -> dict[str, Any]:
         """The same as plain dicts and tuples, which `json` writes as objects and lists."""
@@ -130,6 +140,7 @@ def summarize(
         momentum=momentum_capacity(stand),
         torque=torque_capacity(stand),
         warnings=(*_warnings(stand), *slips(stand, [row.speed for row in unbalance], known, written)),
+        tasks=tuple(TaskSummary(task.name, tuple(map(row_name, task.rows))) for task in stand.tasks),
     )
 
 

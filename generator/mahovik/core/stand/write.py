@@ -8,14 +8,16 @@ from types import MappingProxyType
 from mahovik.contract.laws import parts
 from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import (
+    INVERSE_MOST,
     Body,
     Carrier,
     Flywheel,
     Instrument,
     MountingAngles,
     Stand,
+    TaskRow,
 )
-from mahovik.core.stand.toml import fields, line_of
+from mahovik.core.stand.toml import fields, line_of, value_of
 
 _NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
 
@@ -34,6 +36,8 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
         lines.append(line_of("stream", stand.stream))
     if stand.phase_input != "angle":
         lines.append(line_of("phase_input", stand.phase_input))
+    if stand.inverse_most != INVERSE_MOST:
+        lines.append(line_of("inverse_most", stand.inverse_most))
     schemas = [part.SCHEMA for part in parts("schema")]
     given = [law.lines(data) for law in schemas if (data := stand.law(law.data)) is not None]
     lines += [line for header, _ in given for line in header]
@@ -51,7 +55,14 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     for point in stand.points:
         lines += [*head("[[point]]", point.name), f'name = "{point.name}"', f'mount = "{point.mount}"']
         lines += fields(point, "position", "angles")
+    for task in stand.tasks:
+        lines += ["", f"[task.{task.name}]", f"rows = [{', '.join(_row(row) for row in task.rows)}]"]
     return "\n".join(lines) + "\n"
+
+
+def _row(row: TaskRow) -> str:
+    own = value_of(row.component)
+    return f"{{ point = {value_of(row.of)}, rows = [{own}] }}" if row.of else own
 
 
 def _body(body: Body) -> list[str]:

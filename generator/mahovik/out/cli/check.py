@@ -143,6 +143,8 @@ def _print(summary: Summary, names: Identities, short: list[str], written: list[
     print_table((title, "its axis in E1>"), zip(moments, map(_vector, summary.principal_axes), strict=True))
     if summary.unbalance:
         _print_flywheels(summary)
+    if summary.tasks:
+        print_table(("task", "rows demanded>"), ((task.name, ", ".join(task.rows)) for task in summary.tasks))
     _print_written(written)
     for warning in (*summary.warnings, *short):
         print_line(f"warning: {warning}", "yellow")

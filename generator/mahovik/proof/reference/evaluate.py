@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import CONFLICTS, wants_of
+from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_TAKERS, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
+from mahovik.proof.reference import task
 from mahovik.proof.reference.array import Values
 from mahovik.proof.reference.inverse import CUTS, Cuts
 from mahovik.proof.reference.pieces import Pieces, pieces
@@ -34,6 +36,13 @@ def check_want(want: Sequence[str]) -> None:
             raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
 
 
+def check_task_want(want: Sequence[str]) -> None:
+    """StateError where `want` asks for another motion beside that of the task."""
+    for name in TASK_CONFLICTS:
+        if name in want:
+            raise StateError(f"want: {name!r} and the task both give 'V_dot'; ask for them in two states")
+
+
 def finite(value: Any) -> bool:
     """Whether every number of a result, however nested, is finite."""
     if isinstance(value, dict):
@@ -53,8 +62,16 @@ def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None 
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
         at = at or pieces(stand, state)
+        moved = state
+        if state.task:
+            check_task_want(want)
+            found = task.answer(at, stand, state, cuts)
+            moved = replace(state, V_dot=tuple(found["V_dot"]), phi_ddot=tuple(found["phi_ddot"]))
         for name in want:
-            values |= ANSWERS[name](at, stand, state, *((cuts,) if name == "inverse" else ()))
+            if name == "inverse":
+                values |= found if state.task else ANSWERS[name](at, stand, state, cuts)
+            else:
+                values |= ANSWERS[name](at, stand, moved if name in TASK_TAKERS else state)
     for name, value in values.items():
         if not finite(value):
             raise StateError(f"{name}: not finite at this state")

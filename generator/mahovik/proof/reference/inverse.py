@@ -9,7 +9,8 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.forward import bias
+from mahovik.proof.reference.excess import shares, with_excess
+from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.pieces import Pieces
 
 
@@ -69,21 +70,25 @@ def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS, rank: int | None = None
     scaled = Vt[:rank].T @ ((U[:, :rank].T @ K_root @ wanted) / sigma[:rank])
     phi_ddot = Theta_root.T @ scaled
     residual = wanted - at.I @ phi_ddot
-    return Inverse(phi_ddot, status(at, K_root @ wanted, K_root @ residual, sigma, rank, cuts), residual, sigma, rank)
+    least = min(6, len(at.flywheels))
+    names = status_names(K_root @ wanted, K_root @ residual, sigma, rank, least, cuts)
+    return Inverse(phi_ddot, names, residual, sigma, rank)
 
 
-def status(at: Pieces, scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, cuts: Cuts) -> str:
-    """Names of stand.md joined by |, in the order of their bits."""
+def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, rank: int, least: int, cuts: Cuts) -> str:
+    """Names of stand.md joined by |, in the order of their bits; a rank below `least` is RANK_DEFICIENT."""
     names = []
     if rank and sigma[rank - 1] < cuts.near * sigma[0]:
         names.append("NEAR_SINGULAR")
     if np.linalg.norm(scaled_residual) > cuts.reached * np.linalg.norm(scaled_demand):
         names.append("UNREACHABLE")
-    if rank < min(6, len(at.flywheels)):
+    if rank < least:
         names.append("RANK_DEFICIENT")
     return "|".join(names) or "OK"
 
 
 def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
-    return dict(vars(inverse(at, vector(state.V_dot), cuts)))
+    found = inverse(at, vector(state.V_dot), cuts)
+    needed = shares(stand, at, forward(at, found.phi_ddot), found.phi_ddot)
+    return dict(vars(found)) | {"status": with_excess(found.status, needed)}

@@ -69,6 +69,8 @@ class Second:
         stand or the want, one where a law is undefined, what CasADi refuses, and results that are not finite.
         """
         check_want(want)
+        if state.task:
+            raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         self._check_state(state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)

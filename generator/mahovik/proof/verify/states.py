@@ -13,7 +13,7 @@ from typing import IO, Any, cast
 
 import numpy as np
 
-from mahovik.contract.functions import CONFLICTS, WANTS
+from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, WANTS
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH, Quantity
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
@@ -24,7 +24,7 @@ from mahovik.proof.verify.backends import Backend
 ROUNDING = 4 * 2.0**-52
 """Rounding of four squares and a root: a quaternion this near to unit length stays as it is, so that states replay."""
 
-KEYS = ("id", "quaternion", *(row.symbol for row in QUANTITIES.values() if row.input), "want")
+KEYS = ("id", "quaternion", *(row.symbol for row in QUANTITIES.values() if row.input), "task", "demand", "want")
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,8 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     }
     given["angles"] = given["angles"] if "angles" in found else None
     quaternion = _quaternion(found) if "quaternion" in found else None
-    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real))
+    task, demand = _task(stand, found, want, real)
+    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real), task=task, demand=demand)
     return Request(identifier(found), state, want)
 
 
@@ -187,6 +188,27 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
     if abs(length - 1.0) <= ROUNDING:
         return cast(Quaternion, q)
     return cast(Quaternion, tuple(x / length for x in q))
+
+
+def _task(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> tuple[str, tuple[float, ...]]:
+    """The task of a state and what it demands; "" and nothing without one."""
+    if "task" not in found:
+        if "demand" in found:
+            raise StateError('demand: needs a task, {"task": NAME, "demand": [...]}')
+        return "", ()
+    name, rows = found["task"], {task.name: len(task.rows) for task in stand.tasks}
+    if not isinstance(name, str):
+        raise StateError(f"task: expected the name of a task, found {excerpt(name)}")
+    if name not in rows:
+        raise StateError(f'task: unknown "{name}"{suggestion(name, rows, "the stand has none, [task.NAME]")}')
+    if "V_dot" in found:
+        raise StateError("V_dot, task: both given, expected one of them")
+    if "demand" not in found:
+        raise StateError(f"demand: missing, expected {rows[name]} numbers")
+    for other in TASK_CONFLICTS:
+        if other in want:
+            raise StateError(f'want: "{other}" and the task both give V_dot, ask for them in two states')
+    return name, _list_of(found["demand"], "demand", rows[name], QUANTITIES["V_dot"].limits(real))
 
 
 def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
@@ -302,6 +324,8 @@ def state_object(state: State) -> dict[str, Any]:
     for key in ("V", "phi", "phi_dot", "phi_ddot", "V_dot", "tau"):
         if any(getattr(state, key)):
             found[key] = getattr(state, key)
+    if state.task:
+        found |= {"task": state.task, "demand": state.demand}
     wrench = {name: value for name, value in state.wrench.items() if any(value)}
     if wrench:
         found["wrench"] = wrench
