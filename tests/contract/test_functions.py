@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import pytest
 
-from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, wants_of
+from mahovik.contract.functions import FUNCTIONS, WANTS, PublicFunction, row_of, task_of, wants_of
 from mahovik.core.lower.program import lower
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.model import Task, TaskRow
 from mahovik.core.stand.read import load
 from mahovik.proof.rigorous.evaluate import ANSWERS
 from mahovik.proof.second.evaluate import PROBLEMS
@@ -22,7 +23,7 @@ def public_functions() -> Iterator[Function]:
     """Public functions of example stands, with phases and with their sines and cosines as input."""
     for name in ("demo3", "sat4"):
         for phase_input in ("angle", "sincos"):
-            stand = replace(with_all_inputs(load(path(name))), phase_input=phase_input)
+            stand = replace(with_all_inputs(load(path(name))), phase_input=phase_input, tasks=())
             yield from (f for f in lower(stand, DOUBLE).functions if f.public)
 
 
@@ -44,6 +45,23 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
         assert f.equation == row.equation, f.name
         seen.setdefault(row.name, set()).update(taken)
     assert {name: taken for name, taken in seen.items() if taken != set(FUNCTIONS[name].takes)} == {}
+
+
+def test_functions_of_tasks_have_the_rows_of_their_forms() -> None:
+    """Of a task named `at_fast` too: no name of a task makes the name of another function."""
+    rows = tuple(Task(name, (TaskRow("", "wz"),)) for name in ("pointing", "at_fast", "inverse"))
+    stand = replace(load(path("sat4")), tasks=rows, phase_input="sincos")
+    found = {f.name: f for f in lower(stand, DOUBLE).functions if f.public and f.name not in FUNCTIONS}
+    forms = ("inverse_{}", "inverse_fast_{}", "inverse_fast_{}_at")
+    assert set(found) == {form.format(task.name) for form in forms for task in rows}
+    for name, f in found.items():
+        taken = [a.name for a in f.arguments if a.direction != "out"]
+        assert [each for each in row_of(name).takes if each in taken] == taken
+        assert "demand" in taken and "V_dot" not in taken
+        assert task_of(name) in name and not row_of(name).want
+    assert [task_of(name) for name in FUNCTIONS] == [""] * len(FUNCTIONS)
+    with pytest.raises(KeyError):
+        row_of("reverse_pointing")
 
 
 def test_a_want_without_a_referee_is_refused() -> None:

@@ -54,7 +54,9 @@ class Compiled:
     @cached_property
     def _backend(self) -> ProgramBackend:
         """The description of inputs that verification has, here of the interpreted program."""
-        return ProgramBackend(self.name, self.layout, self.program, self.values.table, None, self.interpreted)
+        return ProgramBackend(
+            self.name, self.layout, self.program, self.values.table, None, self.interpreted, self.values.options
+        )
 
     @property
     def interpreter(self) -> Interpreter:

@@ -16,6 +16,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.stands import path
 
 COUNTS = (1, 5, 6, 7, 12, 64)
+ABILITIES = ("most", "motor_torque", "motor_speed")
 LIMITED = (1, 5, 6, 8, 12, 24)
 
 
@@ -32,6 +33,7 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
     x |= {"phi": list(rng.uniform(-3, 3, count)), "phi_dot": list(rng.normal(size=count) * 20)}
     given = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
     defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near": 1e-6, "damping": 0.0}
+    defaults |= dict.fromkeys(ABILITIES, [1e300] * count)
     given["options"] = defaults | options
     status, out = c.call("inverse", given)
     return given, status, out["out"] if status >= 0 else {}
@@ -236,6 +238,7 @@ def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: flo
         row["t_0"] = [1e-10 * each for each in row["t_0"]]
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * 3, "phi_dot": [0.0] * 3}
     options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near": 1e-3, "damping": 0.0}
+    options |= dict.fromkeys(ABILITIES, [3e38] * 3)
     V_dot = [0.0, 0.0, 0.0, 9e8, 9e8, 9e8]
     status = c.call(function, {"table": table, "x": x, "V_dot": V_dot, "options": options})[0]
     assert status == STATUS_VALUES["RANGE"]

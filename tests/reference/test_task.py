@@ -75,7 +75,7 @@ def test_the_answer_is_the_least_in_both_norms(seed: int) -> None:
     at = pieces(stand, state)
     asked = task_demand(at, demanded(at, stand, stand.tasks[0]), np.array(state.demand))
     found = task_inverse(at, asked.rows, np.array(state.demand))
-    root = inverse_root(asked.G)
+    root = inverse_root((asked.G + asked.G.T) / 2)
     left, matrix = root @ found.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))
     size = np.linalg.norm(matrix, 2) * np.linalg.norm(root @ asked.c)
     assert np.linalg.norm(matrix.T @ left) < 1e-9 * size

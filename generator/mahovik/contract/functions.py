@@ -33,6 +33,7 @@ class PublicFunction:
     gives     results, by name
     want      whether `eval` answers it, by the name of the function
     needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), or nothing
+    tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batched   whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
@@ -49,6 +50,7 @@ class PublicFunction:
     judges: tuple[str, ...]
     want: bool = False
     needs: str = ""
+    tasks: bool = False
     sines: bool = False
     batched: bool = False
     python: bool = True
@@ -135,6 +137,7 @@ _ROWS = (
         ("phi_ddot", "residual", "sigma", "rank", "status", "damped_by", "limited", "hardest"),
         ("reference",),
         want=True,
+        tasks=True,
         unread="infinity, which is no limit at all",
     ),
     PublicFunction(
@@ -176,10 +179,11 @@ _ROWS = (
         ("phi_ddot",),
         ("allocation",),
         needs="flywheels",
+        tasks=True,
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit"),
+        ignores=("near", "limit", "most", "motor_torque", "motor_speed"),
     ),
     PublicFunction(
         "forward_jacobian",
@@ -290,6 +294,7 @@ def _forms() -> Iterator[PublicFunction]:
                 python=False,
                 claimed=(),
                 sines=False,
+                tasks=row.tasks,
             )
 
 
@@ -322,3 +327,40 @@ TASK_CONFLICTS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].give
 def wants_of(referee: str) -> tuple[str, ...]:
     """Wants that a referee can answer, in the order of the evaluation contract."""
     return tuple(name for name in WANTS if referee in FUNCTIONS[name].judges)
+
+
+def task_of(function: str) -> str:
+    """Name of the task that a public function belongs to, by its name; "" of a function of no task.
+
+    No task has a name that would make that of another function.
+    """
+    if function in FUNCTIONS:
+        return ""
+    for row in reversed([row for row in _ROWS if row.tasks]):  # the longer names first
+        if function.startswith(f"{row.name}_"):
+            rest = function.removeprefix(f"{row.name}_")
+            return rest.removesuffix("_at") if row.sines else rest
+    return ""
+
+
+def row_of(function: str) -> PublicFunction:
+    """The row of a public function of a stand: of a task's function that of the function whose form it is.
+
+    Raises KeyError.
+    """
+    task = task_of(function)
+    if not task:
+        return FUNCTIONS[function]
+    row = FUNCTIONS[function.replace(f"_{task}", "", 1)]
+    gives = ("phi_ddot", "V_dot", *row.gives[1:]) if row.want else row.gives
+    return replace(
+        row,
+        name=function,
+        equation="",
+        takes=tuple("demand" if name == "V_dot" else name for name in row.takes),
+        gives=gives,
+        judges=("reference",) if row.want else row.judges,
+        want=False,
+        python=False,
+        sines=row.sines,
+    )

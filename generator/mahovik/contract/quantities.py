@@ -123,6 +123,7 @@ QUANTITIES = {
         # what is given with a state
         Quantity("phi_ddot", "rad/s2", "flywheels", "N", _ANGULAR, 1e4, 512.0, (300.0,), input=True),
         Quantity("V_dot", "m/s2, rad/s2", "E1, about O1", "6", _ANGULAR, 1e3, 16.0, (5.0, 20.0), input=True),
+        Quantity("demand", "m/s2, rad/s2", "rows of a task", "", _ANGULAR, 1e3, 16.0, (5.0,)),
         Quantity("tau", "N m", "flywheels", "N", ("MAX_WRENCH",), 100.0, 2.0, (1.0,), input=True),
         Quantity("wrench", "N, N m", "each body, about its origin", "W", ("MAX_WRENCH",), 1e3, 8.0, (5.0,), input=True),
         Quantity("sine", "", "flywheels", "N", draw=Draw.TURNS),
@@ -181,6 +182,9 @@ QUANTITIES = {
             "weight", "", "flywheels", "N", ("MAX_WEIGHT",), refused=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7))
         ),
         Quantity("limit", "rad/s2", "flywheels", "N", refused=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("most", "rad/s2", "flywheels", "N", refused=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("motor_torque", "N m", "flywheels", "N", refused=_bad_arguments(-1.0), infinite=True),
+        Quantity("motor_speed", "rad/s", "flywheels", "N", refused=_bad_arguments(0.0, -1.0), infinite=True),
         Quantity("near", "", "part of the largest singular value", "", refused=_bad_arguments(-0.1, 1.5)),
         Quantity("damping", "", "part of the largest singular value", "", refused=_bad_arguments(-0.1, 1.5)),
         Quantity("mass", "kg", "a body", "", refused=((-1.0, "RANGE"),)),

@@ -28,7 +28,7 @@ STATUSES = (
     Status("UNREACHABLE", 8, "wanted motion not reached: residual above {unreachable} of the demand"),
     Status("RANK_DEFICIENT", 16, "fewer than min(6, N) singular values above {rank} of the largest"),
     Status("COARSE", 32, "step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it"),
-    Status("EXCESSIVE", 64, "more than a motor's torque or speed, or than `most` of the options"),
+    Status("EXCESSIVE", 64, "more than a motor's torque or speed, or than `most`"),
     Status("NOT_FINITE", -1, "an input is NaN or infinite", "an input is NaN or infinite"),
     Status("RANGE", -2, "out of range, {lengths}", "an input is outside its range, or a leg has no length"),
     Status(

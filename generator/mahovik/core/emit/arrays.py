@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import FUNCTIONS, row_of, task_of
 from mahovik.contract.quantities import shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
@@ -34,8 +34,8 @@ def array_functions(generated: Generated) -> tuple[ArrayFunction, ...]:
         ArrayFunction(
             f.name,
             f.purpose,
-            FUNCTIONS[f.name].batched,
-            tuple(_argument_layout(a, generated, FUNCTIONS[f.name].batched) for a in f.arguments),
+            row_of(f.name).batched,
+            tuple(_argument_layout(a, generated, row_of(f.name).batched) for a in f.arguments),
         )
         for f in _functions(generated)
     )
@@ -60,7 +60,8 @@ def array_source(stand: Stand, generated: Generated) -> dict[str, str]:
 
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
-    return [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
+    found = [public[name] for name, row in FUNCTIONS.items() if row.python and name in public]
+    return [*found, *(f for name, f in public.items() if name == f"inverse_{task_of(name)}")]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -92,7 +93,7 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
 
 def _call(f: Function, generated: Generated, names: Names) -> dict[str, Any]:
     """Values of the template for one function."""
-    wide = FUNCTIONS[f.name].batched
+    wide = row_of(f.name).batched
     layouts = {a.name: _argument_layout(a, generated, wide) for a in f.arguments}
 
     def given(a: Argument) -> str:

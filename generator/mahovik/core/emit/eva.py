@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import prod, sqrt
 from typing import Any
 
-from mahovik.contract.functions import ANY, BITS, FUNCTIONS, NORMAL
+from mahovik.contract.functions import ANY, BITS, NORMAL, row_of
 from mahovik.contract.quantities import ORDINARY_STEP, TABLES, ordinary, ordinary_integers
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import argument_text, call, declaration, nested_loops
@@ -47,7 +47,7 @@ class Driver:
     @property
     def claimed(self) -> bool:
         """Whether it must be without alarm; others are only tried."""
-        return self.set == ROUTINE or self.set in FUNCTIONS[self.function].claimed
+        return self.set == ROUTINE or self.set in row_of(self.function).claimed
 
     @property
     def finite(self) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import row_of
 from mahovik.contract.quantities import QUANTITIES, TABLES
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.calls import (
@@ -146,7 +146,7 @@ class _Harness:
             "lines": [line for place, a in places for line in take_lines(self._names, place, a.type, a.shape)],
             "refusals": self._mask(f, negative=True, more=("BAD_ARGUMENT",) if pointers else ()),
             "bits": self._mask(f, negative=False),
-            "may_ignore": FUNCTIONS[f.name].unread,
+            "may_ignore": row_of(f.name).unread,
             "overlap": call(self._names, f, overlapping) if state else "",
             "state": f"{f.name}_{state}",
         }

@@ -19,6 +19,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+from mahovik.core.routines.jacobi import numbered
 
 
 def passes(count: int) -> int:
@@ -29,39 +30,39 @@ def passes(count: int) -> int:
     return 4 + max(2, min(count, 64))
 
 
-def solve_gram(lib: Library) -> Function:
+def solve_gram(lib: Library, rows: int = 6) -> Function:
     """z = gram^-1 z of a symmetric matrix that regularisation keeps positive definite."""
-    gram = Argument("gram", Kind.REAL, (6, 6), "inout", purpose="lower triangle; becomes its Cholesky factor")
-    z = Argument("z", Kind.REAL, (6,), "inout", purpose="right-hand side; becomes the solution")
+    gram = Argument("gram", Kind.REAL, (rows, rows), "inout", purpose="lower triangle; becomes its Cholesky factor")
+    z = Argument("z", Kind.REAL, (rows,), "inout", purpose="right-hand side; becomes the solution")
     least = Argument("least", Kind.REAL, purpose="lower bound of the pivots, except for rounding; greater than 0")
     A, b = gram.place, z.place
     body = Body()
-    with body.loop("j", 6) as j:
+    with body.loop("j", rows) as j:
         with body.loop("k", j) as k:
             body.add(A[j][j], -(A[j][k] * A[j][k]))
         pivot = body.let("pivot", select(A[j][j] > least.place, A[j][j], least.place))
         body.set(A[j][j], call(lib["sqrt"], pivot))
-        with body.loop("i", 6, start=j + 1) as i:
+        with body.loop("i", rows, start=j + 1) as i:
             with body.loop("k", j) as k:
                 body.add(A[i][j], -(A[i][k] * A[j][k]))
             body.set(A[i][j], A[i][j] / A[j][j])
         with body.loop("k", j) as k:
             body.add(b[j], -(A[j][k] * b[k]))
         body.set(b[j], b[j] / A[j][j])
-    with body.loop("t", 6) as t:
-        i_ = body.let("i", integer(5) - t)
-        with body.loop("k", 6, start=i_ + 1) as k:
+    with body.loop("t", rows) as t:
+        i_ = body.let("i", integer(rows - 1) - t)
+        with body.loop("k", rows, start=i_ + 1) as k:
             body.add(b[i_], -(A[k][i_] * b[k]))
         body.set(b[i_], b[i_] / A[i_][i_])
     return body.function(
-        "solve_gram",
+        numbered("solve_gram", rows),
         "Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place.",
         (gram, z, least),
     )
 
 
-def allocate(lib: Library) -> Function:
-    """phi'' of a demand in orthogonal rows."""
+def allocate(lib: Library, rows: int = 6) -> Function:
+    """phi'' of a demand in orthogonal rows, the first `rows` of the work."""
     layout = lib.layout
     work = Argument("work", layout.inverse_work, purpose="orthogonal rows W, their sizes sigma, demand r, scale")
     options = Argument("options", layout.inverse_options, purpose="weights and limits")
@@ -74,9 +75,9 @@ def allocate(lib: Library) -> Function:
     share = body.local("share", (layout.count,), comment="1/weight")
     give = body.local("give", (layout.count,), comment="1/weight of a free flywheel, 0 for one held at its limit")
     step = body.local("step", (layout.count,), comment="increment of the free flywheels")
-    row = body.local("row", (6,), comment="factor of each row; 0: the row is left out")
-    gram = body.local("gram", (6, 6))
-    z = body.local("z", (6,))
+    row = body.local("row", (rows,), comment="factor of each row; 0: the row is left out")
+    gram = body.local("gram", (rows, rows))
+    z = body.local("z", (rows,))
     body.note("until the end phi_ddot holds y = D phi''")
     with body.loop("s", layout.count) as s:
         body.set(y[s], real(0))
@@ -92,22 +93,22 @@ def allocate(lib: Library) -> Function:
             body.set(most, select(give[s] > most, give[s], most))
         regular = body.let("regular", real(lib.thresholds.regular) * most)
         least = body.let("least", select(most > 0, regular, real(1)), "lower bound that keeps the diagonal positive")
-        _rows(body, w, rank.place, turn, row)
-        _left_over(lib, body, w, y, row, z)
-        _gram(lib, body, w, row, give, gram, least)
-        body.call(lib["solve_gram"], gram, z, least)
-        with body.loop("i", 6) as i:
+        _rows(body, w, rank.place, turn, row, rows)
+        _left_over(lib, body, w, y, row, z, rows)
+        _gram(lib, body, w, row, give, gram, least, rows)
+        body.call(lib[numbered("solve_gram", rows)], gram, z, least)
+        with body.loop("i", rows) as i:
             body.set(z[i], row[i] * z[i])
         with body.loop("s", layout.count) as s:
             total = body.local("total")
             body.set(total, real(0))
-            with body.loop("i", 6) as i:
+            with body.loop("i", rows) as i:
                 body.add(total, w.W[i][s] * z[i])
             body.set(step[s], give[s] * total)
         with body.when(turn < 1):
             _clip(lib, body, w, p, y, held, step)
         with body.otherwise():
-            _advance(lib, body, w, p, rank.place, y, held, step)
+            _advance(lib, body, w, p, rank.place, y, held, step, rows)
     body.note("the product may round an answer that just reaches its limit beyond it; what overflows is refused later")
     largest = lib.limits["LARGEST"].expression
     with body.loop("s", layout.count) as s:
@@ -117,7 +118,7 @@ def allocate(lib: Library) -> Function:
         with body.when(or_(held[s] > 0, beyond)):
             body.set(y[s], select(found < 0, -p.limit[s], p.limit[s]))
     return body.function(
-        "allocate",
+        numbered("allocate", rows),
         "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share.",
         (work, options, rank, phi_ddot, limited),
         equation="(12)",
@@ -134,7 +135,9 @@ def _clip(lib: Library, body: Body, w: Place, p: Place, y: Place, held: Place, s
             body.set(held[s], integer(1))
 
 
-def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place) -> None:
+def _advance(
+    lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place, held: Place, step: Place, rows: int
+) -> None:
     """A step of the active set method."""
     body.note("go as far as all limits allow; hold the flywheel that reaches its limit")
     length = body.local("length")
@@ -159,10 +162,10 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
             body.set(held[s], integer(1))
     body.note("after a full step, release the held flywheel that would lower the residual most")
     with body.when(stopped < 0):
-        left = body.local("left", (6,))
+        left = body.local("left", (rows,))
         wanted = body.local("wanted")
         body.set(wanted, real(0))
-        with body.loop("i", 6) as i:
+        with body.loop("i", rows) as i:
             body.add(wanted, w.r[i] * w.r[i])
             body.set(left[i], select(i < rank, w.r[i], real(0)))
             with body.when(i < rank), body.loop("s", lib.layout.count) as s:
@@ -177,7 +180,7 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
             body.set(slope, real(0))
             size = body.local("size")
             body.set(size, real(0))
-            with body.loop("i", 6) as i:
+            with body.loop("i", rows) as i:
                 body.add(slope, w.W[i][s] * left[i])
                 body.add(size, w.W[i][s] * w.W[i][s])
             inward = body.let("inward", select(y[s] > 0, -slope, slope))
@@ -188,17 +191,17 @@ def _advance(lib: Library, body: Body, w: Place, p: Place, rank: Place, y: Place
             body.set(held[freed], integer(0))
 
 
-def _rows(body: Body, w: Place, rank: Place, turn: Place, row: Place) -> None:
+def _rows(body: Body, w: Place, rank: Place, turn: Place, row: Place, rows: int) -> None:
     """Factors of the rows in a pass."""
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         body.set(row[i], real(0))
         with body.when(i < rank):
             body.set(row[i], 1 / select(turn < 1, w.sigma[i], w.sigma[0]))
 
 
-def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Place) -> None:
+def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Place, rows: int) -> None:
     """Compute the demand that the flywheels do not meet yet."""
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         left = body.local("left")
         body.set(left, w.r[i])
         with body.loop("s", lib.layout.count) as s:
@@ -206,10 +209,10 @@ def _left_over(lib: Library, body: Body, w: Place, y: Place, row: Place, z: Plac
         body.set(z[i], row[i] * left)
 
 
-def _gram(lib: Library, body: Body, w: Place, row: Place, give: Place, gram: Place, least: Place) -> None:
+def _gram(lib: Library, body: Body, w: Place, row: Place, give: Place, gram: Place, least: Place, rows: int) -> None:
     """B Omega^-1 B^T of the free flywheels, lower triangle."""
     weighed = body.local("weighed", (lib.layout.count,), comment="a row of W Omega^-1")
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         with body.loop("s", lib.layout.count) as s:
             body.set(weighed[s], w.W[i][s] * give[s])
         with body.loop("j", i + 1) as j:

@@ -137,7 +137,7 @@ def check_demand(
 ) -> None:
     """Inputs of both variants, and of the options the weights and `shares`, numbers of 0 to 1."""
     check_inputs(lib, body, table, x, (), wrench, turns)
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    lib.check(body, "within", V_dot.place, len(V_dot.place), lib.limits["MAX_ACCELERATION"].expression)
     lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_WEIGHT"].expression)
     given = body.local("shares", (len(shares),))
     for k, name in enumerate(shares):

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, plan, sweep_factors
+from mahovik.core.lower.test_inputs import MASS_FACTOR, SCALED, Generator, Input, draw, first_of, plan, sweep_factors
 from mahovik.core.lower.values import Values
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -177,7 +177,11 @@ class _Player:
         if isinstance(a.type, Struct) and a.type.name in self._constants:
             kept = a.direction == "in"
             return self._filled[a.type.name] if kept else self._constants[a.type.name]
-        return given["parameters"] if isinstance(a.type, Struct) and a.type.name == "parameters" else given[a.name]
+        return (
+            given["parameters"]
+            if isinstance(a.type, Struct) and a.type.name == "parameters"
+            else first_of(a, given[a.name])
+        )
 
 
 def _scaled(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:

@@ -8,16 +8,29 @@ from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
-from mahovik.core.lower.flywheels import turns_of
+from mahovik.core.lower.excess import check_abilities
+from mahovik.core.lower.flywheels import named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Const, Convert, Expr, Not, Place, Status, integer, or_, real, select
+from mahovik.core.program.expression import (
+    Const,
+    Convert,
+    Expr,
+    Not,
+    Operand,
+    Place,
+    Status,
+    integer,
+    or_,
+    real,
+    select,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
-_POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT")
+POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT", "EXCESSIVE")
 
 
 def inverse(lib: Library) -> Function:
@@ -38,6 +51,7 @@ def inverse(lib: Library) -> Function:
     with body.loop("s", layout.count) as s:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
+        check_abilities(lib, body, p, s)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")
     limited = body.local("limited", (layout.count,), Kind.INT)
@@ -50,26 +64,32 @@ def inverse(lib: Library) -> Function:
     with body.loop("i", 6) as i:
         body.add(wanted, work.r[i] * work.r[i])
     body.call(lib["orthogonalise"], work)
-    _sort(body, work)
+    sort(body, work)
     flags = body.local("flags", (), Kind.INT)
     rank = body.local("rank", (), Kind.INT)
     damped = body.local("damping")
     body.set(flags, integer(0))
-    _rank(lib, body, p, work, rank, damped, flags)
+    choose_rank(lib, body, p, work, rank, damped, flags)
     body.call(lib["allocate"], work, p, rank, answer, limited)
     with body.loop("s", layout.count) as s, body.when(limited[s] > 0):
-        body.set(flags, _flag(flags, "LIMITED"))
+        body.set(flags, flag(flags, "LIMITED"))
     with body.when(rank < min(6, int(layout.count))):
-        body.set(flags, _flag(flags, "RANK_DEFICIENT"))
-    _residual(lib, body, answer, residual, work, wanted, flags)
+        body.set(flags, flag(flags, "RANK_DEFICIENT"))
+    moved = body.local("moved", (6,), comment="V* that results: V_dot + K^-1 residual")
+    _residual(lib, body, answer, residual, work, wanted, flags, V_dot.place, moved)
     check_answer(lib, body, answer, layout.count)
     check_answer(lib, body, residual, 6)
+    lacking = body.local("lacking", (), Kind.INT)
+    named = {"table": table.place, "x": x.place, "V_dot": moved, "phi_ddot": answer, "options": p, "flags": lacking}
+    named |= named_turns(turns) | {w.name: w.place for w in wrench}
+    body.call(lib["excessive"], *lib.passed("excessive", **named))
+    body.set(flags, flags | lacking)
     with body.loop("s", layout.count) as s:
         body.set(o.phi_ddot[s], answer[s])
         body.set(o.limited[s], limited[s])
     with body.loop("i", 6) as i:
         body.set(o.residual[i], residual[i])
-    _hardest(lib, body, o, work, rank)
+    hardest(lib, body, o.hardest, work, rank, work.G)
     body.set(o.rank, rank)
     body.set(o.damped_by, damped)
     with body.loop("i", min(6, int(layout.count))) as i:
@@ -84,7 +104,7 @@ def inverse(lib: Library) -> Function:
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *_POSITIVE),
+        statuses=(*STATE_STATUSES, "NOTPOSITIVE_DEFINITE", "BAD_ARGUMENT", *POSITIVE),
         notes=("Positive statuses are bits and may be combined.", ANSWER_NOTE),
         public=True,
     )
@@ -127,27 +147,27 @@ def inverse_alone(lib: Library) -> Function:
         "The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V* - M V.",
         (table, x, V_dot, *wrench, out),
         equation="(12)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "UNREACHABLE"),
+        statuses=(*STATE_STATUSES, "NOTPOSITIVE_DEFINITE", "UNREACHABLE"),
         notes=("UNREACHABLE unless this wrench is zero.",),
         public=True,
     )
 
 
-def _flag(flags: Place, name: str) -> Expr:
+def flag(flags: Place, name: str) -> Expr:
     """flags with the bit of a status."""
     return flags | Const(STATUS_VALUES[name], Kind.INT, name)
 
 
-def _sort(body: Body, work: Place) -> None:
+def sort(body: Body, work: Place, rows: int = 6) -> None:
     """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
     body.note("sort the singular values in descending order, by exchanging neighbours")
-    with body.loop("pass", 5), body.loop("i", 5) as i, body.when(work.sigma[i] < work.sigma[i + 1]):
+    with body.loop("pass", rows - 1), body.loop("i", rows - 1) as i, body.when(work.sigma[i] < work.sigma[i + 1]):
         for member in ("sigma", "r"):
             values = work.member(member)
             kept = body.let(f"kept_{member}", values[i])
             body.set(values[i], values[i + 1])
             body.set(values[i + 1], kept)
-        for member, length, by_column in (("W", work.W.shape[1], False), ("U", 6, True)):
+        for member, length, by_column in (("W", work.W.shape[1], False), ("U", rows, True)):
             m = work.member(member)
             with body.loop("j", length) as j:
                 one, two = (m[j][i], m[j][i + 1]) if by_column else (m[i][j], m[i + 1][j])
@@ -156,18 +176,20 @@ def _sort(body: Body, work: Place) -> None:
                 body.set(two, kept)
 
 
-def _rank(lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: Place, flags: Place) -> None:
+def choose_rank(
+    lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: Place, flags: Place, rows: int = 6
+) -> None:
     """Choose the rows used, and damp near-singular ones: r sigma^2 / (sigma^2 + lambda^2)."""
     first = work.sigma[0]
     body.set(rank, integer(0))
     body.set(damped, real(0))
-    with body.loop("i", 6) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
+    with body.loop("i", rows) as i, body.when(work.sigma[i] > lib.thresholds.rank * first):
         body.set(rank, rank + 1)
         ratio = body.let("ratio", work.sigma[i] / first)
         with body.when(ratio < p.near):
-            body.set(flags, _flag(flags, "NEAR_SINGULAR"))
+            body.set(flags, flag(flags, "NEAR_SINGULAR"))
             with body.when(p.damping > 0):
-                body.set(flags, _flag(flags, "DAMPED"))
+                body.set(flags, flag(flags, "DAMPED"))
                 share = body.let("lambda", p.damping * first * (1 - ratio / p.near))
                 square = body.let("square", work.sigma[i] * work.sigma[i])
                 body.set(work.r[i], work.r[i] * (square / (square + share * share)))
@@ -175,9 +197,10 @@ def _rank(lib: Library, body: Body, p: Place, work: Place, rank: Place, damped: 
 
 
 def _residual(
-    lib: Library, body: Body, phi_ddot: Place, residual: Place, work: Place, wanted: Place, flags: Place
-) -> None:
-    """b - I phi'', and its scaled size against the demand."""
+    lib: Library, body: Body, phi_ddot: Place, residual: Place, work: Place, wanted: Place, flags: Place,
+    V_dot: Place, moved: Place
+) -> None:  # fmt: skip
+    """b - I phi'', its scaled size against the demand, and the motion that results."""
     left = body.local("left")
     z = body.local("z", (6,), comment="G^-1 residual")
     body.set(left, real(0))
@@ -193,36 +216,47 @@ def _residual(
         body.add(left, z[i] * z[i])
     tolerance = lib.thresholds.unreachable
     with body.when(left > tolerance * tolerance * wanted):
-        body.set(flags, _flag(flags, "UNREACHABLE"))
+        body.set(flags, flag(flags, "UNREACHABLE"))
+    with body.loop("t", 6) as t:
+        i_ = body.let("i", integer(5) - t)
+        with body.loop("k", 6, start=i_ + 1) as k:
+            body.add(z[i_], -(work.G[k][i_] * z[k]))
+        body.set(z[i_], z[i_] / work.G[i_][i_])
+        body.set(moved[i_], V_dot[i_] + z[i_])
 
 
-def _hardest(lib: Library, body: Body, o: Place, work: Place, rank: Place) -> None:
-    """The part of the demand in rows left out, or the row of the least singular value, as a wrench."""
+def hardest(
+    lib: Library, body: Body, out: Place, work: Place, rank: Place, factor: Place, last: Operand = 5, rows: int = 6
+) -> None:
+    """The part of the demand in rows left out, or the row `last` of the least singular value, by a factor of its norm.
+
+    By that of K it is a wrench, by that of G of a task components of its demand.
+    """
     body.note("unreachable: the demand's part in the rows left out; if no row is left out, the last row")
-    part = body.local("part", (6,))
-    with body.loop("i", 6) as i:
+    part = body.local("part", (rows,))
+    with body.loop("i", rows) as i:
         body.set(part[i], select(i < rank, real(0), work.r[i]))
     largest = body.local("largest")
     body.set(largest, real(0))
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         size = body.let("size", select(part[i] < 0, -part[i], part[i]))
         body.set(largest, select(size > largest, size, largest))
     with body.when(Not(largest > 0)):
-        body.set(part[5], real(1))
+        body.set(part[last], real(1))
         body.set(largest, real(1))
     square = body.local("square")
     body.set(square, real(0))
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         body.set(part[i], part[i] / largest)
         body.add(square, part[i] * part[i])
     length = body.let("length", call(lib["sqrt"], square))
-    u = body.local("u", (6,), comment="U part: a unit vector in the norm of K^-1; its wrench is G u")
-    with body.loop("k", 6) as k:
+    u = body.local("u", (rows,), comment="U part: a unit vector in the norm of K^-1; its wrench is G u")
+    with body.loop("k", rows) as k:
         body.set(u[k], real(0))
-        with body.loop("i", 6) as i:
+        with body.loop("i", rows) as i:
             body.add(u[k], work.U[k][i] * part[i])
         body.set(u[k], u[k] / length)
-    with body.loop("i", 6) as i:
-        body.set(o.hardest[i], real(0))
+    with body.loop("i", rows) as i:
+        body.set(out[i], real(0))
         with body.loop("k", i + 1) as k:
-            body.add(o.hardest[i], work.G[i][k] * u[k])
+            body.add(out[i], factor[i][k] * u[k])

@@ -8,6 +8,7 @@ from functools import cached_property
 from mahovik.contract.quantities import BOUNDS, short
 from mahovik.core.lower.table import Tables
 from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.model import Task
 
 REAL, INT = Kind.REAL, Kind.INT
 WEIGHT = BOUNDS["MAX_WEIGHT"].value
@@ -104,9 +105,28 @@ class Layout(Tables):
                 "rad/s2",
                 "largest magnitude of each phi''; greater than 0; infinity: no limit",
             ),
+            Field("most", REAL, (self.count,), "rad/s2", "EXCESSIVE above this |phi''|; greater than 0"),
+            Field(
+                "motor_torque",
+                REAL,
+                (self.count,),
+                "N m",
+                "EXCESSIVE if the drive torque is larger; not negative; infinity: no limit",
+            ),
+            Field(
+                "motor_speed",
+                REAL,
+                (self.count,),
+                "rad/s",
+                "no-load speed, where the torque that drives has fallen to 0; greater than 0; infinity: none",
+            ),
             Field("near", REAL, (), "", "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"),
             Field(
                 "damping", REAL, (), "", "damping of small singular values, as a fraction of the largest, 0..1; 0: none"
+            ),
+            *(
+                Field(f"use_{task.name}", INT, (len(task.rows),), "", f"rows of the task {task.name}: 0: free")
+                for task in self.structure.tasks
             ),
         )
         return Struct(
@@ -152,6 +172,33 @@ class Layout(Tables):
         if not self.flywheels:
             fields = tuple(f for f in fields if f.name in ("residual", "rank", "damped_by", "hardest"))
         return Struct("inverse_result", "Result of inverse and its quality.", fields)
+
+    def task_result(self, task: Task) -> Struct:
+        """Result of the inverse problem of a task."""
+        rows = len(task.rows)
+        fields = (
+            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
+            Field("V_dot", REAL, (6,), "m/s2, rad/s2", "motion of the carrier that results"),
+            Field("residual", REAL, (rows,), "m/s2, rad/s2", "demand minus reached; 0 of a free row"),
+            Field(
+                "sigma",
+                REAL,
+                (min(rows, int(self.count)),),
+                "",
+                "singular values of (S K^-1 S^T)^-1/2 S K^-1 I Theta_ff^-1/2, descending",
+            ),
+            Field("rank", INT, (), "", "number of singular values above the rank threshold"),
+            Field("damped_by", REAL, (), "", "largest damping lambda applied, in units of sigma; 0: none"),
+            Field("limited", INT, (self.count,), "", "1 if the flywheel reached its limit"),
+            Field(
+                "hardest",
+                REAL,
+                (rows,),
+                "m/s2, rad/s2",
+                "the unreachable part of the demand, or the one hardest to reach; a unit in its norm",
+            ),
+        )
+        return Struct(f"inverse_{task.name}_result", f"Result of inverse_{task.name} and its quality.", fields)
 
     @cached_property
     def forward_jacobian_result(self) -> Struct:

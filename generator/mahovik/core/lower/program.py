@@ -15,6 +15,7 @@ from mahovik.core.lower import (
     coupling,
     demand,
     drive,
+    excess,
     flywheels,
     forward,
     generalized,
@@ -40,6 +41,7 @@ from mahovik.core.lower import (
 from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
@@ -95,8 +97,8 @@ def lower_layout(layout: Layout) -> Program:
             lib.add(coupling.couple_block(lib))
             lib.add(schur.eliminate_block(lib))
             lib.add(schur.take_lanes(lib))
+        lib.add(drive.balance(lib))
         if layout.sine_input:
-            lib.add(drive.balance(lib))
             lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
         lib.add(schur.solve_schur(lib))
@@ -118,10 +120,12 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(demand.demand(lib))
         lib.add(allocate.solve_gram(lib))
         lib.add(allocate.allocate(lib))
+        lib.add(excess.excessive(lib))
         lib.add(inverse.inverse(lib))
         lib.add(inverse_fast.inverse_fast(lib))
         if layout.sine_input:
             lib.add(inverse_fast.inverse_fast(lib, at=True))
+        add_tasks(lib)
     else:
         lib.add(demand.factor(lib))
         lib.add(demand.demand(lib))
@@ -247,6 +251,7 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         layout.inverse_work,
         *((layout.inverse_options,) if layout.flywheels else ()),
         layout.inverse_result,
+        *(layout.task_result(task) for task in layout.structure.tasks),
         *((layout.coupled_jacobian_result,) if layout.flywheels else ()),
         layout.forward_jacobian_result,
     ):

@@ -33,6 +33,9 @@ MASS_FACTOR = "mass_factor"
 SCALED = ("mass", "inertia")
 """Members of a body that the factor multiplies: a body remains one that can exist."""
 
+DEMAND = "demand"
+"""Name of what the functions of tasks take, one number a row."""
+
 SINE, COSINE = "sine", "cosine"
 """Names of inputs that are drawn together."""
 
@@ -60,7 +63,8 @@ class Input:
 def inputs(program: Program) -> tuple[Argument, ...]:
     """Arguments of the public functions that a test must choose, each once. Raises ValueError.
 
-    Arguments of one name are one input: the functions of a stand give one name to one thing.
+    Arguments of one name are one input: the functions of a stand give one name to one thing. The demands of tasks
+    differ in length: the longest is drawn, and a function takes its first numbers (`first_of`).
     """
     found: dict[str, Argument] = {}
     for function in program.functions:
@@ -68,9 +72,21 @@ def inputs(program: Program) -> tuple[Argument, ...]:
             if a.direction == "out" or (isinstance(a.type, Struct) and a.type.name in TABLES):
                 continue
             known = found.setdefault(a.name, a)
-            if (known.type, known.shape) != (a.type, a.shape):
+            if a.name == DEMAND:
+                found[a.name] = longer(known, a)
+            elif (known.type, known.shape) != (a.type, a.shape):
                 raise ValueError(f"{function.name}: {a.name} is something else than in another function")
     return tuple(found.values())
+
+
+def longer(one: Argument, other: Argument) -> Argument:
+    """The longer of two arguments of one name; the first of equals."""
+    return other if one.name == DEMAND and int(other.shape[0]) > int(one.shape[0]) else one
+
+
+def first_of(a: Argument, given: Any) -> Any:
+    """What an argument takes of the input of its name: of a demand as many numbers as the task has rows."""
+    return given[: int(a.shape[0])] if a.name == DEMAND else given
 
 
 def plan(program: Program) -> tuple[Input, ...]:

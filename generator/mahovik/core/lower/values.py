@@ -172,14 +172,16 @@ class Values:
         return table
 
     def _options(self) -> dict[str, Any]:
-        """Options of inverse by default: weights of the stand file, no limits, no damping."""
+        """Options of inverse by default: weights and motors of the stand file, no limits, no damping."""
         flywheels = self._stand.flywheels
         largest = self._layout.precision.largest
         return {
             "weight": [s.inverse_weight for s in flywheels],
             "limit": [largest] * len(flywheels),
+            **_abilities(self._stand, largest),
             "near": thresholds(self._layout.precision).near_singular,
             "damping": 0.0,
+            **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
         }
 
     def _mounting(self) -> dict[str, Any]:
@@ -225,3 +227,16 @@ class Values:
         (values,) = of_bodies("lower", "damper_values")
         found: dict[str, Any] = values(body, self._layout.damper, terms)
         return found
+
+
+def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
+    """Options of inverse that say what each flywheel has; `none` stands for no limit.
+
+    A flywheel whose motor has a torque or a speed is judged by these, any other by `inverse_most`.
+    """
+    motors = [s.motor if s.motor and (s.motor.torque, s.motor.speed) != (None, None) else None for s in stand.flywheels]
+    return {
+        "most": [stand.inverse_most if motor is None else none for motor in motors],
+        "motor_torque": [none if motor is None or motor.torque is None else motor.torque for motor in motors],
+        "motor_speed": [none if motor is None or motor.speed is None else motor.speed for motor in motors],
+    }

@@ -15,24 +15,34 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import NamedCount, Struct
 
 SWEEPS = {"double": 9, "float": 7}
-"""Sweeps over the 15 pairs of rows."""
+"""Sweeps over the pairs of rows, 15 of six rows."""
 
 
-def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, precision_name: str) -> Function:
-    """`orthogonalise`: works in place on a struct with members W[6][N], U[6][6], r[6], sigma[6]."""
+def numbered(name: str, rows: int) -> str:
+    """Name of a function for a number of rows: without one for six."""
+    return name if rows == 6 else f"{name}_{rows}"
+
+
+def orthogonalise(
+    struct: Struct, count: NamedCount, square_root: Function, precision_name: str, rows: int = 6
+) -> Function:
+    """`orthogonalise`: works in place on a struct with members W[6][N], U[6][6], r[6], sigma[6].
+
+    With fewer than six rows it is `orthogonalise_ROWS`, which works on the first of them.
+    """
     work = Argument(
         "work", struct, (), "inout", purpose="in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|"
     )
     w = work.place
     body = Body()
-    with body.loop("i", 6) as i:
-        with body.loop("j", 6) as j:
+    with body.loop("i", rows) as i:
+        with body.loop("j", rows) as j:
             body.set(w.U[i][j], real(0))
         body.set(w.U[i][i], real(1))
     with (
         body.loop("sweep", SWEEPS[precision_name]),
-        body.loop("p", 5) as p,
-        body.loop("q", 6, start=p + 1) as q,
+        body.loop("p", rows - 1) as p,
+        body.loop("q", rows, start=p + 1) as q,
     ):
         a = body.local("a")
         b = body.local("b")
@@ -58,7 +68,7 @@ def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, prec
             y = body.let("y", w.W[q][j])
             body.set(w.W[p][j], c * x - s * y)
             body.set(w.W[q][j], s * x + c * y)
-        with body.loop("j", 6) as j:
+        with body.loop("j", rows) as j:
             x = body.let("x", w.U[j][p])
             y = body.let("y", w.U[j][q])
             body.set(w.U[j][p], c * x - s * y)
@@ -67,14 +77,14 @@ def orthogonalise(struct: Struct, count: NamedCount, square_root: Function, prec
         y = body.let("y", w.r[q])
         body.set(w.r[p], c * x - s * y)
         body.set(w.r[q], s * x + c * y)
-    with body.loop("i", 6) as i:
+    with body.loop("i", rows) as i:
         total = body.local("total")
         body.set(total, real(0))
         with body.loop("j", count) as j:
             body.add(total, w.W[i][j] * w.W[i][j])
         body.set(w.sigma[i], call(square_root, total))
     return body.function(
-        "orthogonalise",
+        numbered("orthogonalise", rows),
         "One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition.",
         (work,),
     )

@@ -48,8 +48,8 @@ class Features:
 
     fluid           added mass, and the laws of bodies (on flywheels as well)
     wrench_inputs   some bodies take a run-time wrench
-    tasks           how many, each of one to six rows
     laws            how many of each law of `laws/`, by its folder; where there can be one only, 1 or more gives it
+    tasks           how many, each of one to six rows
     """
 
     angles: Sequence | None = None
@@ -60,13 +60,13 @@ class Features:
     points: int | None = None
     wrench_inputs: bool | None = None
     motors: bool | None = None
-    tasks: int | None = None
     laws: Mapping[str, int] = field(default_factory=dict)
+    tasks: int | None = None
 
 
-EVERYTHING = Features(None, 2, True, True, True, 2, True, True, 2, dict.fromkeys(LAWS, 2))
+EVERYTHING = Features(None, 2, True, True, True, 2, True, True, dict.fromkeys(LAWS, 2), 2)
 """Every kind of wrench and body at once; the attitude sequence is drawn."""
-BARE = Features(None, 0, False, False, False, 0, False, False, 0, dict.fromkeys(LAWS, 0))
+BARE = Features(None, 0, False, False, False, 0, False, False, dict.fromkeys(LAWS, 0), 0)
 """Carrier and flywheels in free space."""
 
 

@@ -11,6 +11,7 @@ from mahovik.core.emit.calls import address, argument_text, call, declaration, i
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.recorder import logging
 from mahovik.core.emit.templates import template
+from mahovik.core.lower.test_inputs import longer
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Precision
@@ -51,7 +52,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
             if a.direction != "in":
                 written.setdefault(f"{f.name}_{a.name}", a)
             if a.direction != "out" and a.name not in (*_OF_THE_STAND, "mounting", "order"):
-                taken.setdefault(a.name, a)
+                taken[a.name] = longer(taken.get(a.name, a), a)
     calls = []
     for f in public:
         for order in (4, 2) if any(a.name == "order" for a in f.arguments) else (0,):

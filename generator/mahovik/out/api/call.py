@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.contract.functions import task_of
 from mahovik.contract.quantities import QUANTITIES
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
@@ -15,12 +17,16 @@ from mahovik.core.lower.thresholds import thresholds
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.task import row_name
 from mahovik.errors import InputError, RefusedError
 from mahovik.out.api.compiled import Compiled
 from mahovik.out.api.fields import Array, Field, field
 from mahovik.out.api.inputs import by_component
 
 OnError = Literal["raise", "nan"]
+
+OF_ROWS = ("residual", "hardest")
+"""Results of a task with a number for each of its rows."""
 
 
 class Caller:
@@ -107,7 +113,8 @@ class Caller:
                     found += [field(inner, self._stand, self._made.sensors, m.axes) for inner in m.members]
                 else:
                     found.append(field(m, self._stand, self._made.sensors))
-        return tuple(found)
+        rows = {task.name: tuple(map(row_name, task.rows)) for task in self._stand.tasks}.get(task_of(f.name))
+        return tuple(replace(each, labels=(rows,)) if rows and each.name in OF_ROWS else each for each in found)
 
 
 def _spoil(a: ArgumentLayout, memory: Array, which: NDArray[np.bool_]) -> None:
@@ -175,12 +182,16 @@ def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[s
     """Options of `inverse` that are outside their ranges."""
     least = thresholds(_precision(memory["weight"])).weight
     for member in argument.members:
+        if member.kind == "int":  # rows of tasks: any number says something
+            continue
         values = memory[member.name].reshape(-1).tolist()
         for i, x in enumerate(values):
             what = f"{member.name} {stand.flywheels[i].name}" if member.shape else member.name
             if member.name == "weight" and not x >= least:
                 yield f"{what} is {x:.9g}, expected at least {least:g}"
-            elif member.name == "limit" and not x > 0:
+            elif member.name == "motor_torque" and not x >= 0:
+                yield f"{what} is {x:.9g} {member.unit}, expected at least 0"
+            elif member.name in ("limit", "most", "motor_speed") and not x > 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected above 0"
             elif member.name in ("near", "damping") and not 0 <= x <= 1:
                 yield f"{what} is {x:.9g}, expected 0 to 1"

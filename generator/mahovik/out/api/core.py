@@ -10,12 +10,15 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import row_of, task_of
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.core.stand.task import row_name
+from mahovik.core.stand.units import show
 from mahovik.errors import InputError
+from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
 from mahovik.out.api.compiled import compiled
@@ -61,6 +64,7 @@ class Built:
         self._components = state.components
         self._flywheels = tuple(s.name for s in stand.flywheels)
         self._bodies = tuple(body.name for body in stand.bodies)
+        self._rows = {task.name: tuple(map(row_name, task.rows)) for task in stand.tasks}
         self._labels: dict[str, tuple[str, ...]] = {
             "V_dot": TWIST_LETTERS,
             "angles": ("psi", "theta", "phi"),
@@ -103,11 +107,11 @@ class Built:
         """Functions of this stand's C."""
         found = []
         for function, f in self._made.functions.items():
-            if "x" in FUNCTIONS[function].takes:
+            if "x" in row_of(function).takes and not task_of(function):  # a task is asked of `inverse`
                 takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
                 gives = (
                     ("states",)
-                    if FUNCTIONS[function].gives == ("next",)
+                    if row_of(function).gives == ("next",)
                     else tuple(g.name for g in self._call.fields(function))
                 )
                 found.append(Offered(function, takes, gives, f.wide))
@@ -210,7 +214,7 @@ class Built:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._made.functions.get(function)
         if f is None:
-            what = {"sensors": "instruments or points"}.get(needs := FUNCTIONS[function].needs, needs)
+            what = {"sensors": "instruments or points"}.get(needs := row_of(function).needs, needs)
             raise InputError(f"{function}: the stand has no {what}")
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
@@ -227,7 +231,7 @@ class Built:
                 value = given[a.name]
                 alike[a.name] = inputs.lock_flags(value, self._flywheels) if a.name == "locked" else value
             else:
-                parts[a.name] = self._read(a, given[a.name])
+                parts[a.name] = self._read(a, given[a.name], task_of(function))
         if not self._flywheels:
             for name in given.keys() - {a.name for a in f.arguments}:
                 inputs.read(given[name], name, 0, (), "flywheel")
@@ -246,9 +250,9 @@ class Built:
             raise InputError(f"states: expected States or shape (n, {self._components}), found a number")
         return found
 
-    def _read(self, a: ArgumentLayout, value: Any) -> Array:
-        labels = self._labels[a.name]
-        noun = "flywheel" if labels is self._flywheels else "component"
+    def _read(self, a: ArgumentLayout, value: Any, task: str) -> Array:
+        labels = self._rows[task] if a.name == "demand" else self._labels[a.name]
+        noun = "row" if a.name == "demand" else "flywheel" if labels is self._flywheels else "component"
         return inputs.read(value, a.name, a.components, labels, noun)
 
     def _number(self, value: float, what: str) -> Array:
@@ -257,7 +261,20 @@ class Built:
             raise InputError(f"{what}: expected one number for all states, found shape {found.shape}")
         return np.array([found], dtype=self._element)
 
-    def _options(self, by_flywheel: Mapping[str, Given | None], numbers: Mapping[str, float | None]) -> Given:
+    def _demanded(self, task: str, rows: Sequence[str] | None) -> dict[str, Array]:
+        """The options that say which rows of a task are demanded: all, or those named."""
+        known = self._rows[task]
+        for name in rows or ():
+            if name not in known:
+                raise InputError(f"rows: the task {task} has no {show(name)}{suggestion(name, known)}")
+        return {f"use_{task}": np.array([rows is None or name in rows for name in known], dtype=np.int32)}
+
+    def _options(
+        self,
+        by_flywheel: Mapping[str, Given | None],
+        numbers: Mapping[str, float | None],
+        rows: Mapping[str, Array] | None = None,
+    ) -> Given:
         """The options of `inverse`: those of the stand file, and what is given instead; none without flywheels."""
         if not self._flywheels:
             for name, given in by_flywheel.items():
@@ -280,6 +297,8 @@ class Built:
         for name, number in numbers.items():
             if number is not None:
                 found[name] = self._number(number, name)
+        for name, flags in (rows or {}).items():
+            found[name] = flags
         return found
 
     def __repr__(self) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from inspect import Parameter, Signature
 from typing import Literal
 
@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike
 from mahovik.contract.functions import FUNCTIONS, PublicFunction
 from mahovik.contract.quantities import QUANTITIES, shared
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.units import show
 from mahovik.errors import InputError
+from mahovik.nearest import suggestion
 from mahovik.out.api import results
 from mahovik.out.api.call import OnError
 from mahovik.out.api.core import ELEMENT, Built, Locks, Real, Wrenches
@@ -171,10 +173,16 @@ class Model(Built):
     def inverse(
         self,
         x: States | ArrayLike,
-        V_dot: Given,
+        V_dot: Given | None = None,
         *,
+        task: str | None = None,
+        demand: Given | None = None,
+        rows: Sequence[str] | None = None,
         weight: Given | None = None,
         limit: Given | None = None,
+        most: Given | None = None,
+        motor_torque: Given | None = None,
+        motor_speed: Given | None = None,
         near: float | None = None,
         damping: float | None = None,
         wrench: Wrenches = None,
@@ -182,16 +190,38 @@ class Model(Built):
     ) -> results.Inverse:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
 
-        weight   of each flywheel in the norm of phi''; of those not given what the stand file says
-        limit    rad/s2; of each |phi''|; of those not given none
-        near     NEAR_SINGULAR below this part of the largest singular value
-        damping  of small singular values, a part of the largest; else none
+        task          name of a task of the stand, with `demand`, a number a row, in place of V_dot
+        rows          names of its rows that are demanded, the others are free; by default all
+        weight        of each flywheel in the norm of phi''; of those not given what the stand file says
+        limit         rad/s2; of each |phi''|; of those not given none
+        most          rad/s2; EXCESSIVE above this |phi''|; by default `inverse_most` of flywheels without a motor
+        motor_torque  N m; EXCESSIVE if the drive torque is above it; by default that of the motor
+        motor_speed   rad/s; no-load speed, where the torque that drives has fallen to 0; by default that of the motor
+        near          NEAR_SINGULAR below this part of the largest singular value
+        damping       of small singular values, a part of the largest; else none
 
-        Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`; positive statuses say what
-        to know. State by state. Raises InputError, RefusedError.
+        Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`, of a task `V_dot` as well, the
+        motion that results; positive statuses say what to know. State by state. Raises InputError, RefusedError.
         """
-        options = self._options({"weight": weight, "limit": limit}, {"near": near, "damping": damping})
-        return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
+        each = {"weight": weight, "limit": limit, "most": most}
+        each |= {"motor_torque": motor_torque, "motor_speed": motor_speed}
+        shares = {"near": near, "damping": damping}
+        if task is None:
+            if demand is not None or rows is not None:
+                raise InputError(f"{'rows' if demand is None else 'demand'}: needs a task, task=NAME")
+            if V_dot is None:
+                raise InputError("V_dot: missing; give V_dot, or a task and its demand")
+            options = self._options(each, shares)
+            return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
+        if task not in self._rows:
+            raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
+        if V_dot is not None:
+            raise InputError("V_dot, task: both given, expected one of them")
+        if demand is None:
+            raise InputError(f"demand: missing, expected one number for each of {', '.join(self._rows[task])}")
+        options = self._options(each, shares, self._demanded(task, rows))
+        function = f"inverse_{task}"
+        return self._result(results.Inverse, function, x, on_error, wrench, demand=demand, options=options)
 
     def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
         """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""

@@ -98,9 +98,10 @@ class Momentum(Result):
 
 
 class Inverse(Result):
-    """`phi_ddot` (N) for a wanted motion, and how good it is; (12)."""
+    """`phi_ddot` (N) for a wanted motion, and how good it is; (12). Of a task also `V_dot`, the motion that results."""
 
     phi_ddot: Real
+    V_dot: Real
     residual: Real
     sigma: Real
     rank: NDArray[np.int32]

@@ -50,7 +50,8 @@ def check(
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
     is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance, or with --dt would lose what short steps add.
+    float would not resolve an unbalance, or with --dt would lose what short steps add; and where (12) is singular in
+    practice, so that a task should name the rows that are demanded.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
@@ -60,6 +61,7 @@ def check(
     from mahovik.core.stand import identities
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.written import written_numbers
+    from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import lost_increments
     from mahovik.use.study.resolution import shortfalls
 
@@ -69,6 +71,7 @@ def check(
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     step = None if dt is None else read_step(dt)
     lost = [] if step is None else lost_increments(stand, [row.speed for row in summary.unbalance], step)
+    over = excess(stand)
     if as_json:
         from dataclasses import asdict
 
@@ -78,11 +81,12 @@ def check(
             "physics": names.physics,
             "float": [asdict(each) for each in short],
             "increments": [asdict(each) | {"part": each.part} for each in lost],
+            "excess": None if over is None else asdict(over),
             "written": [asdict(each) for each in written],
         }
         print_json(found)
         return
-    _print(summary, names, [str(each) for each in (*short, *lost)], written)
+    _print(summary, names, [str(each) for each in (*short, *lost, *([over] if over else []))], written)
 
 
 def read_distance(text: str) -> float:

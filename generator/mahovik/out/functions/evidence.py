@@ -244,6 +244,8 @@ def generate(
         return Generated(own, files, count, None, ())
     if real == "float":
         _warn_of_float(own)
+    if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
+        _warn_of_excess(own)
     done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
     written = {path.name: path.read_text(encoding="utf-8") for path in done.paths}
     return Generated(own, written, count, Path(folder), done.notes)
@@ -277,6 +279,14 @@ def _warn_of_float(stand: CoreStand) -> None:
 
     for short in shortfalls(stand, [row.speed for row in summarize(stand, None).unbalance]):
         warn(str(short))
+
+
+def _warn_of_excess(stand: CoreStand) -> None:
+    """Warn where (12) is singular in practice, as `mahovik check` does."""
+    from mahovik.use.study.excess import excess
+
+    if (found := excess(stand)) is not None:
+        warn(str(found))
 
 
 class Page:

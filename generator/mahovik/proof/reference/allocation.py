@@ -9,15 +9,20 @@ import numpy as np
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.task import Demanded, task_demand
 
 
 @dataclass(frozen=True, eq=False)
 class ScaledDemand:
-    """(12) without units: W y = r with W = K^-1/2 I Theta_ff^-1/2 (6xN), y = Theta_ff^1/2 phi'' (N), r (6)."""
+    """(12) without units: W y = r with W = K^-1/2 I Theta_ff^-1/2 (6xN), y = Theta_ff^1/2 phi'' (N), r (6).
+
+    `root` scales what is left over: K^-1/2 of a wrench, G^-1/2 of a task's error.
+    """
 
     W: Array
     r: Array
     to_phi_ddot: Array
+    root: Array
 
     def phi_ddot(self, y: Array) -> Array:
         """phi'' (N, rad/s2) of a scaled answer."""
@@ -27,7 +32,7 @@ class ScaledDemand:
 def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     """The scaled form of (12) for V_dot (6) relative to E0."""
     K_root, Theta_root = inverse_root(at.K), inverse_root(at.Theta_ff)
-    return ScaledDemand(K_root @ at.I @ Theta_root.T, K_root @ demand(at, V_dot), Theta_root.T)
+    return ScaledDemand(K_root @ at.I @ Theta_root.T, K_root @ demand(at, V_dot), Theta_root.T, K_root)
 
 
 def weighted(scaled: ScaledDemand, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:
@@ -78,3 +83,10 @@ def normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> Arr
     if W.shape[1] >= len(r):
         return scaled.phi_ddot(np.asarray((W / weight).T @ np.linalg.solve(gram, r), dtype=np.float64))
     return scaled.phi_ddot(np.asarray(np.linalg.solve(gram, W.T @ r), dtype=np.float64))
+
+
+def scaled_task(at: Pieces, rows: Demanded, demand: Array) -> ScaledDemand:
+    """The scaled form of a task for its demand (m): W = G^-1/2 S K^-1 I Theta_ff^-1/2 (mxN), G = S K^-1 S^T."""
+    asked = task_demand(at, rows, demand)
+    G_root, Theta_root = asked.G_root, inverse_root(at.Theta_ff)
+    return ScaledDemand(G_root @ asked.A @ Theta_root.T, G_root @ asked.c, Theta_root.T, G_root)

@@ -81,12 +81,16 @@ def demanded(at: Pieces, stand: Stand, task: Task) -> Demanded:
 
 @dataclass(frozen=True, eq=False)
 class TaskDemand:
-    """The task's equation A phi'' = c, A = S K^-1 I (mxN), c (m), in the norm of G^-1, G = S K^-1 S^T (mxm)."""
+    """The task's equation A phi'' = c, A = S K^-1 I (mxN), c (m), in the norm of G^-1, G = S K^-1 S^T (mxm).
+
+    G_root (mxm) is G^-1/2: R^-T of K^-1/2 S^T = Q R, which loses no digits to the squares in G.
+    """
 
     rows: Demanded
     A: Array
     c: Array
     G: Array
+    G_root: Array
 
 
 def task_demand(at: Pieces, rows: Demanded, demand: Array) -> TaskDemand:
@@ -95,8 +99,8 @@ def task_demand(at: Pieces, rows: Demanded, demand: Array) -> TaskDemand:
     d = at.stream_rate()
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
     c = to_motion @ b - rows.S @ d + rows.s - demand
-    G = to_motion @ rows.S.T
-    return TaskDemand(rows, to_motion @ at.I, c, (G + G.T) / 2)
+    R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
+    return TaskDemand(rows, to_motion @ at.I, c, to_motion @ rows.S.T, np.linalg.inv(R.T))
 
 
 def task_inverse(at: Pieces, rows: Demanded, demand: Array, cuts: Cuts = CUTS, rank: int | None = None) -> TaskInverse:
@@ -105,7 +109,7 @@ def task_inverse(at: Pieces, rows: Demanded, demand: Array, cuts: Cuts = CUTS, r
     By the singular values of G^-1/2 S K^-1 I Theta_ff^-1/2. `rank`: how many of them count, where that is given.
     """
     asked = task_demand(at, rows, demand)
-    G_root, Theta_root = inverse_root(asked.G), inverse_root(at.Theta_ff)
+    G_root, Theta_root = asked.G_root, inverse_root(at.Theta_ff)
     U, sigma, Vt = np.linalg.svd(G_root @ asked.A @ Theta_root.T, full_matrices=False)
     if rank is None:
         rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0

@@ -13,12 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, WANTS
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, WANTS
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all, host_lanes
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.identity import identities
@@ -40,16 +41,20 @@ Runner = Callable[[str, Mapping[str, Any]], tuple[int, dict[str, Any]]]
 class ProgramBackend:
     """Answers of a program, run as compiled C or by the interpreter.
 
-    `table`, `mounting`: the prepared stand as the functions take it; no mounting without flywheels.
+    `table`, `mounting`: the prepared stand as the functions take it; no mounting without flywheels. `options`: of
+    `inverse`, by the stand file.
     """
 
-    def __init__(self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner) -> None:
+    def __init__(
+        self, name: str, layout: Layout, program: Program, table: Any, mounting: Any, run: Runner, options: Any = None
+    ) -> None:
         self.name = name
         self.mounting = mounting
         self.layout = layout
         self.program = program
         self._table = table
         self._run = run
+        self._options = options or {}
 
     @property
     def wants(self) -> tuple[str, ...]:
@@ -82,10 +87,17 @@ class ProgramBackend:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
         inputs = self.arguments(state)
         results: dict[str, Any] = {}
+        moved = inputs
+        if state.task:
+            found = self._inverse_task(state, inputs)
+            moved = {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]}
         if any(law.invalid for law in self.layout.law_tables):
             self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
         for name in want:
-            results |= self.answer(name, state, inputs)
+            if state.task and name == "inverse":
+                results |= found
+            else:
+                results |= self.answer(name, state, moved if name in TASK_TAKERS else inputs)
         return results
 
     def answer(self, want: str, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -120,11 +132,13 @@ class ProgramBackend:
             "sine": [math.sin(phi) for phi in state.phi],
             "cosine": [math.cos(phi) for phi in state.phi],
             "V_dot": state.V_dot,
+            "demand": state.demand,
             "phi_ddot": state.phi_ddot,
             "tau": state.tau,
             "locked": [0] * len(state.phi),
             "wrench": wrench,
-            "options": {  # of `inverse`, by stand.md
+            "options": {  # of `inverse`: by the stand file what each flywheel has, the rest by stand.md
+                **self._options,
                 "weight": [1.0] * len(state.phi),
                 "limit": [self.layout.precision.largest] * len(state.phi),
                 "near": NEAR_SINGULAR_BELOW,
@@ -134,8 +148,8 @@ class ProgramBackend:
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
-        wanted = {a.name for a in self.program.function(function).arguments if a.direction != "out"}
-        return self._run(function, {name: value for name, value in inputs.items() if name in wanted})
+        wanted = [a for a in self.program.function(function).arguments if a.direction != "out" and a.name in inputs]
+        return self._run(function, {a.name: first_of(a, inputs[a.name]) for a in wanted})
 
     def _call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
         status, outputs = self.call(function, inputs)
@@ -182,6 +196,16 @@ class ProgramBackend:
         result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
         return result | {"status": status_words(status)}
 
+    def _inverse_task(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """The answer of the task of a state. Raises StateError."""
+        rows = {task.name: len(task.rows) for task in self.layout.structure.tasks}
+        if rows.get(state.task) != len(state.demand):
+            raise StateError(f"demand: expected {rows.get(state.task, 0)} numbers, found {len(state.demand)}")
+        status, outputs = self.call(f"inverse_{state.task}", inputs)
+        self._refuse(status)
+        found = {name: outputs["out"][name] for name in ("phi_ddot", "V_dot", "residual", "sigma", "rank")}
+        return found | {"status": status_words(status)}
+
     def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
         if not self.layout.sensors:
             return {"points": {}}
@@ -210,7 +234,7 @@ class InterpreterBackend(ProgramBackend):
     def __init__(self, generated: Generated) -> None:
         interpreter, values = Interpreter(generated.program), generated.values
         stand = prepare_records(interpreter, generated.layout, values.table, values.mounting)
-        super().__init__("interpreter", generated.layout, generated.program, *stand, interpreter.run)
+        super().__init__("interpreter", generated.layout, generated.program, *stand, interpreter.run, values.options)
 
 
 def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounting: Any) -> tuple[Any, Any]:
@@ -270,7 +294,7 @@ class CBackend(ProgramBackend):
         if "prepare_mounts" in public_names(program):
             given = {"parameters": self.library.default("default_parameters")}
             mounting = run("prepare_mounts", given)[1]["mounting"]
-        super().__init__("c", self.generated.layout, program, table, mounting, run)
+        super().__init__("c", self.generated.layout, program, table, mounting, run, self.generated.values.options)
 
     @cached_property
     def interpreter(self) -> InterpreterBackend:

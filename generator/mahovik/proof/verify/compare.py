@@ -14,6 +14,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import inverse as reference_inverse
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.second import Second
@@ -22,6 +24,9 @@ from mahovik.proof.verify.scales import scales
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 from mahovik.proof.verify.states import Request
+
+EXCESS_MARGIN = 1e-3
+"""Relative distance of what a flywheel needs from what it has below which rounding may decide EXCESSIVE."""
 
 
 @dataclass(frozen=True)
@@ -203,7 +208,8 @@ class Judge:
         """Whether rank or status of `inverse` depends on rounding.
 
         That is, a singular value within a factor of ten of a threshold, or so near to it as the accepted difference
-        of `sigma`; or a residual as near to UNREACHABLE as the accepted difference of `residual`.
+        of `sigma`; or a residual as near to UNREACHABLE as the accepted difference of `residual`; or a flywheel that
+        needs what it has, within EXCESS_MARGIN.
         """
         sigma = np.asarray(found["sigma"])
         if sigma.size and sigma[0] == 0.0:
@@ -215,6 +221,9 @@ class Judge:
             near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
             if np.any(near):
                 return True
+        needed = shares(self._stand, at, forward(at, found["phi_ddot"]), found["phi_ddot"])
+        if np.any(np.abs(needed - 1.0) < EXCESS_MARGIN):
+            return True
         root = inverse_root(at.K)
         left = np.asarray(found["residual"])
         demand = float(np.linalg.norm(root @ (left + at.I @ found["phi_ddot"])))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import row_of
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, TABLES, UNIT_LENGTH, limits_of
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.emit.generate import Generated
@@ -82,7 +82,7 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> R
 
 def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[Wrong]:
     """All wrong values of the arguments of a function, one at a time."""
-    ignored = FUNCTIONS[function.name].ignores if function.name in FUNCTIONS else ()
+    ignored = row_of(function.name).ignores
     for a in function.arguments:
         if (a.shape or isinstance(a.type, Struct) or a.direction != "in") and not a.optional:
             yield Wrong((a.name,), NULL, "BAD_ARGUMENT")

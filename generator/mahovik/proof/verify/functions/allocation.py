@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from mahovik.contract.functions import task_of
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.state import State
@@ -19,15 +21,21 @@ from mahovik.proof.reference.allocation import (
     normal_equations,
     normal_matrix,
     scaled_demand,
+    scaled_task,
     weighted,
 )
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
+from mahovik.proof.reference.task import Demanded, demanded
+from mahovik.proof.reference.task import task_of as task_named
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.functions.diagnoses import Diagnoses
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
+
+DEMANDED = {"v": 5.0, "w": 20.0}
+"""m/s2, rad/s2: spread of demanded accelerations and angular accelerations."""
 
 NEAR, DAMPING = 0.9, 0.3
 """Options under which some singular value of most stands is damped."""
@@ -42,7 +50,7 @@ BOUNDED = 1e-6
 """Accepted excess of a bounded answer's residual over the least, relative to the demand (SciPy stops there)."""
 
 
-def _scale(scaled: ScaledDemand, weight: Array, rank: int, answer: Array) -> Array:
+def scale_of(scaled: ScaledDemand, weight: Array, rank: int, answer: Array) -> Array:
     """Scale (N, rad/s2) of an answer: relative errors of W and r move it by about as many units of it.
 
     Wedin's bound for least squares (Bjorck, Numerical Methods for Least Squares Problems, 1.4.3), with kappa the
@@ -59,7 +67,7 @@ def _scale(scaled: ScaledDemand, weight: Array, rank: int, answer: Array) -> Arr
     return np.asarray(np.abs(scaled.to_phi_ddot * root) @ np.full(len(answer), condition * moved))
 
 
-def _scale_of_damped(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], rank: int, answer: Array) -> Array:
+def scale_of_damped(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], rank: int, answer: Array) -> Array:
     """Scale (N, rad/s2) of a damped answer, likewise: by the condition of the damped problem.
 
     V g(sigma) U^T r with g = sigma/(sigma^2 + lambda^2) moves by |r| times the largest slope of g, which is at most
@@ -92,7 +100,7 @@ def _scale_of_normal_equations(scaled: ScaledDemand, weight: Array, condition: f
     return np.asarray(np.abs(scaled.to_phi_ddot * root) @ np.full(len(answer), condition * moved))
 
 
-def _check_rank(case: Case, scaled: ScaledDemand, rank: int) -> None:
+def check_rank(case: Case, scaled: ScaledDemand, rank: int) -> None:
     """Raises StateError for a rank that the singular values do not allow, within a factor of ten of the threshold."""
     ratios = np.linalg.svd(scaled.W, compute_uv=False)
     ratios = ratios / ratios[0] if ratios[0] else ratios
@@ -102,25 +110,40 @@ def _check_rank(case: Case, scaled: ScaledDemand, rank: int) -> None:
         raise StateError(f"rank {rank}, expected {least} to {most}")
 
 
-def _options(case: Case, number: int, limit: Array | None = None, **more: float) -> dict[str, Any]:
+def options_of(case: Case, number: int, limit: Array | None = None, **more: float) -> dict[str, Any]:
     """Weights from 1 to 10, and what else is asked; no limits where none are given."""
     weight = case.nearest_numbers(case.random(100 + number).uniform(1.0, 10.0, case.count))
     none = np.full(case.count, case.backend.layout.precision.largest)
-    given: dict[str, Any] = {"weight": list(weight), "limit": list(none if limit is None else limit)}
+    given: dict[str, Any] = dict(case.backend.generated.values.options or {})  # what the motors have
+    given |= {"weight": list(weight), "limit": list(none if limit is None else limit)}
     return {**given, "near": 1e-6, "damping": 0.0, **more}
 
 
-def _asked(case: Case) -> Iterator[tuple[int, str, State, ScaledDemand]]:
-    """The states, with what is asked of the flywheels there."""
+def _asked(case: Case, task: str = "") -> Iterator[tuple[int, str, State, ScaledDemand]]:
+    """The states, with what is asked of the flywheels there: V_dot of the state, or a demand of a task."""
     for number, (name, state) in enumerate(case.states):
-        yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
+        if task:
+            asked, rows = with_demand(case, number, state, task)
+            yield number, name, asked, scaled_task(case.at(state), rows, np.array(asked.demand))
+        else:
+            yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
 
 
-def _answer(case: Case, given: Mapping[str, Any], options: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+def with_demand(case: Case, number: int, state: State, task: str) -> tuple[State, Demanded]:
+    """The state with a random demand of a task, and the rows of this."""
+    wanted = task_named(case.stand, task)
+    sizes = [DEMANDED[row.component[0]] for row in wanted.rows]
+    demand = case.nearest_numbers(case.random(300 + number).normal(size=len(sizes)) * sizes)
+    return replace(state, task=task, demand=tuple(demand)), demanded(case.at(state), case.stand, wanted)
+
+
+def answer_of(
+    case: Case, given: Mapping[str, Any], options: Mapping[str, Any], function: str = "inverse"
+) -> tuple[int, dict[str, Any]]:
     """Status and result of `inverse` with these options. Raises StateError if it refuses."""
-    status, outputs = case.backend.call("inverse", {**given, "options": options})
+    status, outputs = case.backend.call(function, {**given, "options": options})
     if status < 0:
-        raise StateError(f"inverse refused with status {status_words(status)}")
+        raise StateError(f"{function} refused with status {status_words(status)}")
     return status, outputs["out"]
 
 
@@ -141,28 +164,28 @@ def inverse_rows(case: Case) -> Iterator[Row]:
     limited = Comparison("inverse", "residual, with limits", BOUNDED if case.real == "double" else 1e-3)
     for number, name, state, scaled in _asked(case):
         given = case.backend.arguments(state)
-        options = _options(case, number)
+        options = options_of(case, number)
         weight = np.array(options["weight"])
         try:
-            status, found = _answer(case, given, options)
+            status, found = answer_of(case, given, options)
             rank = int(found["rank"])
-            _check_rank(case, scaled, rank)
+            check_rank(case, scaled, rank)
             expected = weighted(scaled, weight, rank)
-            plain.note(found["phi_ddot"], expected, _scale(scaled, weight, rank, expected), name)
+            plain.note(found["phi_ddot"], expected, scale_of(scaled, weight, rank, expected), name)
             beside.note(state, options, status, found, scaled, name)
-            options = _options(case, number, near=NEAR, damping=DAMPING)
+            options = options_of(case, number, near=NEAR, damping=DAMPING)
             options |= {key: float(np.float32(options[key])) for key in ("near", "damping")}
             near, damping = options["near"], options["damping"]
-            status, found = _answer(case, given, options)
+            status, found = answer_of(case, given, options)
             answer = weighted(scaled, weight, rank, near, damping)
-            scale = _scale_of_damped(case, scaled, options, rank, answer)
+            scale = scale_of_damped(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
             beside.note(state, options, status, found, scaled, name)
-            options = _options(case, number, _limits(case, expected))
-            status, found = _answer(case, given, options)
-            _note_limits(limited, case, status, found, options, scaled, name)
+            options = options_of(case, number, limits_of(case, expected))
+            status, found = answer_of(case, given, options)
+            note_limits(limited, case, status, found, options, scaled, name)
             beside.note(state, options, status, found, scaled, name, free=False)
         except StateError as error:
             plain.note_refusal(error, name)
@@ -180,7 +203,7 @@ def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
         natural = inverse_scales(Magnitudes(case.stand, state, at, case.bounds.cuts))["residual"]
         try:
             given = case.backend.arguments(state)
-            status, found = _answer(case, given, given["options"])
+            status, found = answer_of(case, given, given["options"])
         except StateError as error:
             residual.note_refusal(error, name)
             continue
@@ -200,13 +223,13 @@ def least_residual(scaled: ScaledDemand, limit: Array) -> float:
     return float(np.sqrt(2 * found.cost))
 
 
-def _limits(case: Case, phi_ddot: Array) -> Array:
+def limits_of(case: Case, phi_ddot: Array) -> Array:
     """Limits (N, rad/s2) that hold some flywheels back: 0.7 of the largest."""
     most = 0.7 * float(np.abs(phi_ddot).max(initial=0.0)) or 1.0
     return np.full(case.count, float(np.float32(most)))
 
 
-def _note_limits(
+def note_limits(
     row: Comparison, case: Case, status: int, found: Mapping[str, Any], options: Mapping[str, Any],
     scaled: ScaledDemand, name: str
 ) -> None:  # fmt: skip
@@ -242,36 +265,51 @@ def _weak_demand(scaled: ScaledDemand, y: Array, held: Array, regular: float) ->
     return float(np.linalg.norm(U[:, weak].T @ (scaled.r - scaled.W[:, held] @ y[held])))
 
 
-def fast_rows(case: Case, function: str) -> Iterator[Row]:
+def fast_rows(
+    case: Case, function: str, loss: Callable[[State, ScaledDemand], float] = lambda state, scaled: 1.0
+) -> Iterator[Row]:
     """phi_ddot by normal equations, without and with damping, the refusal, and how well the equations are solved.
 
-    The last is judged at any condition: an answer of bad condition solves them all the same.
+    The last is judged at any condition: an answer of bad condition solves them all the same. `loss`: relative errors
+    of W and r in units of rounding.
     """
     plain = Comparison(function, "phi_ddot, with weights", case.bounds.default)
     damped = Comparison(function, "phi_ddot, with damping", case.bounds.default)
     solved = Comparison(function, "residual of its equations", case.bounds.default)
     status_row = Comparison(function, "status", 0.0)
-    for number, name, state, scaled in _asked(case):
+    for number, name, state, scaled in _asked(case, task_of(function)):
         given = case.backend.arguments(state)
         for row, damping in ((plain, 0.0), (damped, FAST_DAMPING)):
-            options = _options(case, number, damping=damping)
+            options = options_of(case, number, damping=damping)
             weight = np.array(options["weight"])
             status, found = case.backend.call(function, given | {"options": options})
             status_row.note_difference(*_wrong_refusal(case, status, normal_matrix(scaled, weight, damping)), name)
-            condition = condition_of_normal_equations(scaled, weight, damping)
-            if condition <= SQUARED_CONDITION[case.real]:
-                if status < 0:
-                    row.note_refusal(StateError(f"{function} refused with status {status_words(status)}"), name)
-                    continue
-                expected = normal_equations(scaled, weight, damping)
-                scale = _scale_of_normal_equations(scaled, weight, condition, expected)
-                row.note(found["phi_ddot"], expected, scale, name)
+            note_fast(row, case, scaled, options, status, found, name, loss(state, scaled))
             if status >= 0 and not damping:
-                solved.note_difference(_unsolved(scaled, weight, np.array(found["phi_ddot"])), "", name)
+                solved.note_difference(
+                    _unsolved(scaled, weight, np.array(found["phi_ddot"])) / loss(state, scaled), "", name
+                )
     if not plain.row.states:
         plain.row.reason = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
     for row in (plain, damped, solved, status_row):
         yield row.finished()
+
+
+def note_fast(
+    row: Comparison, case: Case, scaled: ScaledDemand, options: Mapping[str, Any], status: int,
+    found: Mapping[str, Any], name: str, loss: float = 1.0
+) -> None:  # fmt: skip
+    """Count an answer by normal equations, where their condition leaves digits."""
+    weight, damping = np.array(options["weight"]), options["damping"]
+    condition = condition_of_normal_equations(scaled, weight, damping)
+    if condition > SQUARED_CONDITION[case.real]:
+        return
+    if status < 0:
+        row.note_refusal(StateError(f"{row.function} refused with status {status_words(status)}"), name)
+        return
+    expected = normal_equations(scaled, weight, damping)
+    scale = loss * _scale_of_normal_equations(scaled, weight, condition, expected)
+    row.note(found["phi_ddot"], expected, scale, name)
 
 
 def _wrong_refusal(case: Case, status: int, gram: Array) -> tuple[float, str]:

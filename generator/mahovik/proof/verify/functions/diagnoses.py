@@ -10,9 +10,11 @@ import numpy as np
 from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.allocation import ScaledDemand
+from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
@@ -98,6 +100,9 @@ class Diagnoses:
         off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
         most = bounds.cuts.reached * float(np.linalg.norm(asked.r))
         expected["UNREACHABLE"] = None if abs(left - most) <= off else left > most
+        needed = shares(self._case.stand, at, forward(at, phi_ddot), phi_ddot)
+        undecided = np.any(np.abs(needed - 1.0) < EXCESS_MARGIN) and not np.any(needed > 1.0 + EXCESS_MARGIN)
+        expected["EXCESSIVE"] = None if undecided else bool(np.any(needed > 1.0))
         has = status_bits(status)
         wrong = [bit for bit, wanted in expected.items() if wanted is not None and wanted != (bit in has)]
         words = ", ".join(f"{bit} expected" if expected[bit] else f"{bit} not expected" for bit in wrong)

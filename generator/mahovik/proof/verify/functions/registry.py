@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import (
@@ -19,6 +19,7 @@ from mahovik.proof.verify.functions import (
     parameters,
     reactions,
     steps,
+    tasks,
 )
 from mahovik.proof.verify.functions.case import Case
 
@@ -53,9 +54,17 @@ JUDGES |= {
 }
 
 
+def judge_of(name: str) -> Callable[[Case], Iterable[Row]] | None:
+    """The judge of a function here, by its name; a task's functions have those of their forms."""
+    task = task_of(name)
+    if not task:
+        return JUDGES.get(name)
+    return partial(tasks.inverse_rows if name == f"inverse_{task}" else tasks.fast_rows, function=name)
+
+
 def unjudged(functions: Iterable[str]) -> list[str]:
     """Names of public functions that neither answer a want nor have a judge here."""
-    return [name for name in functions if name not in JUDGES and not (name in FUNCTIONS and FUNCTIONS[name].want)]
+    return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
 
 
 def function_rows(case: Case) -> Iterator[Row]:
@@ -67,14 +76,16 @@ def function_rows(case: Case) -> Iterator[Row]:
     for name in unjudged(names):
         yield Row(name, "no judge", verdict="FAILED", reason="nothing compares this function")
     for name in names:
-        if name in JUDGES:
+        if judge_of(name) is not None:
             yield from rows_of(case, name)
 
 
 def rows_of(case: Case, name: str) -> list[Row]:
     """Rows of one function by its judge, and one that fails where no row, but of its status, compared a state."""
+    judge = judge_of(name)
+    assert judge is not None
     try:
-        rows = list(JUDGES[name](case))
+        rows = list(judge(case))
     except StateError as error:  # of a call that every program must answer
         return [Row(name, "refused", verdict="FAILED", reason=str(error))]
     if case.states and all(row.verdict == "not compared" for row in rows if not row.quantity.startswith("status")):

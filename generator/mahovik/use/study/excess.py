@@ -1,0 +1,74 @@
+"""Is (12) singular in practice? A small demand on the carrier may need more of the flywheels than any motor has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from mahovik.core.stand.model import COMPONENTS, Stand
+from mahovik.core.stand.state import rest_state
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.forward import forward
+from mahovik.proof.reference.inverse import inverse
+
+SMALL = 1e-3
+"""m/s2, rad/s2: what is demanded of one component, of the others zero."""
+
+POSITIONS = 5
+"""Positions of the flywheels, at rest, over which the median is taken."""
+
+_SEED = 12
+
+
+@dataclass(frozen=True)
+class Excess:
+    """The component whose small demand needs most: median over positions of the flywheels.
+
+    component  of V*: vx vy vz wx wy wz
+    flywheel   that needs most
+    share      of what it has: 8.1e4 is eighty-one thousand times
+    phi_ddot   its acceleration, rad/s2
+    tasks      whether the stand has tasks
+    """
+
+    component: str
+    flywheel: str
+    share: float
+    phi_ddot: float
+    tasks: bool
+
+    def __str__(self) -> str:
+        unit = "m/s2" if self.component.startswith("v") else "rad/s2"
+        advice = "ask its tasks"
+        if not self.tasks:
+            advice = 'name the rows that you need, [task.pointing] rows = ["wx", "wy", "wz"], and ask the task'
+        return (
+            f"(12) is singular in practice: {SMALL:g} {unit} of {self.component} alone, all else at rest, needs "
+            f"{self.phi_ddot:.3g} rad/s2 of {self.flywheel}, {self.share:.3g} times what it has (EXCESSIVE); {advice}"
+        )
+
+
+def excess(stand: Stand) -> Excess | None:
+    """What (12) needs at most for a small demand, if this is more than there is in most positions; else None."""
+    if not stand.flywheels:
+        return None
+    bodies = bodies_of(stand)
+    rng = np.random.default_rng(_SEED)
+    still = rest_state(stand)
+    found = np.zeros((POSITIONS, 6, len(stand.flywheels), 2))
+    for k in range(POSITIONS):
+        at = pieces(stand, replace(still, phi=tuple(rng.uniform(-np.pi, np.pi, len(stand.flywheels)))), bodies)
+        held = inverse(at, np.zeros(6)).phi_ddot  # what gravity alone asks is no part of the demand
+        for i in range(6):
+            phi_ddot = inverse(at, SMALL * np.eye(6)[i]).phi_ddot - held
+            found[k, i, :, 0] = shares(stand, at, forward(at, phi_ddot), phi_ddot)
+            found[k, i, :, 1] = np.abs(phi_ddot)
+    needed = np.median(found, axis=0)
+    i, s = np.unravel_index(int(np.argmax(needed[:, :, 0])), needed.shape[:2])
+    share, phi_ddot = needed[i, s]
+    if not share > 1.0:
+        return None
+    return Excess(COMPONENTS[i], stand.flywheels[s].name, float(share), float(phi_ddot), bool(stand.tasks))

@@ -1,0 +1,74 @@
+"""The inverse problem of a task in Python: the numbers of the literal reference, labels, and refusals."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mahovik
+from mahovik.core.stand.random import random_state
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import evaluate
+
+SAT = mahovik.example("sat4").replace({"task.sight.rows": [{"point": "acc1", "rows": ["wy", "vz"]}, "wz"]})
+MODEL = mahovik.build(SAT)
+
+
+def some_states(count: int) -> list[State]:
+    rng = np.random.default_rng(5)
+    return [replace(random_state(SAT, rng), angles=None, quaternion=None) for _ in range(count)]
+
+
+def states(found: list[State]) -> Any:
+    x = MODEL.states(len(found))
+    for name in ("position", "V", "phi", "phi_dot"):
+        x[name][:] = [getattr(state, name) for state in found]
+    return x
+
+
+def test_many_states_of_a_task() -> None:
+    found = some_states(5)
+    demand = np.random.default_rng(1).normal(size=(5, 3)) * 1e-3
+    answer = MODEL.inverse(states(found), task="sight", demand=demand)
+    for j, state in enumerate(found):
+        due = evaluate(SAT, replace(state, task="sight", demand=tuple(demand[j])), ["inverse"])
+        for name in ("phi_ddot", "V_dot", "residual", "sigma"):
+            np.testing.assert_allclose(
+                answer[name][j], due[name], rtol=1e-9, atol=1e-9 * np.abs(due[name]).max() + 1e-12
+            )
+        assert "|".join(answer.status_names()[j].split("|")) == due["status"]
+    assert answer["residual", "acc1.wy"].shape == (5,)
+
+
+def test_rows_are_freed_by_name() -> None:
+    x = states(some_states(1))
+    one = MODEL.inverse(x, task="pointing", demand=[1e-3, 2e-3, 0.0], rows=["wx", "wy"])
+    np.testing.assert_allclose(one.V_dot[0, 3:5], [1e-3, 2e-3], rtol=1e-9)
+    assert abs(one.V_dot[0, 5]) > 1e-9 and one.residual[0, 2] == 0.0 and one.rank[0] == 2
+    none = MODEL.inverse(x, task="pointing", demand=[1.0, 1.0, 1.0], rows=[])
+    assert none.rank[0] == 0 and not none.phi_ddot.any()
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"task": "sigth", "demand": [0, 0, 0]}, 'task: unknown "sigth", did you mean "sight"'),
+        ({"task": "sight"}, "demand: missing, expected one number for each of acc1.wy, acc1.vz, wz"),
+        ({"task": "sight", "demand": [1, 2]}, r"demand: expected shape \(3,\) or \(n, 3\)"),
+        ({"task": "sight", "demand": [1, 2, 3], "V_dot": np.zeros(6)}, "V_dot, task: both given"),
+        ({"demand": [1, 2, 3]}, "demand: needs a task"),
+        ({}, "V_dot: missing; give V_dot, or a task and its demand"),
+        ({"task": "sight", "demand": [1, 2, 3], "rows": ["wy"]}, 'rows: the task sight has no "wy", did you mean'),
+    ],
+)
+def test_wrong_calls_are_refused(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(mahovik.InputError, match=words):
+        MODEL.inverse(MODEL.states(), **given)
+
+
+def test_a_refused_state_is_explained() -> None:
+    with pytest.raises(mahovik.RefusedError, match=r"inverse_sight: RANGE: demand acc1.vz is 2e\+09|demand\[1\]"):
+        MODEL.inverse(MODEL.states(), task="sight", demand=[0.0, 2e9, 0.0])

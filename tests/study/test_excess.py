@@ -1,0 +1,40 @@
+"""Stands on which (12) is singular in practice, and those on which it is not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.stands import names, path
+from mahovik.use.study.excess import excess
+
+
+def example(name: str) -> Stand:
+    return load(path(name))
+
+
+@pytest.mark.parametrize("name", sorted(names()))
+def test_of_the_examples_it_is_the_satellite(name: str) -> None:
+    found = excess(example(name))
+    assert (found is not None) == (name == "sat4")
+
+
+def test_the_words_name_flywheel_and_task() -> None:
+    sat = example("sat4")
+    with_task, without = excess(sat), excess(replace(sat, tasks=()))
+    assert with_task is not None and without is not None
+    assert str(with_task).endswith("(EXCESSIVE); ask its tasks")
+    assert "[task.pointing]" in str(without) and without.flywheel in str(without)
+    assert without.share > 100
+
+
+def test_without_motors_a_stated_acceleration_decides() -> None:
+    sat = example("sat4")
+    bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels))
+    found = excess(bare)
+    assert found is not None and found.share == pytest.approx(found.phi_ddot / bare.inverse_most)
+    assert excess(replace(bare, inverse_most=1e9)) is None
+    assert excess(replace(sat, flywheels=(), tasks=())) is None
