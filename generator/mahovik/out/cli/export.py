@@ -182,7 +182,7 @@ def programme(
     nodes: int | None = choice(
         "--nodes",
         ["64", "128", "256", "512", "1024", "2048", "4096"],
-        "Set the nodes per period of a quintic table; default 256, float 64.",
+        "Set the nodes per period of a quintic table; default 256, float 64; of a finite programme as many as needed.",
         callback=whole_number,
     ),
     real: str | None = REAL_OF_FOLDER,

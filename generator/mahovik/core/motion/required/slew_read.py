@@ -196,9 +196,7 @@ def _turn(
     size = float(np.linalg.norm(normal))
     angle = math.atan2(size, float(first @ last))
     if size < _SAME:
-        words = (
-            "is the line of sight of the start" if angle < 1.0 else "is opposite to the start: any plane leads there"
-        )
+        words = "is that of the start" if angle < 1.0 else "is opposite to that of the start: any plane leads there"
         problems.add("end", f"direction: {words}")
         return none
     return sight, normal / size, angle

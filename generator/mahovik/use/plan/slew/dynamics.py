@@ -52,7 +52,7 @@ class Turned:
 class Found:
     """The motion at times t (M, s): course of the carrier, angles of the flywheels, drive torques (M, N; N m).
 
-    missing   wrench (6; in E1 about O1) that the flywheels did not give where the demand was missed most; None: reached
+    missing   twist (6, in E1) on which the flywheels do no work, where the demand was missed most; None: reached
     """
 
     t: Array
@@ -115,7 +115,7 @@ class Exact:
     def _accelerations(
         self, turned: Turned, course: Course, phi: Array, phi_dot: Array
     ) -> tuple[Array, Array, Array | None]:
-        """V* (M, 6), phi'' (M, N), and the wrench that is missing most."""
+        """V* (M, 6), phi'' (M, N), and what is missing most."""
         own = self.mechanics
         at = twists(own.stand, course)
         u = at.V[:, :3] - at.V_r[:, :3]
@@ -136,7 +136,7 @@ class Exact:
         return V_dot, phi_ddot, self._missing(K, a, a - V_dot @ self.S.T - s)
 
     def _missing(self, K: Array, a: Array, left: Array) -> Array | None:
-        """Wrench (6) that would give the part of the demand a (M, m) that is left (M, m) where this is most."""
+        """Twist (6) of the part of the demand a (M, m) that is left (M, m) where this is most; None: nothing is."""
         G = self.S @ np.linalg.solve(K, np.broadcast_to(self.S.T, (len(K), *self.S.T.shape)))
         wrenches = np.linalg.solve(G, np.stack([left, a], axis=2))
         sizes = np.sqrt(np.maximum(np.einsum("mi,mi->m", left, wrenches[:, :, 0]), 0.0))
@@ -144,7 +144,7 @@ class Exact:
         k = int(np.argmax(sizes))
         if sizes[k] <= _REACHED * whole or sizes[k] == 0.0:
             return None
-        return np.asarray(self.S.T @ wrenches[k, :, 0])
+        return np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
 
     def _demand(self, turned: Turned, C: Array, V: Array) -> tuple[Array, Array]:
         """a, s (M, m each) of a = S V* + s."""

@@ -51,9 +51,7 @@ class Path:
         back = Rotation.from_rotvec(-sigma[:, None] * axis).apply(self.momentum)
         turned = -np.cross(axis, back)
         to_motion = self.mean.S @ np.linalg.inv(self.mean.K0)[:, 3:]
-        rows = np.stack([(back - self.momentum) @ to_motion.T, turned @ to_motion.T])
-        found = np.array([[self.mean.least(each) for each in one] for one in rows])
-        return found[0], found[1]
+        return self.mean.least((back - self.momentum) @ to_motion.T), self.mean.least(turned @ to_motion.T)
 
     def wanted(self, sigma: Array, speed: Array, acceleration: Array) -> Array:
         """phi'' (M, N) that the mean model needs."""

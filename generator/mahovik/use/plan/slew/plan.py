@@ -43,6 +43,9 @@ TURN = 2.0 * np.pi / 20.0
 FINE, COARSE = 8, 4
 """Rows in an interval of the time law where it bends; intervals between rows elsewhere."""
 
+EVEN = 1e-9
+"""Part of a flywheel's inertia below which what turns with it is rounding."""
+
 NEAR = 0.995
 """Share of the limits that the fastest slew is to use at least."""
 
@@ -92,8 +95,8 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     wanted = wanted * np.array([row.component.startswith("w") for row in slew.task.rows])
     if slew.kind == "still":
         wanted = np.zeros(len(S))
-    elif (wrench := mean.missing(wanted)) is not None:
-        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {_missing_words(wrench)}")
+    elif (twist := mean.missing(wanted)) is not None:
+        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {_missing_words(twist)}")
     if slew.goal == "quietest":
         assert slew.duration is not None
         path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
@@ -109,15 +112,13 @@ def _check_start(slew: Slew, limits: Limits) -> None:
             )
 
 
-def _missing_words(wrench: Array) -> str:
-    """The wrench that is missing, by its larger part: a force, or a moment."""
-    force, moment = (float(np.linalg.norm(part)) for part in (wrench[:3], wrench[3:]))
-    found = []
-    for what, size, part in (("moment about", moment, wrench[3:]), ("force along", force, wrench[:3])):
-        if size > 1e-6 * max(force, moment):
-            direction = ", ".join(f"{x:.4g}" for x in np.where(np.abs(part) > 1e-9 * size, part, 0.0) / size + 0.0)
-            found.append(f"no {what} ({direction}) of E1")
-    return "they give " + " and ".join(found)
+def _missing_words(twist: Array) -> str:
+    """What the flywheels do not give: no moment about the axis of a twist; of a translation, no force along it."""
+    turns = float(np.linalg.norm(twist[3:])) > 1e-6 * float(np.linalg.norm(twist[:3]))
+    part = twist[3:] if turns else twist[:3]
+    unit = part / np.linalg.norm(part)
+    direction = ", ".join(f"{x:.4g}" for x in np.where(np.abs(unit) > 1e-9, unit, 0.0) + 0.0)
+    return f"they give no {'moment about' if turns else 'force along'} ({direction}) of E1"
 
 
 def _quietest(exact: Exact, path: Path, duration: float) -> Table:
@@ -170,7 +171,7 @@ def _step(tried: Sequence[tuple[float, float]]) -> float:
 
     A share falls with the square of the time at first; the torque of unbalance hardly falls at all.
     """
-    share, slope = tried[-1][1], -2.0
+    share, slope = tried[-1][1], -1.6
     if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
         slope = (share - tried[-2][1]) / (tried[-1][0] - tried[-2][0])
     return float(np.clip((AIM - share) / float(np.clip(slope, -2.5, -0.05)), -0.3, 0.7))
@@ -269,7 +270,7 @@ def _split(t: Array, counts: Array) -> Array:
 def _turning(exact: Exact, law: Law, t: Array) -> Array:
     """More rows where an uneven flywheel would turn further than TURN from one to the next."""
     tables = exact.mechanics.tables
-    uneven = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)) > 0.0
+    uneven = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)) > EVEN * np.abs(tables.Theta[0]).max(axis=(1, 2))
     if not uneven.any():
         return t
     share = np.abs(_least_share(exact))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.optimize import linprog, minimize
@@ -43,17 +44,23 @@ class Mean:
         )
 
     def least(self, wanted: Array) -> Array:
-        """phi'' (N) with A phi'' = wanted (m), the least in the norm of Theta_ff."""
+        """phi'' (..., N) with A phi'' = wanted (..., m), the least in the norm of Theta_ff."""
+        return np.asarray(wanted @ self._least.T)
+
+    @cached_property
+    def _least(self) -> Array:
         root = np.sqrt(self.Theta_ff)
-        return np.asarray(np.linalg.pinv(self.A / root, rcond=_RANK) @ wanted / root)
+        return np.asarray(np.linalg.pinv(self.A / root, rcond=_RANK) / root[:, None])
 
     def missing(self, wanted: Array) -> Array | None:
-        """Wrench on the carrier (6; in E1 about O1) that no flywheels give for A phi'' = wanted; None: reached."""
+        """A twist (6, in E1) on which the flywheels do no work, though A phi'' = wanted needs it; None: reached."""
         left = wanted - self.A @ self.least(wanted)
         if float(np.linalg.norm(left)) <= _REACHED * float(np.linalg.norm(wanted)):
             return None
         G = self.S @ np.linalg.solve(self.K0, self.S.T)
-        return np.asarray(-self.S.T @ np.linalg.solve(G, left))
+        norm = np.linalg.inv(np.linalg.cholesky(G))
+        nearest, *_ = np.linalg.lstsq(norm @ self.A, norm @ wanted, rcond=_RANK)
+        return np.asarray(np.linalg.solve(self.K0, self.S.T @ np.linalg.solve(G, self.A @ nearest - wanted)))
 
 
 def choices(mean: Mean, wanted: Array, limits: Limits) -> Iterator[Array]:

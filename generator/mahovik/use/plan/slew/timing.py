@@ -125,6 +125,6 @@ def smooth(sharp: Sharp, angle: float) -> Law:
         return np.asarray(share * ((way(x) - begin) if order == 0 else speed(x, order - 1)))
 
     bends = np.abs(np.diff(coefficients, 2))
-    bent = np.concatenate([[0.0], bends, [0.0]]) > 1e-3 * bends.max()  # coefficient j bends the six intervals about it
+    bent = np.concatenate([[0.0], bends, [0.0]]) > 2e-2 * bends.max()  # coefficient j bends the six intervals about it
     kinked = np.array([bent[i : i + _DEGREE + 1].any() for i in range(KNOTS + 4)])
     return Law(duration, np.asarray(h * np.arange(KNOTS + 5), dtype=np.float64), kinked, sigma)
