@@ -852,6 +852,44 @@ static void auv6_eliminate(const auv6_real column[6], auv6_real spin_inv, auv6_r
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
+/* Drive torques for a given motion, from checked inputs. */
+AUV6_CODE
+static void auv6_balance(const auv6_table *table, const auv6_state *x, const auv6_real sine[AUV6_N],
+                         const auv6_real cosine[AUV6_N], const auv6_real V_dot[6],
+                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[restrict AUV6_N])
+{
+    auv6_real C[9];  /* attitude */
+    auv6_rotation(x->attitude, C);
+    auv6_real u[3];  /* stream in E1 */
+    auv6_rotate_back(C, table->stream, u);
+    auv6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    auv6_real g[3];  /* gravity in E1 */
+    auv6_rotate_back(C, table->gravity, g);
+    auv6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    auv6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
+    V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
+    V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
+    auv6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    auv6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    auv6_coupling drive;
+    for (int s = 0; s < AUV6_N; ++s) {
+        auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_r_dot[0] * drive.I_[0] + V_r_dot[1] * drive.I_[1] + V_r_dot[2] * drive.I_[2]
+            + V_r_dot[3] * drive.I_[3] + V_r_dot[4] * drive.I_[4] + V_r_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 AUV6_CODE
 auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
@@ -2456,6 +2494,44 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+AUV6_CODE
+static void auv6_excessive(const auv6_table *table, const auv6_state *x, const auv6_real sine[AUV6_N],
+                           const auv6_real cosine[AUV6_N], const auv6_real V_dot[6],
+                           const auv6_real phi_ddot[AUV6_N], const auv6_inverse_options *options,
+                           int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < AUV6_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = AUV6_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < AUV6_LARGEST || options->motor_speed[s] < AUV6_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        auv6_real tau[AUV6_N];  /* drive torques */
+        auv6_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < AUV6_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const auv6_real speed = x->phi_dot[s];
+            auv6_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = AUV6_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 AUV6_CODE
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
@@ -2483,6 +2559,11 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     for (int s = 0; s < AUV6_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return AUV6_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
     auv6_real answer[AUV6_N];  /* phi'' */
@@ -2548,6 +2629,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     if (rank < 6) {
         flags = flags | AUV6_RANK_DEFICIENT;
     }
+    auv6_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     auv6_real left;
     auv6_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2568,10 +2650,21 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
     if (left > 1.0e-18 * wanted) {
         flags = flags | AUV6_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = auv6_within(answer, AUV6_N, AUV6_LARGEST);
     if (status != AUV6_OK) { return AUV6_RANGE; }
     status = auv6_within(residual, 6, AUV6_LARGEST);
     if (status != AUV6_OK) { return AUV6_RANGE; }
+    int lacking;
+    auv6_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < AUV6_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -3902,6 +3995,9 @@ const auv6_inverse_options auv6_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

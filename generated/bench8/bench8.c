@@ -850,6 +850,35 @@ static void bench8_eliminate(const bench8_real column[6], bench8_real spin_inv, 
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
+/* Drive torques for a given motion, from checked inputs. */
+BENCH8_CODE
+static void bench8_balance(const bench8_table *table, const bench8_state *x,
+                           const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
+                           const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
+                           bench8_real tau[restrict BENCH8_N])
+{
+    bench8_real C[9];  /* attitude */
+    bench8_rotation(x->attitude, C);
+    bench8_real g[3];  /* gravity in E1 */
+    bench8_rotate_back(C, table->gravity, g);
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    bench8_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    bench8_coupling drive;
+    for (int s = 0; s < BENCH8_N; ++s) {
+        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 BENCH8_CODE
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
@@ -2313,6 +2342,44 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+BENCH8_CODE
+static void bench8_excessive(const bench8_table *table, const bench8_state *x,
+                             const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
+                             const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
+                             const bench8_inverse_options *options, int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < BENCH8_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = BENCH8_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < BENCH8_LARGEST || options->motor_speed[s] < BENCH8_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        bench8_real tau[BENCH8_N];  /* drive torques */
+        bench8_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < BENCH8_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const bench8_real speed = x->phi_dot[s];
+            bench8_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = BENCH8_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 BENCH8_CODE
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
@@ -2338,6 +2405,12 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     for (int s = 0; s < BENCH8_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0
+            || options->motor_torque[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
     bench8_real answer[BENCH8_N];  /* phi'' */
@@ -2404,6 +2477,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (rank < 6) {
         flags = flags | BENCH8_RANK_DEFICIENT;
     }
+    bench8_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     bench8_real left;
     bench8_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2424,10 +2498,21 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (left > 1.0e-18 * wanted) {
         flags = flags | BENCH8_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = bench8_within(answer, BENCH8_N, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return BENCH8_RANGE; }
     status = bench8_within(residual, 6, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    int lacking;
+    bench8_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < BENCH8_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -3437,6 +3522,9 @@ const bench8_inverse_options bench8_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

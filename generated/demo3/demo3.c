@@ -696,6 +696,30 @@ static void demo3_eliminate(const demo3_real column[6], demo3_real spin_inv, dem
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
+/* Drive torques for a given motion, from checked inputs. */
+DEMO3_CODE
+static void demo3_balance(const demo3_table *table, const demo3_state *x, const demo3_real sine[DEMO3_N],
+                          const demo3_real cosine[DEMO3_N], const demo3_real V_dot[6],
+                          const demo3_real phi_ddot[DEMO3_N], demo3_real tau[restrict DEMO3_N])
+{
+    demo3_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    demo3_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    demo3_coupling drive;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 DEMO3_CODE
 demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
@@ -2129,6 +2153,44 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+DEMO3_CODE
+static void demo3_excessive(const demo3_table *table, const demo3_state *x, const demo3_real sine[DEMO3_N],
+                            const demo3_real cosine[DEMO3_N], const demo3_real V_dot[6],
+                            const demo3_real phi_ddot[DEMO3_N], const demo3_inverse_options *options,
+                            int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = DEMO3_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < DEMO3_LARGEST || options->motor_speed[s] < DEMO3_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        demo3_real tau[DEMO3_N];  /* drive torques */
+        demo3_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < DEMO3_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const demo3_real speed = x->phi_dot[s];
+            demo3_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = DEMO3_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 DEMO3_CODE
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
@@ -2154,6 +2216,11 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     for (int s = 0; s < DEMO3_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
     demo3_real answer[DEMO3_N];  /* phi'' */
@@ -2220,6 +2287,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     if (rank < 3) {
         flags = flags | DEMO3_RANK_DEFICIENT;
     }
+    demo3_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     demo3_real left;
     demo3_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2240,10 +2308,21 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
     if (left > 1.0e-18 * wanted) {
         flags = flags | DEMO3_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = demo3_within(answer, DEMO3_N, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return DEMO3_RANGE; }
     status = demo3_within(residual, 6, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    int lacking;
+    demo3_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < DEMO3_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -3197,6 +3276,9 @@ const demo3_inverse_options demo3_default_options =
 {
     .weight = { 1.0, 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.0e4, 1.0e4, 1.0e4 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

@@ -1165,7 +1165,7 @@ static const function functions[FUNCTIONS] =
       0x41905008u },
     { "inverse", sizeof results.inverse,
       call_inverse, take_inverse_results, numbers_inverse,
-      { { 8, 0xfaa99a2eu, 19 }, { 8, 0xbf86d62fu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 8, 0xfaa99a2eu, 19 }, { 72, 0xcc38d0efu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0xed92914bu },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,

@@ -853,6 +853,45 @@ static void remus6_eliminate(const remus6_real column[6], remus6_real spin_inv, 
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
+/* Drive torques for a given motion, from checked inputs. */
+REMUS6_CODE
+static void remus6_balance(const remus6_table *table, const remus6_state *x,
+                           const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
+                           const remus6_real V_dot[6], const remus6_real phi_ddot[REMUS6_N],
+                           remus6_real tau[restrict REMUS6_N])
+{
+    remus6_real C[9];  /* attitude */
+    remus6_rotation(x->attitude, C);
+    remus6_real u[3];  /* stream in E1 */
+    remus6_rotate_back(C, table->stream, u);
+    remus6_real V[6];  /* V relative to the stream: the fluid's frame is inertial as well */
+    V[0] = x->V[0] - u[0];  V[1] = x->V[1] - u[1];  V[2] = x->V[2] - u[2];
+    V[3] = x->V[3];         V[4] = x->V[4];         V[5] = x->V[5];
+    remus6_real g[3];  /* gravity in E1 */
+    remus6_rotate_back(C, table->gravity, g);
+    remus6_real drift[3];  /* omega x C^T u */
+    drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
+    drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
+    drift[2] = u[1] * x->V[3] - u[0] * x->V[4];
+    remus6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
+    V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
+    V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
+    remus6_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = V[4] * V[2] - g[0] - V[5] * V[1];
+    origin_acceleration[1] = V[5] * V[0] - g[1] - V[3] * V[2];
+    origin_acceleration[2] = V[3] * V[1] - g[2] - V[4] * V[0];
+    remus6_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (V[3] * V[3]);  spun[1] = -0.5 * (V[4] * V[4]);  spun[2] = -0.5 * (V[5] * V[5]);
+    spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
+    remus6_coupling drive;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_r_dot[0] * drive.I_[0] + V_r_dot[1] * drive.I_[1] + V_r_dot[2] * drive.I_[2]
+            + V_r_dot[3] * drive.I_[3] + V_r_dot[4] * drive.I_[4] + V_r_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 REMUS6_CODE
 remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
@@ -2464,6 +2503,44 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+REMUS6_CODE
+static void remus6_excessive(const remus6_table *table, const remus6_state *x,
+                             const remus6_real sine[REMUS6_N], const remus6_real cosine[REMUS6_N],
+                             const remus6_real V_dot[6], const remus6_real phi_ddot[REMUS6_N],
+                             const remus6_inverse_options *options, int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = REMUS6_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < REMUS6_LARGEST || options->motor_speed[s] < REMUS6_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        remus6_real tau[REMUS6_N];  /* drive torques */
+        remus6_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < REMUS6_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const remus6_real speed = x->phi_dot[s];
+            remus6_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = REMUS6_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 REMUS6_CODE
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
@@ -2491,6 +2568,12 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     for (int s = 0; s < REMUS6_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0
+            || options->motor_torque[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
     remus6_real answer[REMUS6_N];  /* phi'' */
@@ -2557,6 +2640,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     if (rank < 6) {
         flags = flags | REMUS6_RANK_DEFICIENT;
     }
+    remus6_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     remus6_real left;
     remus6_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2577,10 +2661,21 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
     if (left > 1.0e-18 * wanted) {
         flags = flags | REMUS6_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = remus6_within(answer, REMUS6_N, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return REMUS6_RANGE; }
     status = remus6_within(residual, 6, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    int lacking;
+    remus6_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < REMUS6_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -3980,6 +4075,9 @@ const remus6_inverse_options remus6_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

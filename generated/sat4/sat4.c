@@ -1,12 +1,12 @@
 /* sat4.c: motion of the stand "sat4". What each function does and takes: sat4.h.
- * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead. */
 #define SAT4_LINK_CHECKED  /* callers refer to the symbol that this file defines */
 #include "sat4.h"
 
 #include <stddef.h>
 #include <stdint.h>
 
-#if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
+#if SAT4_STRUCTURE != 0xf28a1ef8u || SAT4_PHYSICS != 0xe77ec5a4u
 #error "sat4.h and sat4.c are of different stands"
 #endif
 #if SAT4_LANES != 1
@@ -21,10 +21,10 @@
 
 /* What callers with the right header refer to: an address without memory. */
 #if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
-__asm__(".globl sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
-        ".type sat4_link_double_lanes1_v0_1_0_347c0b3b, %object\n"
-        ".size sat4_link_double_lanes1_v0_1_0_347c0b3b, 1\n"
-        ".set sat4_link_double_lanes1_v0_1_0_347c0b3b, 0\n");
+__asm__(".globl sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
+        ".type sat4_link_double_lanes1_v0_1_0_e77ec5a4, %object\n"
+        ".size sat4_link_double_lanes1_v0_1_0_e77ec5a4, 1\n"
+        ".set sat4_link_double_lanes1_v0_1_0_e77ec5a4, 0\n");
 #endif
 
 /* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
@@ -694,6 +694,30 @@ static void sat4_eliminate(const sat4_real column[6], sat4_real spin_inv, sat4_r
     K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
     F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
+}
+
+/* Drive torques for a given motion, from checked inputs. */
+SAT4_CODE
+static void sat4_balance(const sat4_table *table, const sat4_state *x, const sat4_real sine[SAT4_N],
+                         const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
+                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[restrict SAT4_N])
+{
+    sat4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    sat4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    sat4_coupling drive;
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
@@ -2125,6 +2149,44 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+SAT4_CODE
+static void sat4_excessive(const sat4_table *table, const sat4_state *x, const sat4_real sine[SAT4_N],
+                           const sat4_real cosine[SAT4_N], const sat4_real V_dot[6],
+                           const sat4_real phi_ddot[SAT4_N], const sat4_inverse_options *options,
+                           int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = SAT4_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < SAT4_LARGEST || options->motor_speed[s] < SAT4_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        sat4_real tau[SAT4_N];  /* drive torques */
+        sat4_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < SAT4_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const sat4_real speed = x->phi_dot[s];
+            sat4_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = SAT4_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 SAT4_CODE
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
@@ -2150,6 +2212,11 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     for (int s = 0; s < SAT4_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SAT4_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
     sat4_real answer[SAT4_N];  /* phi'' */
@@ -2215,6 +2282,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     if (rank < 4) {
         flags = flags | SAT4_RANK_DEFICIENT;
     }
+    sat4_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     sat4_real left;
     sat4_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2235,10 +2303,21 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
     if (left > 1.0e-18 * wanted) {
         flags = flags | SAT4_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
     status = sat4_within(residual, 6, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
+    int lacking;
+    sat4_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < SAT4_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -2367,6 +2446,785 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     for (int s = 0; s < SAT4_N; ++s) {
         sat4_real y = z[s];
         answer[s] = y * work.scale[s];
+    }
+    status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = answer[s];
+    }
+    return SAT4_OK;
+}
+
+/* The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor
+ * U, (12). */
+SAT4_CODE
+static sat4_status sat4_demand_turning(const sat4_table *table, const sat4_state *x,
+                                       const sat4_real sine[SAT4_N], const sat4_real cosine[SAT4_N],
+                                       sat4_inverse_work *restrict work)
+{
+    sat4_sums sum;
+    sat4_start_sums(table, &sum);
+    for (int s = 0; s < SAT4_N; ++s) {
+        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
+    }
+    sat4_real F[6];  /* wrench (7); then b = F - M V_r - J phi' */
+    sat4_real Z[6];  /* momentum screw (2) */
+    F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
+    F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
+    sat4_momentum_screw(table, &sum, x->V, Z);
+    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum.mu[0];
+    rho[1] = table->mass_inverse * sum.mu[1];
+    rho[2] = table->mass_inverse * sum.mu[2];
+    sat4_real S[6];  /* inertia left when v* is eliminated: about the mass centre */
+    S[0] = sum.J[0] - sum.mu[1] * rho[1] - sum.mu[2] * rho[2];
+    S[1] = sum.J[1] - sum.mu[0] * rho[0] - sum.mu[2] * rho[2];
+    S[2] = sum.J[2] - sum.mu[0] * rho[0] - sum.mu[1] * rho[1];
+    S[3] = sum.J[3] + sum.mu[1] * rho[0];
+    S[4] = sum.J[4] + sum.mu[2] * rho[0];
+    S[5] = sum.J[5] + sum.mu[2] * rho[1];
+    work->G[0][0] = S[0];
+    if (!(work->G[0][0] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[0] = 1.0 / work->G[0][0];
+    work->G[1][0] = S[3] * work->sigma[0];
+    work->G[2][0] = S[4] * work->sigma[0];
+    work->G[1][1] = S[1] - work->G[1][0] * S[3];
+    if (!(work->G[1][1] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[1] = 1.0 / work->G[1][1];
+    const sat4_real rest = S[5] - work->G[2][0] * S[3];
+    work->G[2][1] = rest * work->sigma[1];
+    work->G[2][2] = S[2] - work->G[2][0] * S[4] - work->G[2][1] * rest;
+    if (!(work->G[2][2] > 0.0)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[2] = 1.0 / work->G[2][2];
+    sat4_real moment[3];  /* of b, then of each column of I, when v* is eliminated */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    const sat4_real r_2 = moment[1] - work->G[1][0] * moment[0];
+    work->r[0] = moment[0];  work->r[1] = r_2;
+    work->r[2] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * r_2;
+    sat4_real column[6];  /* I_s */
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        moment[0] = column[1] * rho[2] + column[3] - column[2] * rho[1];
+        moment[1] = column[2] * rho[0] + column[4] - column[0] * rho[2];
+        moment[2] = column[0] * rho[1] + column[5] - column[1] * rho[0];
+        const sat4_real W_2 = moment[1] - work->G[1][0] * moment[0];
+        work->W[0][s] = moment[0];
+        work->W[1][s] = W_2;
+        work->W[2][s] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * W_2;
+    }
+    return SAT4_OK;
+}
+
+/* Scales what demand_turning gives by the norms of inertia and spin inertias. */
+SAT4_CODE
+static void sat4_scale_turning(const sat4_table *table, sat4_inverse_work *restrict work)
+{
+    for (int s = 0; s < SAT4_N; ++s) {
+        work->scale[s] = 1.0 / sat4_sqrt(table->flywheel[s].spin);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const sat4_real root = sat4_sqrt(work->G[i][i]);
+        work->G[i][i] = root;
+        for (int k = i + 1; k < 3; ++k) {
+            work->G[k][i] = work->G[k][i] * root;
+        }
+        work->r[i] = work->r[i] / root;
+        for (int s = 0; s < SAT4_N; ++s) {
+            work->W[i][s] = work->W[i][s] / root * work->scale[s];
+        }
+    }
+}
+
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+SAT4_CODE
+static void sat4_orthogonalise_3(sat4_inverse_work *restrict work)
+{
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 2; ++p) {
+            for (int q = p + 1; q < 3; ++q) {
+                sat4_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const sat4_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* scaled to size 1, so that no square underflows */
+                const sat4_real unit = (size > 0.0) ? size : 1.0;
+                const sat4_real d = (b - a) / unit;
+                const sat4_real h = 2.0 * g / unit;
+                const sat4_real root = sat4_sqrt(d * d + h * h);
+                const sat4_real below = (d < 0.0) ? d - root : d + root;
+                const sat4_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const sat4_real c = 1.0 / sat4_sqrt(1.0 + t * t);
+                const sat4_real s = c * t;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    const sat4_real x = work->W[p][j];
+                    const sat4_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 3; ++j) {
+                    const sat4_real x = work->U[j][p];
+                    const sat4_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const sat4_real x = work->r[p];
+                const sat4_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        sat4_real total = 0.0;
+        for (int j = 0; j < SAT4_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = sat4_sqrt(total);
+    }
+}
+
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+SAT4_CODE
+static void sat4_solve_gram_3(sat4_real gram[restrict 3][3], sat4_real z[restrict 3], sat4_real least)
+{
+    for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const sat4_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = sat4_sqrt(pivot);
+        for (int i = j + 1; i < 3; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 3; ++t) {
+        const int i = 2 - t;
+        for (int k = i + 1; k < 3; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
+SAT4_CODE
+static void sat4_allocate_3(const sat4_inverse_work *work, const sat4_inverse_options *options, int rank,
+                            sat4_real phi_ddot[restrict SAT4_N], int limited[restrict SAT4_N])
+{
+    sat4_real share[SAT4_N];  /* 1/weight */
+    sat4_real give[SAT4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    sat4_real step[SAT4_N];  /* increment of the free flywheels */
+    sat4_real row[3];  /* factor of each row; 0: the row is left out */
+    sat4_real gram[3][3];
+    sat4_real z[3];
+    /* until the end phi_ddot holds y = D phi'' */
+    for (int s = 0; s < SAT4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
+    }
+    for (int pass = 0; pass < 8; ++pass) {
+        sat4_real most = 0.0;
+        for (int s = 0; s < SAT4_N; ++s) {
+            if (pass >= 7) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const sat4_real regular = 1.0e-12 * most;
+        /* lower bound that keeps the diagonal positive */
+        const sat4_real least = (most > 0.0) ? regular : 1.0;
+        for (int i = 0; i < 3; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 3; ++i) {
+            sat4_real left = work->r[i];
+            for (int s = 0; s < SAT4_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        sat4_real weighed[SAT4_N];  /* a row of W Omega^-1 */
+        for (int i = 0; i < 3; ++i) {
+            for (int s = 0; s < SAT4_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
+            for (int j = 0; j < i + 1; ++j) {
+                sat4_real total = 0.0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    total += weighed[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        sat4_solve_gram_3(gram, z, least);
+        for (int i = 0; i < 3; ++i) {
+            z[i] = row[i] * z[i];
+        }
+        for (int s = 0; s < SAT4_N; ++s) {
+            sat4_real total = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                total += work->W[i][s] * z[i];
+            }
+            step[s] = give[s] * total;
+        }
+        if (pass < 1) {
+            for (int s = 0; s < SAT4_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const sat4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        } else {
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
+            sat4_real length = 1.0;
+            int stopped = -1;
+            for (int s = 0; s < SAT4_N; ++s) {
+                const sat4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                    const sat4_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const sat4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < SAT4_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const sat4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a full step, release the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                sat4_real left[3];
+                sat4_real wanted = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < SAT4_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                sat4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                int freed = -1;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    if (limited[s] > 0) {
+                        sat4_real slope = 0.0;
+                        sat4_real size = 0.0;
+                        for (int i = 0; i < 3; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const sat4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
+    for (int s = 0; s < SAT4_N; ++s) {
+        const sat4_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= SAT4_LARGEST)) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
+/* Matrix and right-hand side of the rows of the task pointing that are demanded, scaled. */
+SAT4_CODE
+static void sat4_project_pointing(const sat4_real demand[3], const int use[3],
+                                  sat4_inverse_work *restrict work, sat4_real L[restrict 3][3])
+{
+    sat4_real Y[3][3];  /* rows: columns of G^-1 S^T, then of Q */
+    sat4_real known[3];  /* s - a, then L^-1 (s - a) */
+    known[0] = 0.0 - demand[0];  known[1] = 0.0 - demand[1];  known[2] = 0.0 - demand[2];
+    Y[0][0] = 1.0;  Y[0][1] = 0.0;  Y[0][2] = 0.0;
+    Y[1][0] = 0.0;  Y[1][1] = 1.0;  Y[1][2] = 0.0;
+    Y[2][0] = 0.0;  Y[2][1] = 0.0;  Y[2][2] = 1.0;
+    for (int j = 0; j < 3; ++j) {
+        /* forward substitution; then orthogonal to the rows before, twice, so that no digit is lost */
+        for (int i = 0; i < 3; ++i) {
+            sat4_real rest = (use[j] > 0) ? Y[j][i] : 0.0;
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * Y[j][k];
+            }
+            Y[j][i] = rest / work->G[i][i];
+        }
+        for (int i = 0; i < j; ++i) {
+            L[j][i] = 0.0;
+        }
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int i = 0; i < j; ++i) {
+                sat4_real along = 0.0;
+                for (int k = 0; k < 3; ++k) {
+                    along += Y[i][k] * Y[j][k];
+                }
+                for (int k = 0; k < 3; ++k) {
+                    Y[j][k] -= along * Y[i][k];
+                }
+                L[j][i] += along;
+            }
+        }
+        sat4_real square = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            square += Y[j][k] * Y[j][k];
+        }
+        const sat4_real length = sat4_sqrt(square);
+        L[j][j] = (length > 0.0) ? length : 1.0;  /* a free row demands nothing */
+        for (int k = 0; k < 3; ++k) {
+            Y[j][k] = Y[j][k] / L[j][j];
+        }
+        sat4_real left = (use[j] > 0) ? known[j] : 0.0;  /* of L known = s - a */
+        for (int i = 0; i < j; ++i) {
+            left -= L[j][i] * known[i];
+        }
+        known[j] = left / L[j][j];
+    }
+    sat4_real kept[3];
+    /* W = Q^T X, r = Q^T x + L^-1 (s - a) */
+    for (int s = 0; s < SAT4_N; ++s) {
+        for (int i = 0; i < 3; ++i) {
+            kept[i] = work->W[i][s];
+        }
+        for (int j = 0; j < 3; ++j) {
+            sat4_real total = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                total += Y[j][i] * kept[i];
+            }
+            work->W[j][s] = total;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        kept[i] = work->r[i];
+    }
+    for (int j = 0; j < 3; ++j) {
+        sat4_real total = known[j];
+        for (int i = 0; i < 3; ++i) {
+            total += Y[j][i] * kept[i];
+        }
+        work->r[j] = total;
+    }
+}
+
+/* Flywheel accelerations for the task pointing: what no row names is free, found by the dynamics. Least
+ * error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi''. */
+SAT4_CODE
+sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
+                                  const sat4_inverse_options *options, sat4_inverse_pointing_result *out)
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL
+        || out == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(demand, 3, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
+    if (status != SAT4_OK) { return status; }
+    sat4_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = sat4_within(shares, 2, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_RANGE; }
+    }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+    }
+    sat4_inverse_work work;
+    sat4_real L[3][3];  /* factor of the norm of the demand */
+    sat4_real answer[SAT4_N];  /* phi'' */
+    int limited[SAT4_N];
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_demand_turning(table, x, sine, cosine, &work);
+    if (status != SAT4_OK) { return status; }
+    sat4_scale_turning(table, &work);
+    sat4_project_pointing(demand, options->use_pointing, &work, L);
+    int demanded = 0;  /* rows that are not free */
+    for (int j = 0; j < 3; ++j) {
+        if (options->use_pointing[j] > 0) {
+            demanded = demanded + 1;
+        }
+    }
+    sat4_real wanted = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    sat4_orthogonalise_3(&work);
+    /* sort the singular values in descending order, by exchanging neighbours */
+    for (int pass = 0; pass < 2; ++pass) {
+        for (int i = 0; i < 2; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const sat4_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const sat4_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < SAT4_N; ++j) {
+                    const sat4_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 3; ++j) {
+                    const sat4_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    sat4_real asked[3];  /* the demand in these rows, before damping */
+    for (int i = 0; i < 3; ++i) {
+        asked[i] = work.r[i];
+    }
+    int flags, rank;
+    sat4_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const sat4_real ratio = work.sigma[i] / work.sigma[0];
+            if (ratio < options->near) {
+                flags = flags | SAT4_NEAR_SINGULAR;
+                if (options->damping > 0.0) {
+                    flags = flags | SAT4_DAMPED;
+                    const sat4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const sat4_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+        }
+    }
+    sat4_allocate_3(&work, options, rank, answer, limited);
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (limited[s] > 0) {
+            flags = flags | SAT4_LIMITED;
+        }
+    }
+    if (rank < demanded && rank < 4) {
+        flags = flags | SAT4_RANK_DEFICIENT;
+    }
+    sat4_real left = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        sat4_real rest = asked[i];
+        for (int s = 0; s < SAT4_N; ++s) {
+            rest -= work.W[i][s] * (answer[s] / work.scale[s]);
+        }
+        left += rest * rest;
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | SAT4_UNREACHABLE;
+    }
+    status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    sat4_real moved[6];  /* V* that results, by (8) */
+    status = sat4_accelerate(table, x, sine, cosine, answer, moved);
+    if (status != SAT4_OK) { return status; }
+    sat4_real residual[3];
+    const sat4_real left_1 = demand[0] - moved[3];
+    residual[0] = (options->use_pointing[0] > 0) ? left_1 : 0.0;
+    const sat4_real left_2 = demand[1] - moved[4];
+    residual[1] = (options->use_pointing[1] > 0) ? left_2 : 0.0;
+    const sat4_real left_3 = demand[2] - moved[5];
+    residual[2] = (options->use_pointing[2] > 0) ? left_3 : 0.0;
+    status = sat4_within(moved, 6, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    status = sat4_within(residual, 3, SAT4_LARGEST);
+    if (status != SAT4_OK) { return SAT4_RANGE; }
+    int lacking;
+    sat4_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
+    for (int s = 0; s < SAT4_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->V_dot[i] = moved[i];
+    }
+    const int last = (demanded > 0) ? demanded - 1 : 0;
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
+    sat4_real part[3];
+    for (int i = 0; i < 3; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    sat4_real largest = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const sat4_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[last] = 1.0;
+        largest = 1.0;
+    }
+    sat4_real square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const sat4_real length = sat4_sqrt(square);
+    sat4_real u[3];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
+    for (int k = 0; k < 3; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += L[i][k] * u[k];
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->residual[i] = residual[i];
+    }
+    out->rank = rank;
+    out->damped_by = damping;
+    for (int i = 0; i < 3; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (sat4_status)flags;
+}
+
+/* Flywheel accelerations for the task pointing, without diagnostics: normal equations. */
+SAT4_CODE
+sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
+                                       const sat4_real demand[3], const sat4_inverse_options *options,
+                                       sat4_real phi_ddot[SAT4_N])
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL
+        || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
+    sat4_status status = sat4_check_state(x);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(demand, 3, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(options->weight, SAT4_N, SAT4_MAX_WEIGHT);
+    if (status != SAT4_OK) { return status; }
+    sat4_real shares[1];
+    shares[0] = options->damping;
+    status = sat4_within(shares, 1, SAT4_LARGEST);
+    if (status != SAT4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return SAT4_RANGE; }
+    }
+    sat4_inverse_work work;
+    sat4_real sine[SAT4_N];
+    sat4_real cosine[SAT4_N];
+    sat4_sincos_each(x->phi, sine, cosine);
+    status = sat4_demand_turning(table, x, sine, cosine, &work);
+    if (status != SAT4_OK) { return status; }
+    int demanded = 0;  /* rows that are not free */
+    for (int j = 0; j < 3; ++j) {
+        if (options->use_pointing[j] > 0) {
+            demanded = demanded + 1;
+        }
+    }
+    sat4_real answer[SAT4_N];
+    if (demanded > 2) {
+        /* all of omega* is demanded: r = U^-1 (moment - inertia omega*) */
+        const sat4_real turn_1 = demand[0];
+        const sat4_real turn_2 = demand[1];
+        const sat4_real turn_3 = demand[2];
+        work.r[0] = work.r[0] - work.G[0][0] * (turn_1 + work.G[1][0] * turn_2 + work.G[2][0] * turn_3);
+        work.r[1] = work.r[1] - work.G[1][1] * (turn_2 + work.G[2][1] * turn_3);
+        work.r[2] = work.r[2] - work.G[2][2] * turn_3;
+        /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is
+         * there */
+        for (int s = 0; s < SAT4_N; ++s) {
+            const sat4_real give = table->flywheel[s].spin_inv / options->weight[s];
+            for (int i = 0; i < 3; ++i) {
+                work.I_[i][s] = work.W[i][s] * give;
+            }
+        }
+        sat4_real gram[3][3];
+        sat4_real z[3];
+        sat4_real trace = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                sat4_real total = 0.0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    total += work.I_[i][s] * work.W[j][s];
+                }
+                gram[i][j] = total;
+            }
+            trace += gram[i][i] * work.sigma[i];
+            z[i] = work.r[i];
+        }
+        const sat4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+        for (int i = 0; i < 3; ++i) {
+            gram[i][i] += lambda2 * work.G[i][i];
+        }
+        for (int j = 0; j < 3; ++j) {
+            sat4_real pivot = gram[j][j];
+            const sat4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+            sat4_real rest = z[j];
+            for (int k = 0; k < j; ++k) {
+                pivot -= gram[j][k] * gram[k][j];
+                rest -= gram[k][j] * z[k];
+            }
+            z[j] = rest;
+            if (!(pivot > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+            gram[j][j] = 1.0 / pivot;
+            for (int i = j + 1; i < 3; ++i) {
+                sat4_real below = gram[i][j];
+                for (int k = 0; k < j; ++k) {
+                    below -= gram[i][k] * gram[k][j];
+                }
+                gram[i][j] = below;
+                gram[j][i] = below * gram[j][j];
+            }
+        }
+        for (int t = 0; t < 3; ++t) {
+            const int i = 2 - t;
+            sat4_real rest = z[i] * gram[i][i];
+            for (int k = i + 1; k < 3; ++k) {
+                rest -= gram[i][k] * z[k];
+            }
+            z[i] = rest;
+        }
+        for (int s = 0; s < SAT4_N; ++s) {
+            sat4_real y = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                y += work.I_[i][s] * z[i];
+            }
+            answer[s] = y;
+        }
+    } else {
+        sat4_scale_turning(table, &work);
+        sat4_real L[3][3];  /* factor of the norm of the demand */
+        sat4_project_pointing(demand, options->use_pointing, &work, L);
+        /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is
+         * there */
+        for (int s = 0; s < SAT4_N; ++s) {
+            const sat4_real give = 1.0 / options->weight[s];
+            for (int i = 0; i < 3; ++i) {
+                work.I_[i][s] = work.W[i][s] * give;
+            }
+        }
+        sat4_real gram[3][3];
+        sat4_real z[3];
+        sat4_real trace = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                sat4_real total = 0.0;
+                for (int s = 0; s < SAT4_N; ++s) {
+                    total += work.I_[i][s] * work.W[j][s];
+                }
+                gram[i][j] = total;
+            }
+            trace += gram[i][i];
+            z[i] = work.r[i];
+        }
+        const sat4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+        for (int i = 0; i < 3; ++i) {
+            gram[i][i] += (options->use_pointing[i] > 0) ? lambda2 : 1.0;
+        }
+        for (int j = 0; j < 3; ++j) {
+            sat4_real pivot = gram[j][j];
+            const sat4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+            sat4_real rest = z[j];
+            for (int k = 0; k < j; ++k) {
+                pivot -= gram[j][k] * gram[k][j];
+                rest -= gram[k][j] * z[k];
+            }
+            z[j] = rest;
+            if (!(pivot > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+            gram[j][j] = 1.0 / pivot;
+            for (int i = j + 1; i < 3; ++i) {
+                sat4_real below = gram[i][j];
+                for (int k = 0; k < j; ++k) {
+                    below -= gram[i][k] * gram[k][j];
+                }
+                gram[i][j] = below;
+                gram[j][i] = below * gram[j][j];
+            }
+        }
+        for (int t = 0; t < 3; ++t) {
+            const int i = 2 - t;
+            sat4_real rest = z[i] * gram[i][i];
+            for (int k = i + 1; k < 3; ++k) {
+                rest -= gram[i][k] * z[k];
+            }
+            z[i] = rest;
+        }
+        for (int s = 0; s < SAT4_N; ++s) {
+            sat4_real y = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                y += work.I_[i][s] * z[i];
+            }
+            answer[s] = y * work.scale[s];
+        }
     }
     status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
@@ -3295,6 +4153,10 @@ const sat4_inverse_options sat4_default_options =
 {
     .weight = { 1.0, 1.0, 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_torque = { 0.2, 0.2, 0.2, 0.2 },
+    .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
     .near = 1.0e-6,
     .damping = 0.0,
+    .use_pointing = { 1, 1, 1 },
 };

@@ -1,5 +1,5 @@
 /* sat4_eva.c: drivers of Frama-C Eva for the stand "sat4": what is proved of sat4.c. Run by sat4_eva.sh.
- * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead.
  *
  * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver
@@ -215,24 +215,36 @@ static void normal_inverse_options(sat4_inverse_options *x)
 {
     about(&x->weight[0], &sat4_default_options.weight[0], 4);
     about(&x->limit[0], &sat4_default_options.limit[0], 4);
+    about(&x->most[0], &sat4_default_options.most[0], 4);
+    about(&x->motor_torque[0], &sat4_default_options.motor_torque[0], 4);
+    about(&x->motor_speed[0], &sat4_default_options.motor_speed[0], 4);
     about(&x->near, &sat4_default_options.near, 1);
     about(&x->damping, &sat4_default_options.damping, 1);
+    integers(&x->use_pointing[0], 3, -1048576, 1048576);
 }
 
 static void any_inverse_options(sat4_inverse_options *x)
 {
     reals(&x->weight[0], 4, SAT4_LARGEST);
     reals(&x->limit[0], 4, SAT4_LARGEST);
+    reals(&x->most[0], 4, SAT4_LARGEST);
+    reals(&x->motor_torque[0], 4, SAT4_LARGEST);
+    reals(&x->motor_speed[0], 4, SAT4_LARGEST);
     reals(&x->near, 1, SAT4_LARGEST);
     reals(&x->damping, 1, SAT4_LARGEST);
+    integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
 }
 
 static void bits_inverse_options(sat4_inverse_options *x)
 {
     all_bits(&x->weight[0], 4);
     all_bits(&x->limit[0], 4);
+    all_bits(&x->most[0], 4);
+    all_bits(&x->motor_torque[0], 4);
+    all_bits(&x->motor_speed[0], 4);
     one_of_all(&x->near);
     one_of_all(&x->damping);
+    integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
 }
 
 static void normal_parameters(sat4_parameters *x)
@@ -494,6 +506,40 @@ static void initialised_inverse_result(const sat4_inverse_result *x)
     initialised(&x->damped_by, 1);
     /*@ check \initialized(&x->limited[0]); */
     initialised(&x->hardest[0], 6);
+}
+
+static void untouched_inverse_pointing_result(const sat4_inverse_pointing_result *x)
+{
+    untouched(&x->phi_ddot[0], 4);
+    untouched(&x->V_dot[0], 6);
+    untouched(&x->residual[0], 3);
+    untouched(&x->sigma[0], 3);
+    untouched(&x->damped_by, 1);
+    untouched(&x->hardest[0], 3);
+}
+
+static void written_inverse_pointing_result(const sat4_inverse_pointing_result *x)
+{
+    written(&x->phi_ddot[0], 4);
+    written(&x->V_dot[0], 6);
+    written(&x->residual[0], 3);
+    written(&x->sigma[0], 3);
+    /*@ check \initialized(&x->rank); */
+    written(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    written(&x->hardest[0], 3);
+}
+
+static void initialised_inverse_pointing_result(const sat4_inverse_pointing_result *x)
+{
+    initialised(&x->phi_ddot[0], 4);
+    initialised(&x->V_dot[0], 6);
+    initialised(&x->residual[0], 3);
+    initialised(&x->sigma[0], 3);
+    /*@ check \initialized(&x->rank); */
+    initialised(&x->damped_by, 1);
+    /*@ check \initialized(&x->limited[0]); */
+    initialised(&x->hardest[0], 3);
 }
 
 static void untouched_generalized_result(const sat4_generalized_result *x)
@@ -1544,6 +1590,120 @@ void sat4_eva_bits_inverse_fast(void)
     bits_inverse_options(&options);
     sat4_real phi_ddot[SAT4_N];
     const sat4_status status = sat4_inverse_fast(&sat4_default, &x, V_dot, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_normal_inverse_pointing(void);
+void sat4_eva_normal_inverse_pointing(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, 1.0e3);
+    sat4_inverse_options options;
+    normal_inverse_options(&options);
+    sat4_inverse_pointing_result out;
+    const sat4_status status = sat4_inverse_pointing(&sat4_default, &x, demand, &options, &out);
+    if (status < 0) {
+        untouched_inverse_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_inverse_pointing_result(&out);
+    }
+}
+
+void sat4_eva_any_inverse_pointing(void);
+void sat4_eva_any_inverse_pointing(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, SAT4_LARGEST);
+    sat4_inverse_options options;
+    any_inverse_options(&options);
+    sat4_inverse_pointing_result out;
+    const sat4_status status = sat4_inverse_pointing(&sat4_default, &x, demand, &options, &out);
+    if (status < 0) {
+        untouched_inverse_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        written_inverse_pointing_result(&out);
+    }
+}
+
+void sat4_eva_bits_inverse_pointing(void);
+void sat4_eva_bits_inverse_pointing(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real demand[3];
+    all_bits(&demand[0], 3);
+    sat4_inverse_options options;
+    bits_inverse_options(&options);
+    sat4_inverse_pointing_result out;
+    const sat4_status status = sat4_inverse_pointing(&sat4_default, &x, demand, &options, &out);
+    if (status < 0) {
+        untouched_inverse_pointing_result(&out);
+    } else {
+        Frama_C_show_each_returned(status);
+        initialised_inverse_pointing_result(&out);
+    }
+}
+
+void sat4_eva_normal_inverse_fast_pointing(void);
+void sat4_eva_normal_inverse_fast_pointing(void)
+{
+    sat4_state x;
+    normal_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, 1.0e3);
+    sat4_inverse_options options;
+    normal_inverse_options(&options);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast_pointing(&sat4_default, &x, demand, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_any_inverse_fast_pointing(void);
+void sat4_eva_any_inverse_fast_pointing(void)
+{
+    sat4_state x;
+    any_state(&x);
+    sat4_real demand[3];
+    reals(&demand[0], 3, SAT4_LARGEST);
+    sat4_inverse_options options;
+    any_inverse_options(&options);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast_pointing(&sat4_default, &x, demand, &options, phi_ddot);
+    if (status < 0) {
+        untouched(&phi_ddot[0], 4);
+    } else {
+        Frama_C_show_each_returned(status);
+        written(&phi_ddot[0], 4);
+    }
+}
+
+void sat4_eva_bits_inverse_fast_pointing(void);
+void sat4_eva_bits_inverse_fast_pointing(void)
+{
+    sat4_state x;
+    bits_state(&x);
+    sat4_real demand[3];
+    all_bits(&demand[0], 3);
+    sat4_inverse_options options;
+    bits_inverse_options(&options);
+    sat4_real phi_ddot[SAT4_N];
+    const sat4_status status = sat4_inverse_fast_pointing(&sat4_default, &x, demand, &options, phi_ddot);
     if (status < 0) {
         untouched(&phi_ddot[0], 4);
     } else {

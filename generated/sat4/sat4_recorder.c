@@ -1,8 +1,8 @@
 /* sat4_recorder.c: flight recorder of the stand "sat4". What a log holds: sat4_recorder.h.
- * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead. */
 #include "sat4_recorder.h"
 
-#if SAT4_STRUCTURE != 0x60e5c883u || SAT4_PHYSICS != 0x347c0b3bu
+#if SAT4_STRUCTURE != 0xf28a1ef8u || SAT4_PHYSICS != 0xe77ec5a4u
 #error "sat4.h and sat4_recorder.c are of different stands"
 #endif
 #if SAT4_LANES != 1

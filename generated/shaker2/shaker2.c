@@ -856,6 +856,35 @@ static void shaker2_eliminate(const shaker2_real column[6], shaker2_real spin_in
     F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
 }
 
+/* Drive torques for a given motion, from checked inputs. */
+SHAKER2_CODE
+static void shaker2_balance(const shaker2_table *table, const shaker2_state *x,
+                            const shaker2_real sine[SHAKER2_N], const shaker2_real cosine[SHAKER2_N],
+                            const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
+                            shaker2_real tau[restrict SHAKER2_N])
+{
+    shaker2_real C[9];  /* attitude */
+    shaker2_rotation(x->attitude, C);
+    shaker2_real g[3];  /* gravity in E1 */
+    shaker2_rotate_back(C, table->gravity, g);
+    shaker2_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
+    shaker2_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    shaker2_coupling drive;
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
 /* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
 SHAKER2_CODE
 shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
@@ -2327,6 +2356,44 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     }
 }
 
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+SHAKER2_CODE
+static void shaker2_excessive(const shaker2_table *table, const shaker2_state *x,
+                              const shaker2_real sine[SHAKER2_N], const shaker2_real cosine[SHAKER2_N],
+                              const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
+                              const shaker2_inverse_options *options, int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = SHAKER2_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < SHAKER2_LARGEST || options->motor_speed[s] < SHAKER2_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        shaker2_real tau[SHAKER2_N];  /* drive torques */
+        shaker2_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < SHAKER2_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const shaker2_real speed = x->phi_dot[s];
+            shaker2_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = SHAKER2_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
 /* (12) */
 SHAKER2_CODE
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
@@ -2353,6 +2420,12 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     for (int s = 0; s < SHAKER2_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
         if (options->limit[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0
+            || options->motor_torque[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
     shaker2_real answer[SHAKER2_N];  /* phi'' */
@@ -2419,6 +2492,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     if (rank < 2) {
         flags = flags | SHAKER2_RANK_DEFICIENT;
     }
+    shaker2_real moved[6];  /* V* that results: V_dot + K^-1 residual */
     shaker2_real left;
     shaker2_real z[6];  /* G^-1 residual */
     left = 0.0;
@@ -2439,10 +2513,21 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
     if (left > 1.0e-18 * wanted) {
         flags = flags | SHAKER2_UNREACHABLE;
     }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
     status = shaker2_within(answer, SHAKER2_N, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
     status = shaker2_within(residual, 6, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    int lacking;
+    shaker2_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
     for (int s = 0; s < SHAKER2_N; ++s) {
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
@@ -3439,6 +3524,9 @@ const shaker2_inverse_options shaker2_default_options =
 {
     .weight = { 1.0, 1.0 },
     .limit = { 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.0e4, 1.0e4 },
+    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

@@ -48,7 +48,7 @@ def test_rows_have_arguments_and_equations_of_the_programs(programs: list[Functi
 
 
 def test_functions_of_tasks_have_the_rows_of_their_forms() -> None:
-    """Of a task named `at_fast` too: no name of a task makes the name of another function."""
+    """No name of a task makes the name of another function: a task named `at_fast` is one, too."""
     rows = tuple(Task(name, (TaskRow("", "wz"),)) for name in ("pointing", "at_fast", "inverse"))
     stand = replace(load(path("sat4")), tasks=rows, phase_input="sincos")
     found = {f.name: f for f in lower(stand, DOUBLE).functions if f.public and f.name not in FUNCTIONS}

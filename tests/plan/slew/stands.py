@@ -51,7 +51,7 @@ def about(axis: Sequence[float] | np.ndarray, angle: float) -> dict[str, list[fl
 
 
 def inertia(stand: Stand) -> np.ndarray:
-    """Of all, about the centre of mass, less that of the spins: the drive torques turn this (kg m2)."""
+    """Inertia about the centre of mass less that of the spins, which drive torques turn (3, 3; kg m2)."""
     J = np.array(stand.carrier.inertia)
     for wheel in stand.flywheels:
         mounting = np.array(wheel.mounting.axis)  # type: ignore[union-attr]

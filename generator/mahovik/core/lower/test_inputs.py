@@ -34,7 +34,7 @@ SCALED = ("mass", "inertia")
 """Members of a body that the factor multiplies: a body remains one that can exist."""
 
 DEMAND = "demand"
-"""Name of what the functions of tasks take, one number a row."""
+"""Name of what the functions of tasks take, one number for each row."""
 
 SINE, COSINE = "sine", "cosine"
 """Names of inputs that are drawn together."""
@@ -85,7 +85,7 @@ def longer(one: Argument, other: Argument) -> Argument:
 
 
 def first_of(a: Argument, given: Any) -> Any:
-    """What an argument takes of the input of its name: of a demand as many numbers as the task has rows."""
+    """Numbers of an input that an argument takes: of a demand as many as the task has rows, else all."""
     return given[: int(a.shape[0])] if a.name == DEMAND else given
 
 

@@ -190,7 +190,7 @@ class Model(Built):
     ) -> results.Inverse:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
 
-        task          name of a task of the stand, with `demand`, a number a row, in place of V_dot
+        task          name of a task of the stand, with `demand`, a number for each row, in place of V_dot
         rows          names of its rows that are demanded, the others are free; by default all
         weight        of each flywheel in the norm of phi''; of those not given what the stand file says
         limit         rad/s2; of each |phi''|; of those not given none

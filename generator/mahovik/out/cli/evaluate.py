@@ -32,6 +32,9 @@ def evaluate(
 
     One JSON object per line; a result line for each, in order.
 
+    A state with "task" and "demand" in place of "V_dot" is one of a task of the stand: `inverse` answers for its rows,
+    and `torque`, `mounts`, `points` take the motion that results.
+
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """
     if real == "float" and backend != "c":

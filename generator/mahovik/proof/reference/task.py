@@ -100,7 +100,7 @@ def task_demand(at: Pieces, rows: Demanded, demand: Array) -> TaskDemand:
     to_motion = np.array([solve_symmetric(at.K, row) for row in rows.S])  # S K^-1
     c = to_motion @ b - rows.S @ d + rows.s - demand
     R = np.asarray(np.linalg.qr(inverse_root(at.K) @ rows.S.T, mode="r"), dtype=np.float64)
-    return TaskDemand(rows, to_motion @ at.I, c, to_motion @ rows.S.T, np.linalg.inv(R.T))
+    return TaskDemand(rows, to_motion @ at.I, c, to_motion @ rows.S.T, np.asarray(np.linalg.inv(R.T), dtype=np.float64))
 
 
 def task_inverse(at: Pieces, rows: Demanded, demand: Array, cuts: Cuts = CUTS, rank: int | None = None) -> TaskInverse:

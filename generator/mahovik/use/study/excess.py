@@ -67,7 +67,7 @@ def excess(stand: Stand) -> Excess | None:
             found[k, i, :, 0] = shares(stand, at, forward(at, phi_ddot), phi_ddot)
             found[k, i, :, 1] = np.abs(phi_ddot)
     needed = np.median(found, axis=0)
-    i, s = np.unravel_index(int(np.argmax(needed[:, :, 0])), needed.shape[:2])
+    i, s = divmod(int(np.argmax(needed[:, :, 0])), len(stand.flywheels))
     share, phi_ddot = needed[i, s]
     if not share > 1.0:
         return None

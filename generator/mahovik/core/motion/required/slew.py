@@ -19,7 +19,7 @@ Goal = Literal["fastest", "quietest"]
 
 @dataclass(frozen=True, eq=False)
 class Slew:
-    """What is demanded of the carrier from rest to rest.
+    """A turn of the carrier from rest to rest, demanded by the rows of a task.
 
     task      its rows; angular rows are turned along the path, linear ones have no acceleration
     kind      attitude: three angular rows; sight: two of one frame, whose third axis is the line of sight; still: none

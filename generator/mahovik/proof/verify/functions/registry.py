@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from itertools import chain
 
 from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import (
+    abilities,
     allocation,
     attitudes,
     carries,
@@ -31,7 +33,7 @@ JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "step_driven": partial(steps.step_rows, function="step_driven"),
     "step_carried": partial(carries.carried_rows, function="step_carried"),
     "step_driven_carried": partial(carries.carried_rows, function="step_driven_carried"),
-    "inverse": allocation.inverse_rows,
+    "inverse": lambda case: chain(allocation.inverse_rows(case), abilities.excess_rows(case, "inverse")),
     "inverse_fast": partial(allocation.fast_rows, function="inverse_fast"),
     "inverse_fast_at": partial(allocation.fast_rows, function="inverse_fast_at"),
     "forward_jacobian": partial(jacobians.jacobian_rows, function="forward_jacobian"),

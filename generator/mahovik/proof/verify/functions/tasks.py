@@ -21,6 +21,7 @@ from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.task import Demanded
 from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions import allocation
+from mahovik.proof.verify.functions.abilities import excess_rows
 from mahovik.proof.verify.functions.case import Case, Comparison
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 
@@ -38,7 +39,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
     damped_by = Comparison(function, "damped_by", accepted)
     freed = Comparison(function, "phi_ddot, with rows freed", accepted)
     limited = Comparison(function, "residual, with limits", allocation.BOUNDED if case.real == "double" else 1e-3)
-    beside = _Beside(case, function)
+    beside = _Diagnoses(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task)
         given = case.backend.arguments(asked)
@@ -74,10 +75,11 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
     for row in (plain, freed, damped, damped_by, limited):
         yield row.finished()
     yield from beside.rows()
+    yield from excess_rows(case, function)
 
 
 def fast_rows(case: Case, function: str) -> Iterator[Row]:
-    """As those of `inverse_fast`, and with rows freed."""
+    """Rows of `inverse_fast`, and one with rows freed."""
     yield from allocation.fast_rows(case, function, partial(_loss, case))
     freed = Comparison(function, "phi_ddot, with rows freed", case.bounds.default)
     task = task_of(function)
@@ -129,7 +131,7 @@ def _loss(case: Case, state: State, scaled: ScaledDemand) -> float:
     return condition * float(max(size for size in sizes if np.isfinite(size)))
 
 
-class _Beside:
+class _Diagnoses:
     """Rows on the motion that results, the error, the singular values, the status, and the direction hardest to reach.
 
     The answer phi'' is taken from the C: the motion is that of the reference for it.

@@ -34,7 +34,7 @@ def slew_findings(stand: Stand, motion: RequiredMotion, programme: Programme) ->
     course, angles = motion.at(t), programme.at(t)
     C = np.array([attitude(stand.angles, *q[3:]) for q in course.q])
     V = np.array([twist(stand, q, q_dot) for q, q_dot in zip(course.q, course.q_dot, strict=True)])
-    begins = max(largest(course.q[0, :3] - np.array(slew.position)), _apart(C[0], slew.start), largest(V[0]))
+    begins = max(largest(course.q[0, :3] - np.array(slew.position)), _angle_between(C[0], slew.start), largest(V[0]))
     found = [check_limit("slew start", begins, 1e-9, "pose and twist at t = 0: m, rad, s")]
     rates, accelerations = [], []
     for q, q_dot, q_ddot, v, phi, phi_dot in zip(*course, V, angles.phi, angles.phi_dot, strict=True):
@@ -44,14 +44,14 @@ def slew_findings(stand: Stand, motion: RequiredMotion, programme: Programme) ->
     return [*found, *_turn(slew, C), *_rows(slew, np.array(rates), np.array(accelerations))]
 
 
-def _apart(C: Array, other: Array) -> float:
+def _angle_between(C: Array, other: Array) -> float:
     """Angle between two attitudes, rad; exact where it is small."""
     D = C.T @ other
     sine = np.linalg.norm([D[2, 1] - D[1, 2], D[0, 2] - D[2, 0], D[1, 0] - D[0, 1]]) / 2.0
     return float(np.arctan2(sine, (np.trace(D) - 1.0) / 2.0))
 
 
-def _turned(slew: Slew, sigma: float) -> Array:
+def _rotation(slew: Slew, sigma: float) -> Array:
     """The rotation in E0 by sigma about the normal: Rodrigues' formula."""
     x, y, z = slew.normal
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
@@ -63,15 +63,15 @@ def _turn(slew: Slew, C: Array) -> list[Finding]:
     if slew.kind == "still":
         return []
     if slew.kind == "attitude":
-        wanted = _turned(slew, slew.angle) @ slew.start
-        end = _apart(C[-1], wanted)
+        wanted = _rotation(slew, slew.angle) @ slew.start
+        end = _angle_between(C[-1], wanted)
         turned = C @ slew.start.T
         sines = np.array([[R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]] for R in turned]) / 2.0
         aside = largest(sines - np.outer(sines @ slew.normal, slew.normal))
         what = "attitude"
     else:
         sight = C @ slew.axis
-        wanted = _turned(slew, slew.angle) @ slew.start @ slew.axis
+        wanted = _rotation(slew, slew.angle) @ slew.start @ slew.axis
         end = float(np.arctan2(np.linalg.norm(np.cross(sight[-1], wanted)), sight[-1] @ wanted))
         aside = largest(sight @ slew.normal)
         what = "line of sight"

@@ -38,8 +38,8 @@ _REACHED = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
-class Turned:
-    """What is demanded along the path at M times: sigma, sigma', sigma'' (M), and the wanted phi'' (M, N)."""
+class Demand:
+    """A path at M times: sigma, sigma', sigma'' (M) that the rows follow, and the wanted phi'' (M, N)."""
 
     t: Array
     sigma: Array
@@ -70,25 +70,25 @@ class Exact:
     slew: Slew
     S: Array
 
-    def follow(self, turned: Turned) -> Found:
+    def follow(self, demand: Demand) -> Found:
         """The motion that makes the demanded rows follow the path. Raises StateError: it does not settle."""
-        t, slew, stand = turned.t, self.slew, self.mechanics.stand
+        t, slew, stand = demand.t, self.slew, self.mechanics.stand
         M = len(t)
         phi_dot = np.tile(slew.phi_dot, (M, 1))
         phi = slew.phi + t[:, None] * phi_dot
         position, velocity = np.tile(np.array(slew.position), (M, 1)), np.zeros((M, 3))
-        C = slew.path(turned.sigma) @ slew.start
+        C = slew.path(demand.sigma) @ slew.start
         if slew.kind == "attitude":
-            omega = turned.speed[:, None] * slew.axis
+            omega = demand.speed[:, None] * slew.axis
         else:
-            omega = in_E1(C, turned.speed[:, None] * slew.normal)
+            omega = in_E1(C, demand.speed[:, None] * slew.normal)
         theta = np.unwrap(Rotation.from_matrix(C).as_euler(_SEQUENCES[stand.angles]), axis=0)
         missing, previous = None, np.inf
         for _ in range(_ROUNDS):
             rates = self._rates(theta, omega)
             q = np.hstack([position, theta])
             q_dot = np.hstack([velocity, rates])
-            V_dot, phi_ddot, missing = self._accelerations(turned, Course(q, q_dot, np.zeros_like(q)), phi, phi_dot)
+            V_dot, phi_ddot, missing = self._accelerations(demand, Course(q, q_dot, np.zeros_like(q)), phi, phi_dot)
             before = phi
             new_dot = np.array(slew.phi_dot) + _integral(t, phi_ddot)
             phi = slew.phi + _integral(t, new_dot)
@@ -113,7 +113,7 @@ class Exact:
         raise StateError("the motion of the slew does not settle: the carrier's surroundings act too strongly on it")
 
     def _accelerations(
-        self, turned: Turned, course: Course, phi: Array, phi_dot: Array
+        self, demand: Demand, course: Course, phi: Array, phi_dot: Array
     ) -> tuple[Array, Array, Array | None]:
         """V* (M, 6), phi'' (M, N), and what is missing most."""
         own = self.mechanics
@@ -125,13 +125,13 @@ class Exact:
         K, _ = mass_and_coupling(own, phi)
         to_motion = np.linalg.solve(K, np.concatenate([found.R[:, :, None], I], axis=2))
         free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
-        a, s = self._demand(turned, at.C, at.V)
+        a, s = self._demand(demand, at.C, at.V)
         A = self.S @ by_phi_ddot
         c = free @ self.S.T + s - a
         root = np.sqrt(own.tables.Theta_ff)
-        left = c - (A @ turned.wanted[:, :, None])[:, :, 0]
+        left = c - (A @ demand.wanted[:, :, None])[:, :, 0]
         more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
-        phi_ddot = turned.wanted + more
+        phi_ddot = demand.wanted + more
         V_dot = free - (by_phi_ddot @ phi_ddot[:, :, None])[:, :, 0]
         return V_dot, phi_ddot, self._missing(K, a, a - V_dot @ self.S.T - s)
 
@@ -146,15 +146,15 @@ class Exact:
             return None
         return np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
 
-    def _demand(self, turned: Turned, C: Array, V: Array) -> tuple[Array, Array]:
+    def _demand(self, demand: Demand, C: Array, V: Array) -> tuple[Array, Array]:
         """a, s (M, m each) of a = S V* + s."""
         slew = self.slew
         omega = V[:, 3:]
         if slew.kind == "attitude":
-            angular = turned.acceleration[:, None] * slew.axis
+            angular = demand.acceleration[:, None] * slew.axis
         else:
             normal = in_E1(C, np.tile(slew.normal, (len(C), 1)))
-            angular = turned.acceleration[:, None] * normal - turned.speed[:, None] * np.cross(omega, normal)
+            angular = demand.acceleration[:, None] * normal - demand.speed[:, None] * np.cross(omega, normal)
         a, s = np.zeros((2, len(C), len(slew.task.rows)))
         places = places_of(self.mechanics.stand.instruments, self.mechanics.stand.points)
         for i, row in enumerate(slew.task.rows):

@@ -81,13 +81,13 @@ class Used:
 
     @property
     def words(self) -> str:
-        """What is needed, of what, and when."""
+        """Flywheel, value, limit and time."""
         unit = {"torque": "N m", "speed": "rad/s", "acceleration": "rad/s2"}[self.kind]
         return f"{self.kind} of {self.name}: {self.value:.6g} of {self.limit:.6g} {unit} at t = {self.t:.5g} s"
 
 
 def used(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) -> list[Used]:
-    """What a motion of the flywheels takes of their limits (M, N each); kinds without a limit are left out."""
+    """The largest share of each kind of limit in a motion of the flywheels (M, N each); of kinds with a limit."""
     torque = tau - limits.friction(phi_dot)
     found = []
     for kind, values, most in (

@@ -20,7 +20,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
-from mahovik.use.plan.slew.dynamics import Exact, Found, Turned
+from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
 from mahovik.use.plan.slew.limits import Limits, Used, used
 from mahovik.use.plan.slew.path import Path, Tabulated
 from mahovik.use.plan.slew.share import Mean, choices
@@ -113,7 +113,7 @@ def _check_start(slew: Slew, limits: Limits) -> None:
 
 
 def _missing_words(twist: Array) -> str:
-    """What the flywheels do not give: no moment about the axis of a twist; of a translation, no force along it."""
+    """No moment about the axis of a twist; of a translation, no force along it."""
     turns = float(np.linalg.norm(twist[3:])) > 1e-6 * float(np.linalg.norm(twist[:3]))
     part = twist[3:] if turns else twist[:3]
     unit = part / np.linalg.norm(part)
@@ -204,7 +204,7 @@ def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[
 
 
 def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Table:
-    """The exact motion at rows so close that (12) holds between them; `rows`: to begin with, as shares of the time."""
+    """The exact motion at rows so close that (12) holds between them; `rows`: the first, as shares of the time."""
     t = _rows(exact, law) if rows is None else rows * law.duration
     while True:
         if len(t) > MOST_ROWS:
@@ -214,11 +214,11 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
                 "start them slower, or balance them",
             )
         sigma, speed, acceleration = law.at(t)
-        found = exact.follow(Turned(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
+        found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
         if found.missing is not None:
             raise NoSlewError("SPAN", f"the flywheels do not reach the task: {_missing_words(found.missing)}")
         _refuse_singular(exact, found)
-        residuals, takes = _between(exact, path.limits, found)
+        residuals, takes = _intervals(exact, path.limits, found)
         splitting = (residuals > 0.5 * TOLERANCE) & (np.diff(t) > law.duration / SHORTEST)
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
@@ -229,7 +229,7 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """The exact motion by a law at the rows of a table: what it takes of the limits, the residual, rows as shares."""
+    """The exact motion by a law at the rows of a table, its shares of the limits, its residual; rows as shares."""
 
     law: Law
     found: Found
@@ -239,7 +239,7 @@ class Table:
 
     @property
     def worst(self) -> Used:
-        """What is taken most; nothing where there are no limits."""
+        """The largest share; 0 where there are no limits."""
         return max(self.used, key=lambda each: each.share, default=Used("torque", 0.0, "", 0.0, 0.0, np.inf))
 
 
@@ -262,7 +262,7 @@ def _even(begin: float, end: float, step: float) -> Array:
 
 
 def _split(t: Array, counts: Array) -> Array:
-    """The times with each interval in so many equal parts."""
+    """The times with each interval in a number of equal parts."""
     inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(t[:-1], t[1:], counts, strict=True)]
     return np.concatenate([*inner, t[-1:]])
 
@@ -305,7 +305,7 @@ def _refuse_singular(exact: Exact, found: Found) -> None:
 _INSIDE = np.array([0.25, 0.5, 0.75])
 
 
-def _between(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[Used]]:
+def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[Used]]:
     """Relative residual of (12) in each interval, and what is taken of the limits at the rows and between."""
     t = (found.t[:-1, None] + np.diff(found.t)[:, None] * _INSIDE).ravel()
     carrier, angles = Followed(found.t, *found.course), Samples(found.t, *found.angles).at(t)
