@@ -87,7 +87,8 @@ def figures(
         wanted = dict.fromkeys(d for key in columns for d in every[key] if d.claimed == claimed)
         if not claimed:
             wanted = {d: None for d in wanted if any((*key, d) in found for key in columns)}
-        order = sorted(wanted, key=lambda d: list(FUNCTIONS).index(d.function) if d.set != "routine" else 99)
+        places = {name: k for k, name in enumerate(FUNCTIONS)}  # functions of tasks come after these
+        order = sorted(wanted, key=lambda d: places.get(d.function, 98) if d.set != "routine" else 99)
         return [
             {
                 "function": d.function,

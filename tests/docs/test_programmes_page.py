@@ -8,7 +8,7 @@ import re
 from docs.pages import ROOT, blocks, cells, tables
 from mahovik import stands
 from mahovik.core.motion.programme import read as programme
-from mahovik.core.motion.required import read
+from mahovik.core.motion.required import Slew, read, slew_read
 from mahovik.core.stand import load
 from mahovik.proof.verify.programme.finding import Tolerance, tolerance_for
 
@@ -33,9 +33,17 @@ def test_keys_of_both_files() -> None:
 
 
 def test_the_motion_is_one() -> None:
-    (example,) = (block for block in blocks(PAGE) if block.language == "json")
+    example, turn = (block for block in blocks(PAGE) if block.language == "json")
     motion = read.read_motion(example.text, load(stands.path("bench8")))
     assert motion.name == json.loads(example.text)["name"]
+    slew = read.read_required(turn.text, load(stands.path("sat4")))
+    assert isinstance(slew, Slew) and slew.name == json.loads(turn.text)["name"]
+
+
+def test_keys_of_a_slew() -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    own = (slew_read.SlewTable, slew_read.StartTable, slew_read.EndTable, slew_read.SlewBounds)
+    assert all(f"`{key}`" in text for each in own for key in each.model_fields)
 
 
 def test_limits_are_those_of_the_verification() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand, write
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
@@ -53,7 +53,7 @@ def test_every_public_function_has_drivers(name: str) -> None:
     public = {f.name for f in program.functions if f.public}
     assert {d.function for d in found if d.set != "routine"} == public
     assert {d.function for d in found if d.claimed and d.set != "routine"} == {
-        name for name in public if FUNCTIONS[name].claimed
+        name for name in public if row_of(name).claimed
     }
     files = delivery(stand(name))
     for driver in found:

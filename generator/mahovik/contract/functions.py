@@ -361,6 +361,11 @@ def task_of(function: str) -> str:
     return ""
 
 
+def is_public(name: str) -> bool:
+    """Whether some stand has a public function of this name."""
+    return name in FUNCTIONS or bool(task_of(name))
+
+
 def row_of(function: str) -> PublicFunction:
     """The row of a public function of a stand: of a task's function that of the function whose form it is.
 

@@ -104,7 +104,7 @@ def test_units_bounds_and_weights() -> None:
     [
         ({"schema": 2}, "m.json: schema: expected 1, found 2"),
         ({"perod": 1}, 'm.json: unknown key "perod", did you mean "period"?'),
-        ({"type": "cyclic"}, 'm.json: type: expected "periodic" or "finite", found "cyclic"'),
+        ({"type": "cyclic"}, 'm.json: type: expected "periodic", "finite" or "slew", found "cyclic"'),
         ({"period": -0.1}, "m.json: period: -0.1 s is not above 0"),
         ({"period": "-5 ms"}, "m.json: period: -5 ms (-0.005 s) is not above 0"),
         ({"period": "10 Hz"}, 'm.json: period: unit "Hz" does not fit, expected a time (s)'),

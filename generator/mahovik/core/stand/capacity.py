@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from mahovik.core.stand.envelope import Array, Envelope, envelope
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand, Vec3
 from mahovik.core.stand.whole import placed_bodies, vec3
-
-Array = NDArray[np.float64]
-
-_PARALLEL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -22,15 +17,19 @@ class Capacity:
     """Largest sum of some vectors along the spin axes, each up to its limit and in either sense, in E1.
 
     each       limit of each flywheel; None where its motor has none
-    axes       along each axis of E1
+    axes       along each axis of E1, whatever is left across it
+    alone      along each axis of E1, with nothing across it
     total      sum of the limits, as if all axes were parallel
-    direction  in every direction: the least over all directions; 0 if some direction is not reached
+    direction  in every direction: radius of the largest sphere inside `envelope`; 0 if some direction is not reached
+    envelope   all sums, by facets; its `worst` are the directions in which no more than `direction` is reached
     """
 
     each: tuple[float | None, ...]
     axes: Vec3
+    alone: Vec3
     total: float
     direction: float
+    envelope: Envelope
 
 
 def momentum_capacity(stand: Stand) -> Capacity:
@@ -50,19 +49,14 @@ def _momentum(flywheel: Flywheel) -> float | None:
 
 
 def _capacity(stand: Stand, each: list[float | None]) -> Capacity:
+    columns = _columns(stand, each)
+    found = envelope(columns)
+    alone = vec3(np.array([found.reach(axis) for axis in np.eye(3)]))
+    total = float(np.linalg.norm(columns, axis=1).sum())
+    return Capacity(tuple(each), vec3(np.abs(columns).sum(axis=0)), alone, total, found.radius, found)
+
+
+def _columns(stand: Stand, each: list[float | None]) -> Array:
+    """Spin axes in E1 times the limits (N, 3); zero where there is none."""
     spins = [placed.axes[:, 0] for placed in placed_bodies(stand) if isinstance(placed.body, Flywheel)]
-    columns = np.array([limit * spin for limit, spin in zip(each, spins, strict=True) if limit]).reshape(-1, 3)
-    lengths = np.linalg.norm(columns, axis=1)
-    return Capacity(
-        tuple(each), vec3(np.abs(columns).sum(axis=0)), float(lengths.sum()), _least_reach(columns, lengths)
-    )
-
-
-def _least_reach(columns: Array, lengths: Array) -> float:
-    """Least over unit vectors n of sum |n . column|: at a normal of two columns, or where the columns span no space."""
-    if len(columns) < 3 or np.linalg.matrix_rank(columns / lengths.max(), tol=_PARALLEL) < 3:
-        return 0.0
-    units = columns / lengths[:, None]
-    normals = [np.cross(units[i], units[j]) for i, j in combinations(range(len(units)), 2)]
-    proper = [n / np.linalg.norm(n) for n in normals if np.linalg.norm(n) > _PARALLEL]
-    return min(float(np.abs(columns @ n).sum()) for n in proper)
+    return np.array([(limit or 0.0) * spin for limit, spin in zip(each, spins, strict=True)]).reshape(-1, 3)

@@ -187,6 +187,19 @@ def _print_flywheels(summary: Summary) -> None:
     whole = _capacities(summary, lambda capacity: (*capacity.axes, capacity.direction, capacity.total))
     if whole:
         _print_columns(("along x", "along y", "along z", "in every direction", "sum"), whole, "all motors")
+    for what, capacity, unit in _kinds(summary):
+        print_line(_weakest(what, capacity, unit))
+
+
+def _weakest(what: str, capacity: Capacity, unit: str) -> str:
+    """The direction in E1 in which the motors together reach least, and how much."""
+    first, *others = capacity.envelope.worst
+    direction = "(" + ", ".join(f"{x:.5g}" for x in first) + ")"
+    if capacity.direction == 0.0:
+        return f"weakest direction of {what}: {direction} in E1, where the motors with a limit reach nothing"
+    unit, size = fitting_unit([capacity.direction], unit)
+    more = f"; {len(others)} more such" if others else ""
+    return f"weakest direction of {what}: {direction} in E1, {capacity.direction / size:.5g} {unit}{more}"
 
 
 def _at_planes(rows: Sequence[UnbalanceRow]) -> tuple[Column, ...]:
@@ -202,8 +215,13 @@ def _at_planes(rows: Sequence[UnbalanceRow]) -> tuple[Column, ...]:
 
 def _capacities(summary: Summary, values: Callable[[Capacity], Sequence[float | None]]) -> tuple[Column, ...]:
     """Columns of momentum and torque, each if some motor has a limit of it."""
+    return tuple(fitted(name, values(capacity), unit) for name, capacity, unit in _kinds(summary))
+
+
+def _kinds(summary: Summary) -> list[tuple[str, Capacity, str]]:
+    """Momentum and torque with their units, each if some motor has a limit of it."""
     kinds = (("momentum", summary.momentum, "N m s"), ("torque", summary.torque, "N m"))
-    return tuple(fitted(name, values(capacity), unit) for name, capacity, unit in kinds if capacity.total > 0.0)
+    return [each for each in kinds if each[1].total > 0.0]
 
 
 def _print_columns(names: Sequence[str], columns: Sequence[Column], head: str = "flywheel") -> None:

@@ -158,7 +158,7 @@ def servo(
 
     stand = load_stand(stand_file)
     found = load_programme(programme_file)
-    motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
+    motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     wanted = load_servo(servo_file, stand)
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
@@ -182,7 +182,7 @@ def programme(
     nodes: int | None = choice(
         "--nodes",
         ["64", "128", "256", "512", "1024", "2048", "4096"],
-        "Set the nodes per period of a quintic table; default 256, float 64.",
+        "Set the nodes per period of a quintic table; default 256, float 64; of a finite programme as many as needed.",
         callback=whole_number,
     ),
     real: str | None = REAL_OF_FOLDER,
@@ -206,7 +206,7 @@ def programme(
     stand_file, (source,) = stand_first(stand_file, further, given, former=(STAND, "--programme"))
     stand = load_stand(stand_file)
     found = load_programme(source)
-    motion = load_motion(Path(motion_file), stand) if motion_file is not None else None
+    motion = load_motion(Path(motion_file), stand, found) if motion_file is not None else None
     folder = Path(output if output is not None else stand.name)
     chosen = element_type(folder, stand, real)
     with progress(f"tables of {Path(source).name}"):

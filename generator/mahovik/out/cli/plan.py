@@ -66,12 +66,12 @@ def plan(
     """
     stand = load_stand(stand_file)
     from mahovik.core.motion.programme import programme_text
-    from mahovik.out.functions.given import motion_of
+    from mahovik.out.functions.given import required_of
     from mahovik.out.functions.programmes import plan as find
     from mahovik.out.functions.programmes import read_winding
     from mahovik.writing import write_all
 
-    motion = motion_of(motion_file, stand)
+    motion = required_of(motion_file, stand)
     chosen = read_winding(winding, len(stand.flywheels), motion.periodic)
     paths = [
         Path(output).with_suffix(f".{k}{Path(output).suffix}") if k > 1 else Path(output) for k in range(1, keep + 1)
@@ -102,12 +102,17 @@ def plan(
 def _report(programme: Programme, path: Path) -> None:
     """Print figures of a written programme."""
     report: Any = programme.report
-    print_line(f"{click.format_filename(path)}   {report['kind']}, winding {list(programme.winding)}")
+    is_slew = report["kind"] == "slew"
+    words = f"{report['goal']} slew, {report['duration']:.6g} s" if is_slew else _kind_of(programme)
+    print_line(f"{click.format_filename(path)}   {words}")
     peaks = zip(report["peak_speed"], report["peak_acceleration"], report["peak_torque"], strict=True)
     print_table(
         ("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>"),
         ((name, *(f"{x:.4g}" for x in row)) for name, row in zip(programme.flywheels, peaks, strict=True)),
     )
+    if is_slew:
+        _report_slew(report)
+        return
     figures = {
         "residual": report["residual"],
         "simulation error": report.get("simulation_error"),
@@ -127,6 +132,24 @@ def _report(programme: Programme, path: Path) -> None:
                 for x, unit in zip(strayed, ("mm", "mrad"), strict=True)
             )
             print_line(f"{name}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(largest)}")
+
+
+def _kind_of(programme: Programme) -> str:
+    """Kind and winding."""
+    return f"{programme.report['kind']}, winding {list(programme.winding)}"
+
+
+def _report_slew(report: Any) -> None:
+    """Print what a slew takes of the limits, and how exact it is."""
+    for line in report["hardest"]:
+        click.echo(line)
+    if report["least_duration"] is not None:
+        click.echo(f"the least duration by the mean model, with jumps of the torque: {report['least_duration']:.6g} s")
+    if report["through_zero"]:
+        click.echo(f"passes zero speed: {', '.join(report['through_zero'])}")
+    error = report.get("simulation_error")
+    more = "" if error is None else f", simulation error {error:.3g}"
+    click.echo(f"residual {report['residual']:.3g}{more}; O1 moves by up to {1e3 * report['strayed']:.3g} mm")
 
 
 def _report_ocp(method: str, ocp: Any) -> None:

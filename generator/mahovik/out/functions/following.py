@@ -171,7 +171,7 @@ def _case(
     source = _name(programme, "the programme")
     if not (whose := stand_finding(stand, found)).passed:
         raise UsageError(f"{source}: {whose.words}")
-    required = motion_of(motion, stand)
+    required = motion_of(motion, stand, found)
     if not (whose := motion_finding(required, found)).passed:
         raise UsageError(f"{source}: {whose.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")

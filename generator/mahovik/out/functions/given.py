@@ -19,7 +19,7 @@ from mahovik.out.api.stands import Stand
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.regime import Regime
-    from mahovik.core.motion.required import RequiredMotion
+    from mahovik.core.motion.required import RequiredMotion, Slew
     from mahovik.core.motion.servo import Servo
 
 StandGiven = CoreStand | str | Path
@@ -39,13 +39,26 @@ def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) ->
     return regime
 
 
-def motion_of(motion: RequiredMotion | Keys | str | Path, stand: CoreStand) -> RequiredMotion:
-    """The required motion of the carrier. Raises MotionError."""
+def motion_of(
+    motion: RequiredMotion | Keys | str | Path, stand: CoreStand, programme: Programme | None = None
+) -> RequiredMotion:
+    """The required motion of the carrier; of a slew, with the course that `programme` keeps. Raises MotionError."""
     from mahovik.core.motion.required import load_motion, read_motion
 
     if isinstance(motion, str | Path):
-        return load_motion(motion, stand)
-    return read_motion(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
+        return load_motion(motion, stand, programme)
+    if isinstance(motion, Mapping):
+        return read_motion(text_of_keys(motion), stand, programme=programme)
+    return motion
+
+
+def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
+    """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
+    from mahovik.core.motion.required import load_required, read_required
+
+    if isinstance(motion, str | Path):
+        return load_required(motion, stand)
+    return read_required(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
 
 
 def programme_of(programme: Programme | Keys | str | Path) -> Programme:

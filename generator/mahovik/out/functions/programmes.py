@@ -10,11 +10,12 @@ import numpy as np
 
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.motion.programme import programme_text
-from mahovik.core.motion.required import RequiredMotion, Winding
+from mahovik.core.motion.required import RequiredMotion, Slew, Winding
+from mahovik.core.motion.required.slew_read import resolved
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of
+from mahovik.out.functions.given import Keys, StandGiven, motion_of, programme_of, required_of
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.plan import Plan as CorePlan
@@ -91,7 +92,7 @@ class Plan(Table):
 
     index = "flywheel"
 
-    def __init__(self, stand: CoreStand, motion: RequiredMotion, result: CorePlan) -> None:
+    def __init__(self, stand: CoreStand, motion: RequiredMotion | Slew, result: CorePlan) -> None:
         self.stand, self.motion, self.result = stand, motion, result
 
     @property
@@ -139,7 +140,7 @@ class Plan(Table):
     @property
     def programmes(self) -> tuple[Programme, ...]:
         """The programmes, best first."""
-        return tuple(Programme(self.stand, self.motion, each) for each in self.result.programmes)
+        return tuple(Programme(self.stand, _of_course(self.motion, each), each) for each in self.result.programmes)
 
     @property
     def programme(self) -> Programme:
@@ -158,7 +159,7 @@ class Plan(Table):
 
 def plan(
     stand: StandGiven,
-    motion: MotionGiven,
+    motion: MotionGiven | Slew,
     *,
     seconds: float | None = None,
     seed: int = 0,
@@ -175,15 +176,28 @@ def plan(
     keep       programmes to find; method: "fourier", or from it "ocp-partition", "ocp" by IPOPT
     partition  the six dependent flywheels of (13)
 
+    A slew, a motion file of `type` slew, has one programme and no search: seconds and seed do nothing.
+
     Programmes are verified by the literal reference. Ctrl-C gives the best so far. Raises StandError, MotionError,
     UsageError.
     """
     own = Stand.of(stand)
-    required = motion_of(motion, own)
+    required = required_of(motion, own)
     chosen = read_winding(winding, len(own.flywheels), required.periodic)
+    if isinstance(required, Slew):
+        from mahovik.use.plan.slew import plan_slew
+
+        if method != "fourier" or partition is not None or keep != 1:
+            raise UsageError("--method, --partition, --keep: not for a slew, which has one programme")
+        return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
     six = None if partition is None else tuple(partition)
     options = PlanOptions(seed, seconds, chosen, keep, method=method, partition=six)
     return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
+
+
+def _of_course(motion: RequiredMotion | Slew, programme: CoreProgramme) -> RequiredMotion:
+    """The motion; of a slew, with the course that the programme keeps."""
+    return resolved(motion, programme) if isinstance(motion, Slew) else motion
 
 
 def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
@@ -233,7 +247,7 @@ class Verdict(Table):
 
 def verify_programme(
     stand: StandGiven,
-    motion: MotionGiven,
+    motion: MotionGiven | Slew,
     programme: ProgrammeGiven | Programme,
     *,
     tolerance: float | None = None,
@@ -251,8 +265,8 @@ def verify_programme(
     from mahovik.proof.verify import programme as verification
 
     own = Stand.of(stand)
-    required = motion_of(motion, own)
     found = programme.programme if isinstance(programme, Programme) else programme_of(programme)
+    required = _of_course(motion, found) if isinstance(motion, Slew) else motion_of(motion, own, found)
     tell(progress, Progress("by the reference"))
     folder = None if against is None else Path(against)
     findings = verification.verify_programme(own, required, found, tolerance=tolerance, against=folder, name=name)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.motion.programme.course import Angles, Array, Fourier, Samples
+from mahovik.core.motion.required.course import Followed
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +38,7 @@ class Programme:
     course      Fourier (periodic only) or Samples
     runup, rundown   from rest to t = 0, and back
     report      figures of the search, as JSON holds them
+    carrier     course of the carrier that was found, of a slew; else None
     """
 
     stand: str
@@ -52,6 +54,7 @@ class Programme:
     runup: RunUpTable | None = None
     rundown: RunUpTable | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
+    carrier: Followed | None = None
 
     def at(self, t: Array) -> Angles:
         """phi, phi', phi'' (M, N each; rad, s) at the times t (M, s): any of a periodic programme, else 0..duration.

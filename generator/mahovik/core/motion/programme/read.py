@@ -12,6 +12,7 @@ from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, listed, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
+from mahovik.core.motion.required.course import Followed
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.problems import Problems
@@ -79,6 +80,22 @@ class SamplesTable(Table):
     phi_ddot: Rows
 
 
+def _six_rows(raw: Any) -> tuple[tuple[float, ...], ...]:
+    return rows(raw, lambda row: vector(row, (6,), PLAIN))
+
+
+SixRows = Annotated[tuple[tuple[float, ...], ...], validator(_six_rows)]
+
+
+class CarrierTable(Table):
+    """`carrier`: its course, of a slew."""
+
+    t: Times
+    q: SixRows
+    q_dot: SixRows
+    q_ddot: SixRows
+
+
 class RunUpFields(Table):
     """`runup` or `rundown`."""
 
@@ -100,6 +117,7 @@ class ProgrammeTable(Table):
     samples: Annotated[SamplesTable | None, NOT_NULL] = None
     runup: Annotated[RunUpFields | None, NOT_NULL] = None
     rundown: Annotated[RunUpFields | None, NOT_NULL] = None
+    carrier: Annotated[CarrierTable | None, NOT_NULL] = None
     report: Annotated[dict[str, Any], validator(_report)] = Field(default_factory=dict)
 
 
@@ -137,6 +155,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
     else:
         course = _fourier(table.fourier, N, problems)
     tables = {key: _run_up(getattr(table, key), problems, key) for key in ("runup", "rundown")}
+    carrier = None if table.carrier is None else _carrier(table.carrier, span, periodic, problems)
     if course is None or problems.lines:
         raise ProgrammeError(problems.lines)
     return Programme(
@@ -150,6 +169,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         bias=np.array(table.bias),
         winding=table.winding or (0,) * N,
         course=course,
+        carrier=carrier,
         report=table.report,
         **tables,
     )
@@ -174,6 +194,19 @@ def _samples(table: SamplesTable, span: float, periodic: bool, problems: Problem
         problems.add(*path, "t", reason)
         return None
     return Samples(np.array(table.t), *columns.values())
+
+
+def _carrier(table: CarrierTable, span: float, periodic: bool, problems: Problems) -> Followed | None:
+    columns = {key: np.array(getattr(table, key), dtype=np.float64) for key in ("q", "q_dot", "q_ddot")}
+    for key, column in columns.items():
+        if len(column) != len(table.t):
+            problems.add("carrier", key, f"{len(column)} rows, but t has {len(table.t)} numbers")
+            return None
+    reason = "not allowed with `period`" if periodic else _times(np.array(table.t), span, False)
+    if reason is not None:
+        problems.add("carrier", "t", reason)
+        return None
+    return Followed(np.array(table.t), *columns.values())
 
 
 def _times(t: Array, span: float, periodic: bool) -> str | None:

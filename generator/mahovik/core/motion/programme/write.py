@@ -43,6 +43,9 @@ def _object(programme: Programme) -> dict[str, Any]:
     for key, table in (("runup", programme.runup), ("rundown", programme.rundown)):
         if table is not None:
             found[key] = _table(table)
+    if programme.carrier is not None:
+        keys = ("t", "q", "q_dot", "q_ddot")
+        found["carrier"] = {key: _plain(getattr(programme.carrier, key)) for key in keys}
     if programme.report:
         found["report"] = _plain(dict(programme.report))
     return found

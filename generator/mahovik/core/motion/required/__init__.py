@@ -3,6 +3,19 @@
 from mahovik.core.motion.required.course import Course
 from mahovik.core.motion.required.limits import with_winding
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
-from mahovik.core.motion.required.read import load_motion, read_motion
+from mahovik.core.motion.required.read import load_motion, load_required, read_motion, read_required
+from mahovik.core.motion.required.slew import Slew
 
-__all__ = ["Bounds", "Course", "Objective", "RequiredMotion", "Winding", "load_motion", "read_motion", "with_winding"]
+__all__ = [
+    "Bounds",
+    "Course",
+    "Objective",
+    "RequiredMotion",
+    "Slew",
+    "Winding",
+    "load_motion",
+    "load_required",
+    "read_motion",
+    "read_required",
+    "with_winding",
+]

@@ -94,6 +94,36 @@ class Sampled:
         return tuple((np.flatnonzero(there) + 1).tolist())
 
 
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """A course that a planner found, as a programme keeps it: q, q', q'' (M, 6 each) at t (M, s), which rise from 0.
+
+    Quintic Hermite between; the first and the last row hold beyond the table.
+    """
+
+    t: Array
+    q: Array
+    q_dot: Array
+    q_ddot: Array
+
+    @cached_property
+    def _pieces(self) -> tuple[Any, Any, Any]:
+        from scipy.interpolate import BPoly
+
+        piece = BPoly.from_derivatives(self.t, np.stack([self.q, self.q_dot, self.q_ddot], axis=1))
+        return piece, piece.derivative(1), piece.derivative(2)
+
+    def at(self, t: Array) -> Course:
+        """q, q', q'' (M, 6 each) at the times t (M, s)."""
+        inside = np.clip(t, self.t[0], self.t[-1])
+        return Course(*(piece(inside) for piece in self._pieces))
+
+    @property
+    def harmonics(self) -> tuple[int, ...]:
+        """None: the course is finite."""
+        return ()
+
+
 def quintic(t: Array, q: Array, period: float | None) -> Any:
     """SciPy's quintic spline through samples: periodic, of samples without t = T; or at rest at both ends."""
     from scipy.interpolate import make_interp_spline

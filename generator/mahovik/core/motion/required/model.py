@@ -7,37 +7,13 @@ from typing import Literal
 
 import numpy as np
 
-from mahovik.core.motion.required.course import Array, Course, Harmonics, Sampled
+from mahovik.core.motion.required.bounds import Bounds, Each
+from mahovik.core.motion.required.course import Array, Course, Followed, Harmonics, Sampled
+from mahovik.core.motion.required.slew import Slew
+
+__all__ = ["Bounds", "Each", "Objective", "RequiredMotion", "Winding"]
 
 Winding = Literal["any", "spin", "rock"] | tuple[int, ...]
-
-Each = tuple[float, ...] | None
-"""A number for every flywheel; None: no bound."""
-
-
-@dataclass(frozen=True)
-class Bounds:
-    """Magnitudes that a programme keeps to, N numbers each in SI; None is no bound. E_x, E_u of (13).
-
-    speed, speed_min   of phi', rad/s; no flywheel faster, none slower
-    acceleration       of phi'', rad/s2
-    torque             of tau, N m
-    angle              of phi less its winding and its mean, rad
-    bias               of each of the six of `bias`: m, rad
-    deviation          of the carrier from its mean pose during run-up and run-down: O1 (m), angle of its turn (rad);
-                       infinite where there is no bound
-    start_phi, start_phi_dot   x(t0) of (13) of a finite motion, with sign: rad, rad/s
-    """
-
-    speed: Each = None
-    speed_min: Each = None
-    acceleration: Each = None
-    torque: Each = None
-    angle: Each = None
-    bias: Each = None
-    deviation: tuple[float, float] | None = None
-    start_phi: Each = None
-    start_phi_dot: Each = None
 
 
 @dataclass(frozen=True)
@@ -58,18 +34,20 @@ class RequiredMotion:
     free_mean        which of the six a planner may shift by `bias`
     winding          turns per period: one number per flywheel, or which numbers a planner may choose
     runup            duration of a run-up that is wanted, s; None: none
+    slew             what is demanded, where the course is one that `plan` found for a slew; else None
     """
 
     name: str
     periodic: bool
     span: float
     mean: Array
-    course: Harmonics | Sampled
+    course: Harmonics | Sampled | Followed
     free_mean: tuple[bool, ...]
     winding: Winding
     bounds: Bounds
     objective: Objective
     runup: float | None
+    slew: Slew | None = None
 
     def at(self, t: Array, bias: Array | float = 0.0) -> Course:
         """q, q', q'' (M, 6 each) at the times t (M, s), any of a periodic motion; `bias` (6) shifts the mean."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
@@ -21,6 +21,8 @@ from mahovik.core.motion.fields import (
 from mahovik.core.motion.required import limits, reach, samples
 from mahovik.core.motion.required.course import Harmonics, Sampled
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
+from mahovik.core.motion.required.slew import Slew
+from mahovik.core.motion.required.slew_read import read_slew, resolved
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator
@@ -41,6 +43,9 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.programme import Programme
 
 ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s^2")
 WINDINGS = ("any", "spin", "rock")
@@ -95,7 +100,7 @@ def _order(raw: Any) -> int:
 
 def _type(raw: Any) -> str:
     if raw not in ("periodic", "finite"):
-        raise QuantityError(f'expected "periodic" or "finite", found {show(raw)}')
+        raise QuantityError(f'expected "periodic", "finite" or "slew", found {show(raw)}')
     return str(raw)
 
 
@@ -240,17 +245,49 @@ _ONLY = {
 """Keys of one type of motion: the type, and what to say of the other."""
 
 
-def load_motion(path: str | Path, stand: Stand) -> RequiredMotion:
-    """Read and check the motion file at `path` for `stand`. Raises MotionError with every problem."""
+def load_motion(path: str | Path, stand: Stand, programme: Programme | None = None) -> RequiredMotion:
+    """Read and check the motion file at `path` for `stand`. Raises MotionError with every problem.
+
+    `programme`: one for this motion, which has the course of the carrier where the file is a slew.
+    """
     path = Path(path)
-    return read_motion(text_of(path, TABLE, MotionError), stand, path.name)
+    return read_motion(text_of(path, TABLE, MotionError), stand, path.name, programme)
 
 
-def read_motion(text: str, stand: Stand, source: str = "motion") -> RequiredMotion:
+def read_motion(text: str, stand: Stand, source: str = "motion", programme: Programme | None = None) -> RequiredMotion:
     """Read and check a motion given as text; `source` names it in messages. Raises MotionError."""
+    found = read_required(text, stand, source)
+    if isinstance(found, RequiredMotion):
+        return found
+    if programme is None:
+        raise MotionError([f"{source}: is a slew, whose course `mahovik plan` finds: give its programme as well"])
+    motion = resolved(found, programme)
+    problems = Problems(source)
+    reach.check(motion, stand, problems)
+    if problems.lines:
+        raise MotionError(problems.lines)
+    return motion
+
+
+def load_required(path: str | Path, stand: Stand) -> RequiredMotion | Slew:
+    """The motion file at `path`, whose course is known or, of a slew, to be found. Raises MotionError."""
+    path = Path(path)
+    return read_required(text_of(path, TABLE, MotionError), stand, path.name)
+
+
+def read_required(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:
+    """The same of a text."""
     document = document_of(text, source, MotionError)
     if "stand" in document and "flywheels" in document:
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
+    if document.get("type") == "slew":
+        name = document.get("name") or Path(source).stem.removesuffix(".motion")
+        return read_slew(document, stand, str(name), Problems(source))
+    return _read_course(document, stand, source)
+
+
+def _read_course(document: dict[str, Any], stand: Stand, source: str) -> RequiredMotion:
+    """A periodic or a finite motion."""
     problems, N = Problems(source), len(stand.flywheels)
     units = validate_table(UnitsTable, document.get("units", {}), Problems(source)) or UnitsTable()
     table = validate_table(MotionTable, document, problems, flywheels=N, units=(units.linear, units.angular))

@@ -68,8 +68,8 @@ def export_programme(
     called: str = "programme",
 ) -> Exported:
     """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
-    measured; without it, the error of the accelerations. `source` names the programme in messages, `called`
-    in the names of the C.
+    measured; without it, the error of the accelerations. Without `nodes` a finite programme has as many as the limit
+    needs. `source` names the programme in messages, `called` in the names of the C.
 
     CheckError: programme, stand and motion do not belong together, or the error is above the limit. UsageError.
     """
@@ -87,6 +87,10 @@ def export_programme(
     prescribed = None if motion is None else Prescribed(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
+    while nodes is None and not programme.periodic and found[0][1].judged > most and count < MOST_NODES:
+        count *= 2
+        first = _course(programme, layout, prescribed, kind, count)
+        found = [_measure_errors(layout, first, prescribed)]
     given = found[0][1].given
     accepted = max(WRONG * tolerance_for(stand, None).residual, most)
     if given is not None and given > accepted:

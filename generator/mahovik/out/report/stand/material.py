@@ -135,7 +135,7 @@ def gather(
         parse_targets(targets)
     run = None if run_file is None else _run(Path(run_file), stand)
     programme = None if programme_file is None else load_programme(programme_file)
-    motion = None if motion_file is None else load_motion(motion_file, stand)
+    motion = None if motion_file is None else load_motion(motion_file, stand, programme)
     if programme is not None and programme_file is not None:
         _refuse_foreign_programme(programme_file, stand, programme, motion)
     costs = () if cost_folder is None else _costs(Path(cost_folder), stand)

@@ -19,6 +19,7 @@ ORDER = (
     "response",
     "jitter",
     "reach",
+    "envelopes",
     "campbell",
     "animation",
     "bodies",

@@ -22,6 +22,7 @@ from mahovik.proof.verify.programme.finding import (
 from mahovik.proof.verify.programme.mechanics import residual_finding, residuals, scale_of
 from mahovik.proof.verify.programme.runup import runup_findings
 from mahovik.proof.verify.programme.simulation import floquet_finding, simulation_finding
+from mahovik.proof.verify.programme.slew import motor_findings, slew_findings
 from mahovik.proof.verify.programme.table import (
     bias_findings,
     bound_findings,
@@ -85,6 +86,9 @@ def _findings(
         found += runup_findings(stand, motion, programme, scale, limit)
     else:
         found += start_findings(motion, programme, limit.joint)
+    if motion.slew is not None:
+        found += slew_findings(stand, motion, programme)
+        found += motor_findings(stand, course.t, Angles(*programme.at(course.t)), course.tau)
     if against is not None:
         found += compiled_findings(stand, motion, programme, scale, limit.residual, against, name)
     return tuple(found)

@@ -1,0 +1,360 @@
+"""A programme for a slew, or the reason why there is none: reach, time law, exact motion, limits, table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.motion.programme import Angles, Programme, Samples
+from mahovik.core.motion.required.course import Followed
+from mahovik.core.motion.required.reach import SINGULAR
+from mahovik.core.motion.required.slew import Slew, rows_of
+from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.stand.identity import identities
+from mahovik.core.stand.model import Stand
+from mahovik.errors import StateError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.certificate import certify, failed_items
+from mahovik.use.plan.outcome import Plan, Status
+from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
+from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
+from mahovik.use.plan.slew.limits import Limits, Used, used
+from mahovik.use.plan.slew.path import Path, Tabulated
+from mahovik.use.plan.slew.share import Mean, choices
+from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
+
+TOLERANCE = 3e-7
+"""Relative residual of (12) between the rows of the table that ends the refinement."""
+
+ACCEPTED = 8e-7
+"""The same, where no closer rows would help: rounding of phi, over the square of their distance, is felt."""
+
+SHORTEST = 4096
+"""Rows over the whole time, were all as close as the closest may be."""
+
+MOST_ROWS = 8192
+
+TURN = 2.0 * np.pi / 20.0
+"""rad: the furthest that a flywheel turns between rows, at the first try."""
+
+FINE, COARSE = 8, 4
+"""Rows in an interval of the time law where it bends; intervals between rows elsewhere."""
+
+EVEN = 1e-9
+"""Part of a flywheel's inertia below which what turns with it is rounding."""
+
+NEAR = 0.995
+"""Share of the limits that the fastest slew is to use at least."""
+
+AIM = -1.5e-3
+"""Logarithm of the share that is aimed at."""
+
+_ROUNDS = 10
+
+_ABSURD = 1e3
+"""Share of a limit beyond which no duration is tried."""
+
+
+class NoSlewError(Exception):
+    """Why there is no programme: reason and words of `Plan`; without a reason the attitude is singular."""
+
+    def __init__(self, reason: str | None, words: str) -> None:
+        super().__init__(words)
+        self.reason, self.words = reason, words
+
+
+def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str], None] = lambda _: None) -> Plan:
+    """The programme of a slew. `tell` hears what is being done."""
+    try:
+        tell("searching")
+        made, sharp = _search(stand, slew)
+    except NoSlewError as error:
+        status: Status = "NO_PROGRAM" if error.reason else "SINGULAR_ATTITUDE"
+        return Plan(status, error.reason, (error.words,), (), ())
+    except StateError as error:
+        return Plan("NO_PROGRAM", "SEARCH", (str(error),), (), ())
+    programme = _programme(stand, slew, made, sharp)
+    if verify:
+        tell("verifying")
+        programme = certify(stand, resolved(slew, programme), programme)
+        if wrong := failed_items(programme):
+            words = f"a programme was found and refused by the verification: {wrong}"
+            return Plan("NO_PROGRAM", "SEARCH", (words,), (), ())
+    return Plan("OK", None, (), tuple(programme.report.get("warnings", ())), (programme,))
+
+
+def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
+    """The table, and of the fastest slew the least duration by the mean model. Raises NoSlewError, StateError."""
+    mechanics, S = Mechanics.of(stand), rows_of(stand, slew.task)
+    exact, limits, mean = Exact(mechanics, slew, S), Limits.of(stand, slew.bounds), Mean.of(mechanics, S)
+    _check_start(slew, limits)
+    wanted = -S[:, 3:] @ (slew.axis if slew.kind == "attitude" else slew.start.T @ slew.normal)
+    wanted = wanted * np.array([row.component.startswith("w") for row in slew.task.rows])
+    if slew.kind == "still":
+        wanted = np.zeros(len(S))
+    elif (twist := mean.missing(wanted)) is not None:
+        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {_missing_words(twist)}")
+    if slew.goal == "quietest":
+        assert slew.duration is not None
+        path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
+        return _quietest(exact, path, slew.duration), None
+    return _fastest(exact, mean, limits, wanted)
+
+
+def _check_start(slew: Slew, limits: Limits) -> None:
+    for name, speed, most in zip(limits.names, slew.phi_dot, limits.speed, strict=True):
+        if abs(speed) > most:
+            raise NoSlewError(
+                "BOUND_REACH", f"momentum saturation: {name} starts at {abs(speed):.6g} rad/s, at most {most:.6g} rad/s"
+            )
+
+
+def _missing_words(twist: Array) -> str:
+    """No moment about the axis of a twist; of a translation, no force along it."""
+    turns = float(np.linalg.norm(twist[3:])) > 1e-6 * float(np.linalg.norm(twist[:3]))
+    part = twist[3:] if turns else twist[:3]
+    unit = part / np.linalg.norm(part)
+    direction = ", ".join(f"{x:.4g}" for x in np.where(np.abs(unit) > 1e-9, unit, 0.0) + 0.0)
+    return f"they give no {'moment about' if turns else 'force along'} ({direction}) of E1"
+
+
+def _quietest(exact: Exact, path: Path, duration: float) -> Table:
+    made = _table(exact, path, quietest(exact.slew.angle, duration))
+    worst = made.worst
+    if worst.share > 1.0:
+        longer = f"about {duration * _slower(worst):.4g} s" if np.isfinite(worst.share) else "more"
+        raise NoSlewError(
+            "BOUND_REACH", f"{_saturation(worst)}{worst.words}; a duration of {longer} is within the limits"
+        )
+    return made
+
+
+def _saturation(worst: Used) -> str:
+    return "momentum saturation: " if worst.kind == "speed" else ""
+
+
+def _slower(worst: Used) -> float:
+    """Factor of the time that keeps a limit: torque and acceleration fall with its square."""
+    return float(worst.share if worst.kind == "speed" else np.sqrt(worst.share)) * 1.001
+
+
+def _fastest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[Table, Sharp]:
+    """The law for the limits of the mean model, then slower or faster until the exact motion just keeps them."""
+    if not (np.isfinite(limits.strongest).any() or np.isfinite(limits.acceleration).any()):
+        raise NoSlewError("BOUND_REACH", "nothing limits the flywheels' torque: give bounds, or a duration")
+    sharp, path = _sharpest(exact, mean, limits, wanted)
+    law, rows = smooth(sharp, exact.slew.angle), None
+    kept, tried = None, list[tuple[float, float]]()
+    for _ in range(_ROUNDS):
+        made = _table(exact, path, law, rows)
+        worst, rows = made.worst, made.rows
+        if not np.isfinite(worst.share) or worst.share > _ABSURD:
+            raise NoSlewError("BOUND_REACH", f"the exact motion needs {worst.words}")
+        if worst.share <= 1.0:
+            kept = made
+        if kept is not None and (worst.share > 1.0 or worst.share >= NEAR):
+            break
+        tried.append((np.log(law.duration), np.log(worst.share)))
+        law = law.slower(float(np.exp(_step(tried))))
+    if kept is None:
+        raise NoSlewError(
+            "BOUND_REACH", f"{_saturation(worst)}no duration was found that keeps the limits: {worst.words}"
+        )
+    return kept, sharp
+
+
+def _step(tried: Sequence[tuple[float, float]]) -> float:
+    """Change of the logarithm of the duration, by those and the logarithms of the share, which is to be just below 1.
+
+    A share falls with the square of the time at first; the torque of unbalance hardly falls at all.
+    """
+    share, slope = tried[-1][1], -1.6
+    if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
+        slope = (share - tried[-2][1]) / (tried[-1][0] - tried[-2][0])
+    return float(np.clip((AIM - share) / float(np.clip(slope, -2.5, -0.05)), -0.3, 0.7))
+
+
+def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[Sharp, Path]:
+    """The quickest of the choices of a share."""
+    best: tuple[Sharp, Path] | None = None
+    stuck: tuple[Tabulated, float] | None = None
+    for share in choices(mean, wanted, limits):
+        path = Path.of(exact.mechanics, exact.slew, mean, limits, share)
+        along = path.tabulated(exact.slew.angle)
+        sharp = sharpest(exact.slew.angle, along.accelerations, along.cap)
+        if isinstance(sharp, float):
+            stuck = stuck or (along, sharp)
+        elif best is None or sharp.duration < best[0].duration:
+            best = (sharp, path)
+    if best is not None:
+        return best
+    assert stuck is not None
+    along, sigma = stuck
+    name, speed, most = along.fastest_wheel(sigma)
+    where = f"at {np.degrees(sigma):.4g} deg of the turn"
+    if along.cap(sigma) <= 0.0 or speed >= 0.99 * most:
+        words = f"momentum saturation: {where} {name} would need {speed:.6g} rad/s, at most {most:.6g} rad/s"
+    else:
+        direction = ", ".join(f"{x:.4g}" for x in exact.slew.axis + 0.0)
+        words = f"{where} the motors give no acceleration about ({direction}) of E1 within their limits"
+    raise NoSlewError("BOUND_REACH", words)
+
+
+def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Table:
+    """The exact motion at rows so close that (12) holds between them; `rows`: the first, as shares of the time."""
+    t = _rows(exact, law) if rows is None else rows * law.duration
+    while True:
+        if len(t) > MOST_ROWS:
+            raise NoSlewError(
+                "SEARCH",
+                f"more than {MOST_ROWS} rows would be needed: the flywheels turn too often in {law.duration:.4g} s; "
+                "start them slower, or balance them",
+            )
+        sigma, speed, acceleration = law.at(t)
+        found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
+        if found.missing is not None:
+            raise NoSlewError("SPAN", f"the flywheels do not reach the task: {_missing_words(found.missing)}")
+        _refuse_singular(exact, found)
+        residuals, takes = _intervals(exact, path.limits, found)
+        splitting = (residuals > 0.5 * TOLERANCE) & (np.diff(t) > law.duration / SHORTEST)
+        if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
+            return Table(law, found, takes, float(residuals.max()), t / law.duration)
+        if not splitting.any():
+            raise NoSlewError("SEARCH", f"the table does not come below a residual of {residuals.max():.2g}")
+        t = _split(t, np.where(splitting, 2, 1))
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """The exact motion by a law at the rows of a table, its shares of the limits, its residual; rows as shares."""
+
+    law: Law
+    found: Found
+    used: list[Used]
+    residual: float
+    rows: Array
+
+    @property
+    def worst(self) -> Used:
+        """The largest share; 0 where there are no limits."""
+        return max(self.used, key=lambda each: each.share, default=Used("torque", 0.0, "", 0.0, 0.0, np.inf))
+
+
+def _rows(exact: Exact, law: Law) -> Array:
+    """Times of the first rows: closer where the law bends, and where unevenly built flywheels turn fast."""
+    bent = np.flatnonzero(np.diff(np.concatenate([[False], law.kinked, [False]]).astype(int)))
+    t = [0.0]
+    for a, b in zip(bent[::2], bent[1::2], strict=True):  # intervals a to b bend
+        t += [*_even(t[-1], float(law.breaks[a]), COARSE * law.breaks[1])]
+        t += [*_even(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
+    t += [*_even(t[-1], law.duration, COARSE * law.breaks[1])]
+    t[-1] = law.duration
+    return _turning(exact, law, np.array(t))
+
+
+def _even(begin: float, end: float, step: float) -> Array:
+    """Times after `begin` up to `end`, no further apart than `step`; none where they are the same."""
+    count = int(np.ceil((end - begin) / step - 1e-6))
+    return np.linspace(begin, end, count + 1)[1:]
+
+
+def _split(t: Array, counts: Array) -> Array:
+    """The times with each interval in a number of equal parts."""
+    inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(t[:-1], t[1:], counts, strict=True)]
+    return np.concatenate([*inner, t[-1:]])
+
+
+def _turning(exact: Exact, law: Law, t: Array) -> Array:
+    """More rows where an uneven flywheel would turn further than TURN from one to the next."""
+    tables = exact.mechanics.tables
+    uneven = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)) > EVEN * np.abs(tables.Theta[0]).max(axis=(1, 2))
+    if not uneven.any():
+        return t
+    share = np.abs(_least_share(exact))
+    _, speed, _ = law.at(t)
+    fastest = (np.abs(exact.slew.phi_dot) + np.abs(speed)[:, None] * share)[:, uneven].max(axis=1)
+    angle = np.maximum(fastest[1:], fastest[:-1]) * np.diff(t)
+    counts = np.maximum(1, np.ceil(angle / TURN)).astype(int)
+    return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
+
+
+def _least_share(exact: Exact) -> Array:
+    """Least share (N) of the flywheels in the slew."""
+    slew = exact.slew
+    if slew.kind == "still":
+        return np.zeros(exact.mechanics.N)
+    axis = slew.axis if slew.kind == "attitude" else slew.start.T @ slew.normal
+    return Mean.of(exact.mechanics, exact.S).least(-exact.S[:, 3:] @ axis)
+
+
+def _refuse_singular(exact: Exact, found: Found) -> None:
+    stand, theta = exact.mechanics.stand, found.course.q[:, 4]
+    name, values = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
+    k = int(np.argmin(np.abs(values)))
+    if abs(values[k]) < SINGULAR or np.any(np.diff(np.sign(values))):
+        raise NoSlewError(
+            None,
+            f"singular attitude of the {stand.angles} sequence at t = {found.t[k]:.4g} s: {name} theta reaches 0; "
+            "choose another sequence (`angles` of the stand)",
+        )
+
+
+_INSIDE = np.array([0.25, 0.5, 0.75])
+
+
+def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[Used]]:
+    """Relative residual of (12) in each interval, and what is taken of the limits at the rows and between."""
+    t = (found.t[:-1, None] + np.diff(found.t)[:, None] * _INSIDE).ravel()
+    carrier, angles = Followed(found.t, *found.course), Samples(found.t, *found.angles).at(t)
+    at = prescribe(exact.mechanics, carrier.at(t))
+    norm = Norm.of(prescribe(exact.mechanics, carrier.at(np.linspace(0.0, found.t[-1], 129))), found.t[-1])
+    sizes = np.linalg.norm(norm.scaled(residual(at, *angles)), axis=1).reshape(-1, len(_INSIDE)).max(axis=1)
+    tau = np.vstack([found.tau, torques(at, *angles)])
+    phi_dot, phi_ddot = (np.vstack([a, b]) for a, b in zip(found.angles[1:], angles[1:], strict=True))
+    return sizes, used(limits, np.concatenate([found.t, t]), phi_dot, phi_ddot, tau)
+
+
+def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Programme:
+    """The programme with its report."""
+    found, whose = made.found, identities(stand)
+    angles: Angles = found.angles
+    crossings = [
+        name
+        for name, column in zip((s.name for s in stand.flywheels), angles.phi_dot.T, strict=True)
+        if column.min() < 0.0 < column.max()
+    ]
+    report: dict[str, Any] = {
+        "kind": "slew",
+        "goal": slew.goal,
+        "task": slew.task.name,
+        "angle": slew.angle,
+        "duration": float(found.t[-1]),
+        "least_duration": None if sharp is None else sharp.duration,
+        "residual": made.residual,
+        "exceeded": [],
+        "used": {each.kind: each.share for each in made.used},
+        "hardest": [each.words for each in made.used],
+        "peak_speed": np.abs(angles.phi_dot).max(axis=0),
+        "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
+        "peak_torque": np.abs(found.tau).max(axis=0),
+        "end_speed": angles.phi_dot[-1],
+        "through_zero": crossings,
+        "strayed": float(np.linalg.norm(found.course.q[:, :3] - np.array(slew.position), axis=1).max()),
+    }
+    return Programme(
+        stand=stand.name,
+        structure=whose.structure,
+        physics=whose.physics,
+        motion=slew.name,
+        flywheels=tuple(s.name for s in stand.flywheels),
+        periodic=False,
+        span=float(found.t[-1]),
+        bias=np.zeros(6),
+        winding=(0,) * len(stand.flywheels),
+        course=Samples(found.t, *angles),
+        report=report,
+        carrier=Followed(found.t, *found.course),
+    )

@@ -1,0 +1,97 @@
+"""A slew's own items see what is wrong with a programme or its course, and whose motors cannot do it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Slew, read_required
+from mahovik.core.motion.required.course import Followed
+from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.stand import Stand
+from mahovik.proof.verify.programme import verify_programme
+from mahovik.use.plan.slew import plan_slew
+from plan.slew.stands import PYRAMID, about, satellite, slew
+
+
+@cache
+def case() -> tuple[Stand, Slew, Programme]:
+    stand = satellite(PYRAMID)
+    wanted = slew(stand, end=about((1, 2, 0), 0.4), duration=6, start={"phi_dot": [20, 0, 5, 0]})
+    return stand, wanted, plan_slew(stand, wanted, verify=False).programmes[0]
+
+
+def failed(stand: Stand, wanted: Slew, programme: Programme) -> set[str]:
+    return {each.name for each in verify_programme(stand, resolved(wanted, programme), programme) if not each.passed}
+
+
+def moved(programme: Programme, **changed: Any) -> Programme:
+    assert programme.carrier is not None
+    return replace(programme, carrier=replace(programme.carrier, **changed))
+
+
+def test_the_programme_passes() -> None:
+    assert failed(*case()) == set()
+
+
+def test_another_end_is_seen() -> None:
+    """2 arcsec beside what the programme was made for."""
+    stand, wanted, programme = case()
+    other = replace(wanted, angle=wanted.angle + np.radians(2 / 3600))
+    assert failed(stand, other, programme) == {"slew end"}
+
+
+@pytest.mark.slow
+def test_another_plane_is_seen() -> None:
+    stand, wanted, programme = case()
+    aside = replace(wanted, normal=_tilted(wanted.normal))
+    assert {"slew end", "slew path"} <= failed(stand, aside, programme)
+
+
+def _tilted(normal: np.ndarray) -> np.ndarray:
+    other = normal + 1e-3 * np.cross(normal, [0.0, 0.0, 1.0])
+    return np.asarray(other / np.linalg.norm(other))
+
+
+def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
+    stand, wanted, programme = case()
+    assert programme.carrier is not None
+    own: Followed = programme.carrier
+    grown = moved(programme, q=1.001 * own.q, q_dot=1.001 * own.q_dot, q_ddot=1.001 * own.q_ddot)
+    assert {"residual", "simulation", "slew end"} <= failed(stand, wanted, grown)
+    drifting = moved(programme, q_dot=own.q_dot + np.array([1e-3, 0, 0, 0, 0, 0]))
+    assert "slew start" in failed(stand, wanted, drifting)
+
+
+def test_another_start_of_the_wheels_is_seen() -> None:
+    stand, wanted, programme = case()
+    assert failed(stand, replace(wanted, phi_dot=(21.0, 0.0, 5.0, 0.0)), programme) == {"start phi_dot"}
+
+
+@pytest.mark.slow
+def test_weaker_motors_are_seen() -> None:
+    """The same programme on motors of a twentieth of its torque, or of less speed; the identity fails besides."""
+    _, wanted, programme = case()
+    for motor, name in (("{ torque = 0.01 }", "motor torque"), ('{ torque = 0.2, speed = "150 rpm" }', "motor speed")):
+        assert failed(satellite(PYRAMID, motor), wanted, programme) >= {"stand", name}
+
+
+def test_the_slew_is_that_of_the_file_again() -> None:
+    """JSON of the same slew resolves to the same findings: nothing of the planner is in the requirement."""
+    stand, wanted, programme = case()
+    text = json.dumps(
+        {
+            "schema": 1, "type": "slew", "name": wanted.name, "rows": ["wx", "wy", "wz"], "duration": 6,
+            "end": about((1, 2, 0), 0.4), "start": {"phi_dot": [20, 0, 5, 0]},
+        }
+    )  # fmt: skip
+    again = read_required(text, stand, "turn")
+    assert isinstance(again, Slew)
+    assert failed(stand, again, programme) == set()
+    assert again.angle == pytest.approx(0.4)
