@@ -1,8 +1,17 @@
-"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed."""
+"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed.
+
+Values are looked at one by one only where a sum of their squares is not below the square of the limit. Where it is,
+each value is within: rounding keeps the order of numbers, so a rounded sum of what is not negative is no smaller than
+any rounded square in it, and where a rounded square is below another, so are the numbers: v^2 < limit^2. This holds in
+any rounding, with and without fused multiply-add. Infinities, NaN and what overflows are below nothing.
+"""
 
 from __future__ import annotations
 
-from mahovik.core.lower.library import Library
+from collections.abc import Sequence
+from dataclasses import replace
+
+from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
@@ -43,17 +52,25 @@ def within(lib: Library) -> Function:
     values, count, limit = _arguments()
     largest = lib.limits["LARGEST"].expression
     body = Body()
+    with body.shortcut():
+        square = body.local("square")
+        body.set(square, real(0))
+        with body.loop("i", count.place) as i:
+            body.add(square, values.place[i] * values.place[i])
+        with body.when(square < limit.place * limit.place):
+            body.ret(Status("OK"))
     with body.loop("i", count.place) as i:
         value = values.place[i]
         with body.when(Not(and_(value >= -limit.place, value <= limit.place))):
             with body.when(and_(value >= -largest, value <= largest)):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
-    return body.checked(
+    function = body.checked(
         "within",
         "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
         (values, count, limit),
     )
+    return replace(function, apart=True)
 
 
 def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) -> None:
@@ -89,11 +106,52 @@ def check_turns(lib: Library) -> Function:
     )
 
 
-def check_state(lib: Library) -> Function:
-    """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
+def _squares(values: Sequence[Expr]) -> Expr:
+    """The sum of the squares."""
+    total = values[0] * values[0]
+    for value in values[1:]:
+        total = total + value * value
+    return total
+
+
+def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
+    """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
+    limit = {name: found.expression for name, found in lib.limits.items()}
+    V = list(x.V)
+    with body.shortcut():
+        sums: list[tuple[Place, Expr]] = [
+            (body.let("position2", _squares(list(x.position))), limit["MAX_POSITION"]),
+            (body.let("velocity2", _squares(V[:3])), limit["MAX_VELOCITY"]),
+            (body.let("omega2", _squares(V[3:])), limit["MAX_SPEED"]),
+        ]
+        if lib.layout.flywheels:
+            arrays = [(x.phi, limit["MAX_PHASE"]), (x.phi_dot, limit["MAX_SPEED"]), *more]
+            totals = [body.local(f"{values.path[-1] if values.path else values.root.name}2") for values, _ in arrays]
+            for total in totals:
+                body.set(total, real(0))
+            with body.loop("s", lib.layout.count) as s:
+                for total, (values, _) in zip(totals, arrays, strict=True):
+                    body.add(total, values[s] * values[s])
+            sums += [(total, most) for total, (_, most) in zip(totals, arrays, strict=True)]
+        fine = unit_square(body.let("norm2", _squares(list(x.attitude))))
+        for square, most in sums:
+            fine = and_(fine, square < most * most)
+        with body.when(fine):
+            body.ret(Status("OK"))
+
+
+_STATE = "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?"
+
+
+def look_at_state(lib: Library) -> Function:
+    """Ranges of a whole state, number by number; the quaternion within 1e-3 of unit length."""
     x = lib.state_argument()
-    state = x.place
     body = Body()
+    _look_at_each(lib, body, x.place)
+    return replace(body.checked("look_at_state", _STATE + " Number by number.", (x,)), apart=True)
+
+
+def _look_at_each(lib: Library, body: Body, state: Place) -> None:
     lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
     parts: list[tuple[Place, Operand, Expr]] = [
@@ -106,9 +164,33 @@ def check_state(lib: Library) -> Function:
         parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
         parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
     check_within(lib, body, *parts)
-    q = state.attitude
-    norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    lib.check_unit(body, norm)
+    lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
+
+
+def check_state(lib: Library) -> Function:
+    """Ranges of a whole state; vectors look at each number at once, else sums come first."""
+    x = lib.state_argument()
+    body = Body()
+    if lib.layout.lanes > 1:
+        _look_at_each(lib, body, x.place)
+    else:
+        _look_at_sums(lib, body, x.place)
+        lib.begin(body)
+        lib.check(body, "look_at_state", x.place)
+    return body.checked("check_state", _STATE, (x,))
+
+
+def check_motion(lib: Library) -> Function:
+    """A state, and what each flywheel has besides: accelerations or torques."""
+    x = lib.state_argument()
+    values, limit = Argument("values", Kind.REAL, (lib.layout.count,)), Argument("limit", Kind.REAL)
+    body = Body()
+    _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
+    lib.begin(body)
+    lib.check(body, "look_at_state", x.place)
+    lib.check(body, "within", values.place, lib.layout.count, limit.place)
     return body.checked(
-        "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
+        "check_motion",
+        "Is a state fit for use, and are values of the flywheels within a limit? The state comes first.",
+        (x, values, limit),
     )
