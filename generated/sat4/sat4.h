@@ -216,6 +216,29 @@ typedef struct sat4_encoder {
     int moved;    /* counts between the last two readings */
 } sat4_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct sat4_factors3 {
+    sat4_real r1;   /* 1 / D, of the last D itself */
+    sat4_real r2;
+    sat4_real d3;
+    sat4_real l21;  /* L below its diagonal */
+    sat4_real l31;
+    sat4_real l32;
+} sat4_factors3;
+
+/* K of the carrier factored. */
+typedef struct sat4_carrier_factor {
+    sat4_real rho[3];  /* m; mass centre from O1, in E1 */
+    sat4_factors3 L;   /* what is left of the inertia */
+} sat4_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct sat4_schur_factor {
+    sat4_real A_inv[6];  /* 1/kg */
+    sat4_real U[9];      /* m; A^-1 B^T */
+    sat4_factors3 L;     /* D - B A^-1 B^T */
+} sat4_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
     sat4_real weight[SAT4_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
@@ -273,7 +296,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1260 operations on reals, 3 of them divisions. Stack: at most 1824 bytes. */
+ * At most 1329 operations on reals, 3 of them divisions. Stack: at most 1696 bytes. */
 sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -282,7 +305,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1573 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1408 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -290,7 +313,7 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1336 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1355 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -300,7 +323,7 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 747 operations on reals, no division. Stack: at most 1248 bytes. */
+ * At most 808 operations on reals, no division. Stack: at most 1248 bytes. */
 sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
@@ -314,7 +337,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2036 operations on reals, 4 of them divisions. Stack: at most 2736 bytes. */
+ * At most 2065 operations on reals, 4 of them divisions. Stack: at most 2624 bytes. */
 sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
@@ -332,7 +355,7 @@ sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 8783 operations on reals, 22 of them divisions. Stack: at most 3856 bytes. */
+ * At most 8793 operations on reals, 22 of them divisions. Stack: at most 3728 bytes. */
 sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -349,7 +372,7 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5679 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
+ * At most 5849 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -358,7 +381,7 @@ sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -369,7 +392,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -379,7 +402,7 @@ sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_r
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -402,7 +425,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5542 operations on reals, 57 of them divisions. Stack: at most 4080 bytes. */
+ * At most 4993 operations on reals, 21 of them divisions. Stack: at most 4144 bytes. */
 sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out);
 
@@ -415,7 +438,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12436 operations on reals, 76 of them divisions. Stack: at most 6816 bytes. */
+ * At most 10050 operations on reals, 25 of them divisions. Stack: at most 6880 bytes. */
 sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
@@ -431,7 +454,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33745 operations on reals, 997 of them divisions. Stack: at most 4624 bytes. */
+ * At most 33692 operations on reals, 997 of them divisions. Stack: at most 4624 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -448,7 +471,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2344 operations on reals, 39 of them divisions. Stack: at most 3808 bytes. */
+ * At most 2195 operations on reals, 29 of them divisions. Stack: at most 3712 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -458,7 +481,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 335 operations on reals, 1 of them a division. Stack: at most 976 bytes. */
+ * At most 386 operations on reals, 1 of them a division. Stack: at most 1056 bytes. */
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         sat4_points_result out[SAT4_SENSORS]);
 
@@ -493,7 +516,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4626 operations on reals, 5 of them divisions. Stack: at most 4048 bytes. */
+ * At most 4530 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -507,7 +530,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5763 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
+ * At most 5973 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -518,7 +541,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
  *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1357 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1418 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
@@ -527,7 +550,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1943 operations on reals, 33 of them divisions. Stack: at most 1568 bytes. */
+ * At most 2132 operations on reals, 33 of them divisions. Stack: at most 1568 bytes. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -543,7 +566,7 @@ sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9051 operations on reals, 22 of them divisions. Stack: at most 4080 bytes. */
+ * At most 9035 operations on reals, 22 of them divisions. Stack: at most 3952 bytes. */
 sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                               const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
                               sat4_state *next);
@@ -561,7 +584,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5947 operations on reals, 18 of them divisions. Stack: at most 3200 bytes. */
+ * At most 6091 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);
@@ -571,7 +594,7 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1116 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
                                          sat4_real center_of_mass_velocity[3]);
 

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 2u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0xb3f0b465u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0x0f1e97e5u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -79,7 +79,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4416 bytes, and that of write. */
+ * Stack: at most 4288 bytes, and that of write. */
 sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
@@ -89,7 +89,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3536 bytes, and that of write. */
+ * Stack: at most 3408 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 

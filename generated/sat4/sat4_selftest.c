@@ -1025,8 +1025,8 @@ static const sat4_real numbers_inverse[] =
 
 static const sat4_real numbers_inverse_fast[] =
 {
-    -0x1.1b795dccbf33fp+26, 0x1.1b793936cd8dcp+26, -0x1.1b7b0a3c03d5ep+26, 0x1.1b7cabb6d10e9p+26,
-    -0x1.004c203aac939p+29, 0x1.004d4e20ecb02p+29, -0x1.0044a5c1ecfe3p+29, 0x1.004ef7323a927p+29,
+    -0x1.1b795eb077ad1p+26, 0x1.1b793a1a86c5cp+26, -0x1.1b7b0b1fbe089p+26, 0x1.1b7cac9a8a99ap+26,
+    -0x1.004c2557b438ap+29, 0x1.004d533df80d3p+29, -0x1.0044aadef25acp+29, 0x1.004efc4f43d3bp+29,
 };
 
 static const sat4_real numbers_points[] =
@@ -1263,8 +1263,8 @@ static const function functions[FUNCTIONS] =
       0xba078ed8u },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0xe74cfe48u, 4 }, { 0, 0xb88730feu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
-      0xa1c15d0du },
+      { { 0, 0xb22a69c4u, 4 }, { 0, 0xe5a2e00au, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x8e4c59a2u },
     { "points", sizeof results.points,
       call_points, take_points_results, numbers_points,
       { { 0, 0xb822e313u, 24 }, { 0, 0x356e01a7u, 24 }, { -2, 0x8e5b0aa0u, 0 } },

@@ -78,7 +78,9 @@ class Code:
     def function(self, f: Function) -> dict[str, Any]:
         """The same of one function."""
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
-        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body} | {"apart": f.apart}
+        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body} | {
+            "apart": f.apart
+        }
 
     def table(
         self, name: str, struct: Struct, value: Mapping[str, Any], labels: Mapping[str, list[str]] | None = None

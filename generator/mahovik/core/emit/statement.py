@@ -6,7 +6,20 @@ from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import WIDTH, commented, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Shortcut, Statement, When
+from mahovik.core.program.statement import (
+    Block,
+    Copy,
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    When,
+)
 
 _STEP = "    "
 
@@ -127,7 +140,7 @@ class Statements:
                 return self._line(f"return {text(value)};", indent, "")
             case Shortcut(body):
                 return [
-                    "#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what comes after it does the same */",
+                    "#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */",
                     *[f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"],
                     "#endif",
                 ]

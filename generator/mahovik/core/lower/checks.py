@@ -14,7 +14,19 @@ from dataclasses import replace
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
+from mahovik.core.program.expression import (
+    Expr,
+    Not,
+    Operand,
+    Place,
+    Status,
+    and_,
+    bits_of,
+    integer,
+    real,
+    unequal,
+    word,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -52,13 +64,6 @@ def within(lib: Library) -> Function:
     values, count, limit = _arguments()
     largest = lib.limits["LARGEST"].expression
     body = Body()
-    with body.shortcut():
-        square = body.local("square")
-        body.set(square, real(0))
-        with body.loop("i", count.place) as i:
-            body.add(square, values.place[i] * values.place[i])
-        with body.when(square < limit.place * limit.place):
-            body.ret(Status("OK"))
     with body.loop("i", count.place) as i:
         value = values.place[i]
         with body.when(Not(and_(value >= -limit.place, value <= limit.place))):
@@ -91,6 +96,15 @@ def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) 
             lib.check(body, "within", *part)
 
 
+def check_vector(lib: Library, body: Body, values: Place, limit: Expr) -> None:
+    """Returns the status of the first bad one of a few values, which are looked at if their squares are not small."""
+    total = values[0] * values[0]
+    for value in list(values)[1:]:
+        total = total + value * value
+    with body.when(Not(total < limit * limit)):
+        lib.check(body, "within", values, len(values), limit)
+
+
 def check_turns(lib: Library) -> Function:
     """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
     sine, cosine = lib.given_turns()
@@ -106,53 +120,41 @@ def check_turns(lib: Library) -> Function:
     )
 
 
-def _squares(values: Sequence[Expr]) -> Expr:
-    """The sum of the squares."""
-    total = values[0] * values[0]
-    for value in values[1:]:
-        total = total + value * value
-    return total
-
-
 def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
     """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
     limit = {name: found.expression for name, found in lib.limits.items()}
-    V = list(x.V)
     with body.shortcut():
-        sums: list[tuple[Place, Expr]] = [
-            (body.let("position2", _squares(list(x.position))), limit["MAX_POSITION"]),
-            (body.let("velocity2", _squares(V[:3])), limit["MAX_VELOCITY"]),
-            (body.let("omega2", _squares(V[3:])), limit["MAX_SPEED"]),
-        ]
+        sums = {name: body.local(f"{name}2") for name in ("position", "velocity", "speed")}
+        most: dict[str, Expr] = {
+            "position": limit["MAX_POSITION"],
+            "velocity": limit["MAX_VELOCITY"],
+            "speed": limit["MAX_SPEED"],
+        }
+        each: list[tuple[str, Place]] = []
         if lib.layout.flywheels:
-            arrays = [(x.phi, limit["MAX_PHASE"]), (x.phi_dot, limit["MAX_SPEED"]), *more]
-            totals = [body.local(f"{values.path[-1] if values.path else values.root.name}2") for values, _ in arrays]
-            for total in totals:
-                body.set(total, real(0))
+            for name, values, bound in [("phase", x.phi, limit["MAX_PHASE"]), *(("given", *one) for one in more)]:
+                sums[name], most[name] = body.local(f"{name}2"), bound
+                each.append((name, values))
+            each.append(("speed", x.phi_dot))
+        for total in sums.values():
+            body.set(total, real(0))
+        with body.loop("i", 3) as i:
+            for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
+                body.add(sums[name], value * value)
+        if each:
             with body.loop("s", lib.layout.count) as s:
-                for total, (values, _) in zip(totals, arrays, strict=True):
-                    body.add(total, values[s] * values[s])
-            sums += [(total, most) for total, (_, most) in zip(totals, arrays, strict=True)]
-        fine = unit_square(body.let("norm2", _squares(list(x.attitude))))
-        for square, most in sums:
-            fine = and_(fine, square < most * most)
+                for name, values in each:
+                    body.add(sums[name], values[s] * values[s])
+        q = x.attitude
+        fine = unit_square(body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
+        for name, total in sums.items():
+            fine = and_(fine, total < most[name] * most[name])
         with body.when(fine):
             body.ret(Status("OK"))
 
 
-_STATE = "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?"
-
-
-def look_at_state(lib: Library) -> Function:
-    """Ranges of a whole state, number by number; the quaternion within 1e-3 of unit length."""
-    x = lib.state_argument()
-    body = Body()
-    _look_at_each(lib, body, x.place)
-    return replace(body.checked("look_at_state", _STATE + " Number by number.", (x,)), apart=True)
-
-
 def _look_at_each(lib: Library, body: Body, state: Place) -> None:
-    lib.begin(body)
+    """The state number by number."""
     limit = {name: found.expression for name, found in lib.limits.items()}
     parts: list[tuple[Place, Operand, Expr]] = [
         (state.position, 3, limit["MAX_POSITION"]),
@@ -164,20 +166,22 @@ def _look_at_each(lib: Library, body: Body, state: Place) -> None:
         parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
         parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
     check_within(lib, body, *parts)
-    lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
+    q = state.attitude
+    norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+    lib.check_unit(body, norm)
 
 
 def check_state(lib: Library) -> Function:
-    """Ranges of a whole state; vectors look at each number at once, else sums come first."""
+    """Ranges of a whole state; the quaternion within 1e-3 of unit length. Vectors look at each number at once."""
     x = lib.state_argument()
     body = Body()
-    if lib.layout.lanes > 1:
-        _look_at_each(lib, body, x.place)
-    else:
+    if lib.layout.lanes == 1:
         _look_at_sums(lib, body, x.place)
-        lib.begin(body)
-        lib.check(body, "look_at_state", x.place)
-    return body.checked("check_state", _STATE, (x,))
+    lib.begin(body)
+    _look_at_each(lib, body, x.place)
+    return body.checked(
+        "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
+    )
 
 
 def check_motion(lib: Library) -> Function:
@@ -187,10 +191,10 @@ def check_motion(lib: Library) -> Function:
     body = Body()
     _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
     lib.begin(body)
-    lib.check(body, "look_at_state", x.place)
+    _look_at_each(lib, body, x.place)
     lib.check(body, "within", values.place, lib.layout.count, limit.place)
     return body.checked(
         "check_motion",
-        "Is a state fit for use, and are values of the flywheels within a limit? The state comes first.",
+        "The same of a state, and then: are values of the flywheels within a limit?",
         (x, values, limit),
     )

@@ -121,7 +121,7 @@ _NOTES = {
 
 _MASS = ("J", "J_dot", "mu", "mu_dot")
 """Sums that make up K and its rate; so many that a compiler keeps them in registers over a loop."""
-_SPIN = ("h_rel", "a_rel", "g_rel")
+_SPIN = ("h_rel", "g_rel", "a_rel")
 """Sums of what the flywheels do beside."""
 _ALL = ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel")
 _USED = {_MASS: ("c2", "s2", "dc", "ds", "dc2", "ds2"), _SPIN: ("dc", "ds", "ddc", "dds")}
@@ -255,7 +255,7 @@ def sum_up(
     phi_ddot: Place | None,
     mass_alone: bool = False,
 ) -> None:
-    """Sums over all bodies; without phi_ddot those of constant speeds. `mass_alone`: no more than K needs, and K_dot."""
+    """Sums over all bodies; without phi_ddot those of constant speeds. `mass_alone`: what K and K_dot need."""
     layout = lib.layout
     if layout.flywheels and layout.lanes == 1:
         body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)

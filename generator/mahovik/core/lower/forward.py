@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, real
+from mahovik.core.program.expression import Expr, Operand, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -46,13 +46,13 @@ def check_inputs(
     turns: tuple[Argument, ...] = (),
     tau: tuple[Argument, ...] = (),
 ) -> None:
-    """Checks of state, sines, stream, accelerations, run-time wrenches, torques: before anything is computed or written.
+    """Checks of state, sines, stream, accelerations, run-time wrenches, torques: before anything is computed.
 
     Accelerations or torques are looked at together with the state, where nothing has its turn between them.
     """
     lib.begin(body)
     limit = {name: found.expression for name, found in lib.limits.items()}
-    rest = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
+    rest: list[tuple[Place, Operand, Expr]] = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
     rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
     rest += [(a.place, lib.layout.count, limit["MAX_WRENCH"]) for a in tau]
     if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not turns and not lib.layout.stream:

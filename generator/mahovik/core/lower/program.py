@@ -65,8 +65,6 @@ def lower_layout(layout: Layout) -> Program:
     if layout.lanes > 1:
         lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
-    if layout.lanes == 1:
-        lib.add(checks.look_at_state(lib))
     lib.add(checks.check_state(lib))
     if layout.lanes == 1 and layout.flywheels:
         lib.add(checks.check_motion(lib))

@@ -106,7 +106,10 @@ def _finish(lib: Library) -> Function:
     inverse = body.let("inverse", 1 / call(lib["sqrt"], square))
     for i in range(4):
         body.set(q[i], q[i] * inverse)
-    lib.check(body, "check_state", x.place)
+    if "check_motion" in lib:  # which a step has done already: speeds twice, but no function more
+        lib.check(body, "check_motion", x.place, x.place.phi_dot, lib.limits["MAX_SPEED"].expression)
+    else:
+        lib.check(body, "check_state", x.place)
     if lib.layout.flywheels:
         with body.loop("s", lib.layout.count) as s:
             body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))

@@ -8,7 +8,20 @@ from contextlib import contextmanager
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Shortcut, Statement, When
+from mahovik.core.program.statement import (
+    Block,
+    Copy,
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    When,
+)
 from mahovik.core.program.types import Kind, NamedCount, Struct
 
 CHECKED = ("OK", "NOT_FINITE", "RANGE")

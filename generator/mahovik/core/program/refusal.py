@@ -18,7 +18,19 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Declare, Do, Let, Loop, Note, Return, Set, Shortcut, Statement, Statements, When
+from mahovik.core.program.statement import (
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    Statements,
+    When,
+)
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import called, with_blocks
 
