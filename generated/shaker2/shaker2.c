@@ -441,10 +441,10 @@ static void shaker2_sum_mass(const shaker2_table *table, const shaker2_real sine
     sum->mu[1] = table->first_moment[1];
     sum->mu[2] = table->first_moment[2];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        const shaker2_real s = sine[i];
-        const shaker2_real c = cosine[i];
-        const shaker2_real w = phi_dot[i];
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
         const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
         const shaker2_real s2 = 2.0 * c * s;
         const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
@@ -452,38 +452,38 @@ static void shaker2_sum_mass(const shaker2_table *table, const shaker2_real sine
         const shaker2_real dc2 = -2.0 * w * s2;
         const shaker2_real ds2 = 2.0 * w * c2;
         /* inertia */
-        sum->J[0] += table->flywheel[i].J_2c[0] * c2 + table->flywheel[i].J_2s[0] * s2
-            + table->flywheel[i].J_c[0] * c + table->flywheel[i].J_s[0] * s;
-        sum->J[1] += table->flywheel[i].J_2c[1] * c2 + table->flywheel[i].J_2s[1] * s2
-            + table->flywheel[i].J_c[1] * c + table->flywheel[i].J_s[1] * s;
-        sum->J[2] += table->flywheel[i].J_2c[2] * c2 + table->flywheel[i].J_2s[2] * s2
-            + table->flywheel[i].J_c[2] * c + table->flywheel[i].J_s[2] * s;
-        sum->J[3] += table->flywheel[i].J_2c[3] * c2 + table->flywheel[i].J_2s[3] * s2
-            + table->flywheel[i].J_c[3] * c + table->flywheel[i].J_s[3] * s;
-        sum->J[4] += table->flywheel[i].J_2c[4] * c2 + table->flywheel[i].J_2s[4] * s2
-            + table->flywheel[i].J_c[4] * c + table->flywheel[i].J_s[4] * s;
-        sum->J[5] += table->flywheel[i].J_2c[5] * c2 + table->flywheel[i].J_2s[5] * s2
-            + table->flywheel[i].J_c[5] * c + table->flywheel[i].J_s[5] * s;
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
         /* its rate: K_dot of (6) */
-        sum->J_dot[0] += table->flywheel[i].J_2c[0] * dc2 + table->flywheel[i].J_2s[0] * ds2
-            + table->flywheel[i].J_c[0] * dc + table->flywheel[i].J_s[0] * ds;
-        sum->J_dot[1] += table->flywheel[i].J_2c[1] * dc2 + table->flywheel[i].J_2s[1] * ds2
-            + table->flywheel[i].J_c[1] * dc + table->flywheel[i].J_s[1] * ds;
-        sum->J_dot[2] += table->flywheel[i].J_2c[2] * dc2 + table->flywheel[i].J_2s[2] * ds2
-            + table->flywheel[i].J_c[2] * dc + table->flywheel[i].J_s[2] * ds;
-        sum->J_dot[3] += table->flywheel[i].J_2c[3] * dc2 + table->flywheel[i].J_2s[3] * ds2
-            + table->flywheel[i].J_c[3] * dc + table->flywheel[i].J_s[3] * ds;
-        sum->J_dot[4] += table->flywheel[i].J_2c[4] * dc2 + table->flywheel[i].J_2s[4] * ds2
-            + table->flywheel[i].J_c[4] * dc + table->flywheel[i].J_s[4] * ds;
-        sum->J_dot[5] += table->flywheel[i].J_2c[5] * dc2 + table->flywheel[i].J_2s[5] * ds2
-            + table->flywheel[i].J_c[5] * dc + table->flywheel[i].J_s[5] * ds;
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
         /* first moment and its rate */
-        sum->mu[0] += table->flywheel[i].mu_c[0] * c + table->flywheel[i].mu_s[0] * s;
-        sum->mu[1] += table->flywheel[i].mu_c[1] * c + table->flywheel[i].mu_s[1] * s;
-        sum->mu[2] += table->flywheel[i].mu_c[2] * c + table->flywheel[i].mu_s[2] * s;
-        sum->mu_dot[0] += table->flywheel[i].mu_c[0] * dc + table->flywheel[i].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[i].mu_c[1] * dc + table->flywheel[i].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[i].mu_c[2] * dc + table->flywheel[i].mu_s[2] * ds;
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
     }
 }
 
@@ -496,28 +496,28 @@ static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_re
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        const shaker2_real s = sine[i];
-        const shaker2_real c = cosine[i];
-        const shaker2_real w = phi_dot[i];
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
         const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
         const shaker2_real ds = w * c;
         const shaker2_real ddc = -w * ds;  /* second time derivatives */
         const shaker2_real dds = w * dc;
         /* moment part of I phi' (its force part is mu_dot) */
-        sum->h_rel[0] += table->flywheel[i].t_c[0] * ds + w * table->flywheel[i].t_0[0]
-            - table->flywheel[i].t_s[0] * dc;
-        sum->h_rel[1] += table->flywheel[i].t_c[1] * ds + w * table->flywheel[i].t_0[1]
-            - table->flywheel[i].t_s[1] * dc;
-        sum->h_rel[2] += table->flywheel[i].t_c[2] * ds + w * table->flywheel[i].t_0[2]
-            - table->flywheel[i].t_s[2] * dc;
-        sum->g_rel[0] += table->flywheel[i].t_c[0] * dds - table->flywheel[i].t_s[0] * ddc;
-        sum->g_rel[1] += table->flywheel[i].t_c[1] * dds - table->flywheel[i].t_s[1] * ddc;
-        sum->g_rel[2] += table->flywheel[i].t_c[2] * dds - table->flywheel[i].t_s[2] * ddc;
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
         /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[i].mu_c[0] * ddc + table->flywheel[i].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[i].mu_c[1] * ddc + table->flywheel[i].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[i].mu_c[2] * ddc + table->flywheel[i].mu_s[2] * dds;
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
     }
 }
 
@@ -530,32 +530,32 @@ static void shaker2_sum_spin(const shaker2_table *table, const shaker2_real sine
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    for (int i = 0; i < SHAKER2_N; ++i) {
-        const shaker2_real s = sine[i];
-        const shaker2_real c = cosine[i];
-        const shaker2_real w = phi_dot[i];
-        const shaker2_real a = phi_ddot[i];
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
+        const shaker2_real a = phi_ddot[k];
         const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
         const shaker2_real ds = w * c;
         const shaker2_real ddc = -w * ds - a * s;  /* second time derivatives */
         const shaker2_real dds = a * c + w * dc;
         /* moment part of I phi' (its force part is mu_dot) */
-        sum->h_rel[0] += table->flywheel[i].t_c[0] * ds + w * table->flywheel[i].t_0[0]
-            - table->flywheel[i].t_s[0] * dc;
-        sum->h_rel[1] += table->flywheel[i].t_c[1] * ds + w * table->flywheel[i].t_0[1]
-            - table->flywheel[i].t_s[1] * dc;
-        sum->h_rel[2] += table->flywheel[i].t_c[2] * ds + w * table->flywheel[i].t_0[2]
-            - table->flywheel[i].t_s[2] * dc;
-        sum->g_rel[0] += table->flywheel[i].t_c[0] * dds + a * table->flywheel[i].t_0[0]
-            - table->flywheel[i].t_s[0] * ddc;
-        sum->g_rel[1] += table->flywheel[i].t_c[1] * dds + a * table->flywheel[i].t_0[1]
-            - table->flywheel[i].t_s[1] * ddc;
-        sum->g_rel[2] += table->flywheel[i].t_c[2] * dds + a * table->flywheel[i].t_0[2]
-            - table->flywheel[i].t_s[2] * ddc;
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
         /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[i].mu_c[0] * ddc + table->flywheel[i].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[i].mu_c[1] * ddc + table->flywheel[i].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[i].mu_c[2] * ddc + table->flywheel[i].mu_s[2] * dds;
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
     }
 }
 

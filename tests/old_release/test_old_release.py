@@ -71,6 +71,7 @@ exceeds its limit; that of `inverse` and `inverse_fast` is looked at before it i
 STATUS = 5
 """Instructions by which any function may differ: a status is an int, where a compiler took a byte for the enum."""
 
+
 @pytest.mark.parametrize("name", NAMES)
 def test_instruction_counts_are_at_most_those_of_the_old_release(name: str) -> None:
     """Recorded costs by processor, element type and function: names have changed, functions were added."""

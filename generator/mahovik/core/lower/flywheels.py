@@ -182,10 +182,10 @@ def sum_mass(lib: Library) -> Function:
     _start(body, table.place, sums.place, _MASS)
     # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
     short = sums.place if lib.layout.precision is FLOAT else None
-    with body.loop("i", lib.layout.count) as i:
-        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), i, ""))
-        given["phi_dot"] = body.let("w", phi_dot.place[i])
-        row = columns_of(table.place.flywheel[i])
+    with body.loop("k", lib.layout.count) as k:
+        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
+        given["phi_dot"] = body.let("w", phi_dot.place[k])
+        row = columns_of(table.place.flywheel[k])
         _add_row(body, given, row, _sums_of(lib, sums.place), _MASS, _USED[_MASS], short)
     return body.function(
         "sum_mass",
@@ -203,12 +203,12 @@ def sum_spin(lib: Library, steady: bool = False) -> Function:
     sums = Argument("sum", lib.layout.sums, (), "inout")
     body = Body()
     _start(body, table.place, sums.place, _SPIN)
-    with body.loop("i", lib.layout.count) as i:
-        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), i, ""))
-        given["phi_dot"] = body.let("w", phi_dot.place[i])
+    with body.loop("k", lib.layout.count) as k:
+        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
+        given["phi_dot"] = body.let("w", phi_dot.place[k])
         for acceleration in phi_ddot:
-            given["phi_ddot"] = body.let("a", acceleration.place[i])
-        row = columns_of(table.place.flywheel[i])
+            given["phi_ddot"] = body.let("a", acceleration.place[k])
+        row = columns_of(table.place.flywheel[k])
         _add_row(body, given, row, _sums_of(lib, sums.place), _SPIN, _USED[_SPIN])
     return body.function(
         "sum_steady_spin" if steady else "sum_spin",

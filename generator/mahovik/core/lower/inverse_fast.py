@@ -100,7 +100,8 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
 def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, share: Place, size: int) -> None:
     """z = (gram + share E)^-1 z by gram + share E = L D L^T, in place, without a square root.
 
-    Of gram the lower triangle is given; then L D below the diagonal, L^T above it, D^-1 on it.
+    Of gram the lower triangle is given; then L D is on and below the diagonal, L^T above it. Pivots divide: where they
+    are tiny their inverses overflow, their quotients do not.
     """
     with body.loop("j", size) as j:
         pivot = body.local("pivot")
@@ -113,18 +114,18 @@ def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, share: Place, s
             body.add(rest, -(gram[k][j] * z[k]))
         body.set(z[j], rest)
         lib.guard(body, Not(pivot > least), "NOT_POSITIVE_DEFINITE")
-        body.set(gram[j][j], 1 / pivot)
+        body.set(gram[j][j], pivot)
         with body.loop("i", size, start=j + 1) as i:
             below = body.local("below")
             body.set(below, gram[i][j])
             with body.loop("k", j) as k:
                 body.add(below, -(gram[i][k] * gram[k][j]))
             body.set(gram[i][j], below)
-            body.set(gram[j][i], below * gram[j][j])
+            body.set(gram[j][i], below / pivot)
     with body.loop("t", size) as t:
         i_ = body.let("i", integer(size - 1) - t)
         rest = body.local("rest")
-        body.set(rest, z[i_] * gram[i_][i_])
+        body.set(rest, z[i_] / gram[i_][i_])
         with body.loop("k", size, start=i_ + 1) as k:
             body.add(rest, -(gram[i_][k] * z[k]))
         body.set(z[i_], rest)
