@@ -506,7 +506,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3522 operations on reals, 40 of them divisions. Stack: at most 4576 bytes. */
+ * At most 3516 operations on reals, 55 of them divisions. Stack: at most 4576 bytes. */
 auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 

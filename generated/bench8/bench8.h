@@ -467,7 +467,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4315 operations on reals, 46 of them divisions. Stack: at most 5056 bytes. */
+ * At most 4309 operations on reals, 61 of them divisions. Stack: at most 5056 bytes. */
 bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);

@@ -453,6 +453,10 @@ static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sin
         const demo3_real ds = w * c;
         const demo3_real ddc = -w * ds;  /* second time derivatives */
         const demo3_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
         /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
@@ -463,10 +467,6 @@ static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sin
         sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
         sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
         sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
-        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
     }
 }
 
@@ -2500,19 +2500,19 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
         }
         z[j] = rest;
         if (!(pivot > least)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = 1.0 / pivot;
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 3; ++i) {
             demo3_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
                 below -= gram[i][k] * gram[k][j];
             }
             gram[i][j] = below;
-            gram[j][i] = below * gram[j][j];
+            gram[j][i] = below / pivot;
         }
     }
     for (int t = 0; t < 3; ++t) {
         const int i = 2 - t;
-        demo3_real rest = z[i] * gram[i][i];
+        demo3_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 3; ++k) {
             rest -= gram[i][k] * z[k];
         }

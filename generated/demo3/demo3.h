@@ -445,7 +445,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1772 operations on reals, 27 of them divisions. Stack: at most 3472 bytes. */
+ * At most 1769 operations on reals, 30 of them divisions. Stack: at most 3472 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 

@@ -462,6 +462,10 @@ static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real 
         const remus6_real ds = w * c;
         const remus6_real ddc = -w * ds;  /* second time derivatives */
         const remus6_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
         /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
@@ -472,10 +476,6 @@ static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real 
         sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
         sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
         sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
-        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
     }
 }
 
@@ -2858,19 +2858,19 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
         }
         z[j] = rest;
         if (!(pivot > least)) { return REMUS6_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = 1.0 / pivot;
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 6; ++i) {
             remus6_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
                 below -= gram[i][k] * gram[k][j];
             }
             gram[i][j] = below;
-            gram[j][i] = below * gram[j][j];
+            gram[j][i] = below / pivot;
         }
     }
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
-        remus6_real rest = z[i] * gram[i][i];
+        remus6_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 6; ++k) {
             rest -= gram[i][k] * z[k];
         }

@@ -530,7 +530,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3372 operations on reals, 40 of them divisions. Stack: at most 4576 bytes. */
+ * At most 3366 operations on reals, 55 of them divisions. Stack: at most 4576 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);

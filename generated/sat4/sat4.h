@@ -471,7 +471,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2195 operations on reals, 29 of them divisions. Stack: at most 3712 bytes. */
+ * At most 2191 operations on reals, 35 of them divisions. Stack: at most 3712 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 

@@ -1026,7 +1026,7 @@ static const sat4_real numbers_inverse[] =
 static const sat4_real numbers_inverse_fast[] =
 {
     -0x1.1b795eb077ad1p+26, 0x1.1b793a1a86c5cp+26, -0x1.1b7b0b1fbe089p+26, 0x1.1b7cac9a8a99ap+26,
-    -0x1.004c2557b438ap+29, 0x1.004d533df80d3p+29, -0x1.0044aadef25acp+29, 0x1.004efc4f43d3bp+29,
+    -0x1.004c2557c6b3bp+29, 0x1.004d533e0a884p+29, -0x1.0044aadf04d5cp+29, 0x1.004efc4f564edp+29,
 };
 
 static const sat4_real numbers_points[] =
@@ -1263,8 +1263,8 @@ static const function functions[FUNCTIONS] =
       0xba078ed8u },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0xb22a69c4u, 4 }, { 0, 0xe5a2e00au, 4 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x8e4c59a2u },
+      { { 0, 0xb22a69c4u, 4 }, { 0, 0x40eeef33u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x12bbf383u },
     { "points", sizeof results.points,
       call_points, take_points_results, numbers_points,
       { { 0, 0xb822e313u, 24 }, { 0, 0x356e01a7u, 24 }, { -2, 0x8e5b0aa0u, 0 } },

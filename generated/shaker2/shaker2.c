@@ -504,6 +504,10 @@ static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_re
         const shaker2_real ds = w * c;
         const shaker2_real ddc = -w * ds;  /* second time derivatives */
         const shaker2_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
         /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
@@ -514,10 +518,6 @@ static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_re
         sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
         sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
         sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
-        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
     }
 }
 
@@ -2696,19 +2696,19 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
         }
         z[j] = rest;
         if (!(pivot > least)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = 1.0 / pivot;
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 2; ++i) {
             shaker2_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
                 below -= gram[i][k] * gram[k][j];
             }
             gram[i][j] = below;
-            gram[j][i] = below * gram[j][j];
+            gram[j][i] = below / pivot;
         }
     }
     for (int t = 0; t < 2; ++t) {
         const int i = 1 - t;
-        shaker2_real rest = z[i] * gram[i][i];
+        shaker2_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 2; ++k) {
             rest -= gram[i][k] * z[k];
         }

@@ -472,7 +472,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1741 operations on reals, 28 of them divisions. Stack: at most 3728 bytes. */
+ * At most 1739 operations on reals, 29 of them divisions. Stack: at most 3728 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
