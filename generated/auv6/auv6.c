@@ -2958,8 +2958,12 @@ AUV6_CODE
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_within(angles, 3, AUV6_MAX_PHASE);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < AUV6_MAX_PHASE * AUV6_MAX_PHASE)) {
+        status = auv6_within(angles, 3, AUV6_MAX_PHASE);
+        if (status != AUV6_OK) { return status; }
+    }
     auv6_real s_psi, c_psi;
     auv6_sincos(0.5 * angles[0], &s_psi, &c_psi);
     auv6_real s_theta, c_theta;
@@ -2981,12 +2985,22 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_within(position, 3, AUV6_MAX_POSITION);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(q_ddot, 6, AUV6_MAX_ACCELERATION);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < AUV6_MAX_POSITION * AUV6_MAX_POSITION)) {
+        status = auv6_within(position, 3, AUV6_MAX_POSITION);
+        if (status != AUV6_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < AUV6_MAX_SPEED * AUV6_MAX_SPEED)) {
+        status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
+        if (status != AUV6_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < AUV6_MAX_ACCELERATION * AUV6_MAX_ACCELERATION)) {
+        status = auv6_within(q_ddot, 6, AUV6_MAX_ACCELERATION);
+        if (status != AUV6_OK) { return status; }
+    }
     auv6_real attitude[4];
     auv6_real C[9];
     auv6_real v[3];  /* C^T r' */

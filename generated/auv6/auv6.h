@@ -524,7 +524,7 @@ auv6_status auv6_points(const auv6_table *table, const auv6_state *x, const auv6
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -537,7 +537,7 @@ auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_real angles[3],
                                         const auv6_real q_dot[6], const auv6_real q_ddot[6], auv6_state *x,
                                         auv6_real V_dot[6]);
@@ -551,7 +551,7 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6544 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
+ * At most 6551 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const auv6_real angles[3],
                              const auv6_real phi_ddot[AUV6_N], auv6_generalized_result *out);
 

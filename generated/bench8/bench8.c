@@ -2723,8 +2723,12 @@ BENCH8_CODE
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_status status = bench8_within(angles, 3, BENCH8_MAX_PHASE);
-    if (status != BENCH8_OK) { return status; }
+    bench8_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE)) {
+        status = bench8_within(angles, 3, BENCH8_MAX_PHASE);
+        if (status != BENCH8_OK) { return status; }
+    }
     bench8_real s_psi, c_psi;
     bench8_sincos(0.5 * angles[0], &s_psi, &c_psi);
     bench8_real s_theta, c_theta;
@@ -2746,12 +2750,23 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
-    bench8_status status = bench8_within(position, 3, BENCH8_MAX_POSITION);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(q_ddot, 6, BENCH8_MAX_ACCELERATION);
-    if (status != BENCH8_OK) { return status; }
+    bench8_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < BENCH8_MAX_POSITION * BENCH8_MAX_POSITION)) {
+        status = bench8_within(position, 3, BENCH8_MAX_POSITION);
+        if (status != BENCH8_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED)) {
+        status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
+        if (status != BENCH8_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < BENCH8_MAX_ACCELERATION
+        * BENCH8_MAX_ACCELERATION)) {
+        status = bench8_within(q_ddot, 6, BENCH8_MAX_ACCELERATION);
+        if (status != BENCH8_OK) { return status; }
+    }
     bench8_real attitude[4];
     bench8_real C[9];
     bench8_real v[3];  /* C^T r' */

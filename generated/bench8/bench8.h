@@ -476,7 +476,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -489,7 +489,7 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
                                             const bench8_real q_dot[6], const bench8_real q_ddot[6],
                                             bench8_state *x, bench8_real V_dot[6]);
@@ -503,7 +503,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7364 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
+ * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);

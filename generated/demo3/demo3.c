@@ -2536,8 +2536,12 @@ DEMO3_CODE
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE)) {
+        status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
+        if (status != DEMO3_OK) { return status; }
+    }
     demo3_real s_psi, c_psi;
     demo3_sincos(0.5 * angles[0], &s_psi, &c_psi);
     demo3_real s_theta, c_theta;
@@ -2559,12 +2563,22 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_within(position, 3, DEMO3_MAX_POSITION);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(q_ddot, 6, DEMO3_MAX_ACCELERATION);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < DEMO3_MAX_POSITION * DEMO3_MAX_POSITION)) {
+        status = demo3_within(position, 3, DEMO3_MAX_POSITION);
+        if (status != DEMO3_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED)) {
+        status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
+        if (status != DEMO3_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < DEMO3_MAX_ACCELERATION * DEMO3_MAX_ACCELERATION)) {
+        status = demo3_within(q_ddot, 6, DEMO3_MAX_ACCELERATION);
+        if (status != DEMO3_OK) { return status; }
+    }
     demo3_real attitude[4];
     demo3_real C[9];
     demo3_real v[3];  /* C^T r' */

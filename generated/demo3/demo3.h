@@ -453,7 +453,7 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -466,7 +466,7 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 demo3_status demo3_state_from_coordinates(const demo3_real position[3], const demo3_real angles[3],
                                           const demo3_real q_dot[6], const demo3_real q_ddot[6],
                                           demo3_state *x, demo3_real V_dot[6]);
@@ -480,7 +480,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4007 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
+ * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 

@@ -2971,8 +2971,12 @@ REMUS6_CODE
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return REMUS6_BAD_ARGUMENT; }
-    remus6_status status = remus6_within(angles, 3, REMUS6_MAX_PHASE);
-    if (status != REMUS6_OK) { return status; }
+    remus6_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < REMUS6_MAX_PHASE * REMUS6_MAX_PHASE)) {
+        status = remus6_within(angles, 3, REMUS6_MAX_PHASE);
+        if (status != REMUS6_OK) { return status; }
+    }
     remus6_real s_psi, c_psi;
     remus6_sincos(0.5 * angles[0], &s_psi, &c_psi);
     remus6_real s_theta, c_theta;
@@ -2994,12 +2998,23 @@ remus6_status remus6_state_from_coordinates(const remus6_real position[3], const
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return REMUS6_BAD_ARGUMENT; }
-    remus6_status status = remus6_within(position, 3, REMUS6_MAX_POSITION);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(q_ddot, 6, REMUS6_MAX_ACCELERATION);
-    if (status != REMUS6_OK) { return status; }
+    remus6_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < REMUS6_MAX_POSITION * REMUS6_MAX_POSITION)) {
+        status = remus6_within(position, 3, REMUS6_MAX_POSITION);
+        if (status != REMUS6_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < REMUS6_MAX_SPEED * REMUS6_MAX_SPEED)) {
+        status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
+        if (status != REMUS6_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < REMUS6_MAX_ACCELERATION
+        * REMUS6_MAX_ACCELERATION)) {
+        status = remus6_within(q_ddot, 6, REMUS6_MAX_ACCELERATION);
+        if (status != REMUS6_OK) { return status; }
+    }
     remus6_real attitude[4];
     remus6_real C[9];
     remus6_real v[3];  /* C^T r' */

@@ -549,7 +549,7 @@ remus6_status remus6_points(const remus6_table *table, const remus6_state *x, co
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -562,7 +562,7 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 remus6_status remus6_state_from_coordinates(const remus6_real position[3], const remus6_real angles[3],
                                             const remus6_real q_dot[6], const remus6_real q_ddot[6],
                                             remus6_state *x, remus6_real V_dot[6]);
@@ -576,7 +576,7 @@ remus6_status remus6_state_from_coordinates(const remus6_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6244 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
+ * At most 6251 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 remus6_status remus6_generalized(const remus6_table *table, const remus6_state *x,
                                  const remus6_real angles[3], const remus6_real phi_ddot[REMUS6_N],
                                  remus6_generalized_result *out);

@@ -2596,8 +2596,12 @@ SAT4_CODE
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_within(angles, 3, SAT4_MAX_PHASE);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < SAT4_MAX_PHASE * SAT4_MAX_PHASE)) {
+        status = sat4_within(angles, 3, SAT4_MAX_PHASE);
+        if (status != SAT4_OK) { return status; }
+    }
     sat4_real s_psi, c_psi;
     sat4_sincos(0.5 * angles[0], &s_psi, &c_psi);
     sat4_real s_theta, c_theta;
@@ -2619,12 +2623,22 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_within(position, 3, SAT4_MAX_POSITION);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(q_ddot, 6, SAT4_MAX_ACCELERATION);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < SAT4_MAX_POSITION * SAT4_MAX_POSITION)) {
+        status = sat4_within(position, 3, SAT4_MAX_POSITION);
+        if (status != SAT4_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < SAT4_MAX_SPEED * SAT4_MAX_SPEED)) {
+        status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
+        if (status != SAT4_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < SAT4_MAX_ACCELERATION * SAT4_MAX_ACCELERATION)) {
+        status = sat4_within(q_ddot, 6, SAT4_MAX_ACCELERATION);
+        if (status != SAT4_OK) { return status; }
+    }
     sat4_real attitude[4];
     sat4_real C[9];
     sat4_real v[3];  /* C^T r' */

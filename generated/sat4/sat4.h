@@ -489,7 +489,7 @@ sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -502,7 +502,7 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
                                         const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
                                         sat4_real V_dot[6]);
@@ -516,7 +516,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4530 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
+ * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 

@@ -2732,8 +2732,12 @@ SHAKER2_CODE
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_within(angles, 3, SHAKER2_MAX_PHASE);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE)) {
+        status = shaker2_within(angles, 3, SHAKER2_MAX_PHASE);
+        if (status != SHAKER2_OK) { return status; }
+    }
     shaker2_real s_psi, c_psi;
     shaker2_sincos(0.5 * angles[0], &s_psi, &c_psi);
     shaker2_real s_theta, c_theta;
@@ -2755,12 +2759,23 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(q_ddot, 6, SHAKER2_MAX_ACCELERATION);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < SHAKER2_MAX_POSITION * SHAKER2_MAX_POSITION)) {
+        status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
+        if (status != SHAKER2_OK) { return status; }
+    }
+    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
+        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < SHAKER2_MAX_SPEED * SHAKER2_MAX_SPEED)) {
+        status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
+        if (status != SHAKER2_OK) { return status; }
+    }
+    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
+        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < SHAKER2_MAX_ACCELERATION
+        * SHAKER2_MAX_ACCELERATION)) {
+        status = shaker2_within(q_ddot, 6, SHAKER2_MAX_ACCELERATION);
+        if (status != SHAKER2_OK) { return status; }
+    }
     shaker2_real attitude[4];
     shaker2_real C[9];
     shaker2_real v[3];  /* C^T r' */

@@ -481,7 +481,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -494,7 +494,7 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
                                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
                                               shaker2_state *x, shaker2_real V_dot[6]);
@@ -508,7 +508,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4226 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
+ * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
