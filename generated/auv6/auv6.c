@@ -264,55 +264,6 @@ static auv6_status auv6_check_state(const auv6_state *x)
     return AUV6_OK;
 }
 
-/* The same of a state, and then: are values of the flywheels within a limit? */
-AUV6_CODE
-static auv6_status auv6_check_motion(const auv6_state *x, const auv6_real values[AUV6_N], auv6_real limit)
-{
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
-    {
-        auv6_real position2, velocity2, speed2, phase2, given2;
-        position2 = 0.0;
-        velocity2 = 0.0;
-        speed2 = 0.0;
-        phase2 = 0.0;
-        given2 = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
-        }
-        for (int s = 0; s < AUV6_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
-        }
-        const auv6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < AUV6_MAX_POSITION * AUV6_MAX_POSITION
-            && velocity2 < AUV6_MAX_VELOCITY * AUV6_MAX_VELOCITY && speed2 < AUV6_MAX_SPEED * AUV6_MAX_SPEED
-            && phase2 < AUV6_MAX_PHASE * AUV6_MAX_PHASE && given2 < limit * limit) { return AUV6_OK; }
-    }
-#endif
-    auv6_status status = auv6_within(x->position, 3, AUV6_MAX_POSITION);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(x->attitude, 4, 2.0);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(x->V, 6, AUV6_MAX_SPEED);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(x->V, 3, AUV6_MAX_VELOCITY);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(x->phi, AUV6_N, AUV6_MAX_PHASE);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(x->phi_dot, AUV6_N, AUV6_MAX_SPEED);
-    if (status != AUV6_OK) { return status; }
-    const auv6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return AUV6_RANGE; }
-    status = auv6_within(values, AUV6_N, limit);
-    if (status != AUV6_OK) { return status; }
-    return AUV6_OK;
-}
-
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 AUV6_CODE
 static void auv6_rotation(const auv6_real q[4], auv6_real C[restrict 9])
@@ -1262,7 +1213,7 @@ static auv6_status auv6_finish(auv6_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = auv6_check_motion(x, x->phi_dot, AUV6_MAX_SPEED);
+    status = auv6_check_state(x);
     if (status != AUV6_OK) { return status; }
     for (int s = 0; s < AUV6_N; ++s) {
         x->phi[s] = auv6_wrapped(x->phi[s]);
@@ -2991,16 +2942,10 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
         status = auv6_within(position, 3, AUV6_MAX_POSITION);
         if (status != AUV6_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < AUV6_MAX_SPEED * AUV6_MAX_SPEED)) {
-        status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
-        if (status != AUV6_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < AUV6_MAX_ACCELERATION * AUV6_MAX_ACCELERATION)) {
-        status = auv6_within(q_ddot, 6, AUV6_MAX_ACCELERATION);
-        if (status != AUV6_OK) { return status; }
-    }
+    status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
+    if (status != AUV6_OK) { return status; }
+    status = auv6_within(q_ddot, 6, AUV6_MAX_ACCELERATION);
+    if (status != AUV6_OK) { return status; }
     auv6_real attitude[4];
     auv6_real C[9];
     auv6_real v[3];  /* C^T r' */

@@ -390,7 +390,7 @@ auv6_status auv6_coupled(const auv6_table *table, const auv6_state *x, const auv
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 13495 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
+ * At most 13457 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
 auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
@@ -407,7 +407,7 @@ auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9675 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
+ * At most 9637 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
 auv6_status auv6_step_driven(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
@@ -537,7 +537,7 @@ auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_real angles[3],
                                         const auv6_real q_dot[6], const auv6_real q_ddot[6], auv6_state *x,
                                         auv6_real V_dot[6]);

@@ -2756,17 +2756,10 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
         status = bench8_within(position, 3, BENCH8_MAX_POSITION);
         if (status != BENCH8_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED)) {
-        status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
-        if (status != BENCH8_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < BENCH8_MAX_ACCELERATION
-        * BENCH8_MAX_ACCELERATION)) {
-        status = bench8_within(q_ddot, 6, BENCH8_MAX_ACCELERATION);
-        if (status != BENCH8_OK) { return status; }
-    }
+    status = bench8_within(q_dot, 6, BENCH8_MAX_SPEED);
+    if (status != BENCH8_OK) { return status; }
+    status = bench8_within(q_ddot, 6, BENCH8_MAX_ACCELERATION);
+    if (status != BENCH8_OK) { return status; }
     bench8_real attitude[4];
     bench8_real C[9];
     bench8_real v[3];  /* C^T r' */
@@ -3414,7 +3407,7 @@ static bench8_status bench8_finish_carried(bench8_state *restrict x, bench8_step
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = bench8_check_state(x);
+    status = bench8_check_motion(x, x->phi_dot, BENCH8_MAX_SPEED);
     if (status != BENCH8_OK) { return status; }
     return BENCH8_OK;
 }

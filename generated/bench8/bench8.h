@@ -489,7 +489,7 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
                                             const bench8_real q_dot[6], const bench8_real q_ddot[6],
                                             bench8_state *x, bench8_real V_dot[6]);
@@ -556,7 +556,7 @@ bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 17199 operations on reals, 34 of them divisions. Stack: at most 5184 bytes. */
+ * At most 17249 operations on reals, 34 of them divisions. Stack: at most 5184 bytes. */
 bench8_status bench8_step_carried(const bench8_table *table, const bench8_state *x,
                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                   bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next);
@@ -574,7 +574,7 @@ bench8_status bench8_step_carried(const bench8_table *table, const bench8_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11843 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
+ * At most 11893 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
 bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                          bench8_step_carry *carry, bench8_state *next);

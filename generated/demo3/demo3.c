@@ -2569,16 +2569,10 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
         status = demo3_within(position, 3, DEMO3_MAX_POSITION);
         if (status != DEMO3_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED)) {
-        status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
-        if (status != DEMO3_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < DEMO3_MAX_ACCELERATION * DEMO3_MAX_ACCELERATION)) {
-        status = demo3_within(q_ddot, 6, DEMO3_MAX_ACCELERATION);
-        if (status != DEMO3_OK) { return status; }
-    }
+    status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(q_ddot, 6, DEMO3_MAX_ACCELERATION);
+    if (status != DEMO3_OK) { return status; }
     demo3_real attitude[4];
     demo3_real C[9];
     demo3_real v[3];  /* C^T r' */
@@ -3207,7 +3201,7 @@ static demo3_status demo3_finish_carried(demo3_state *restrict x, demo3_step_car
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = demo3_check_state(x);
+    status = demo3_check_motion(x, x->phi_dot, DEMO3_MAX_SPEED);
     if (status != DEMO3_OK) { return status; }
     return DEMO3_OK;
 }

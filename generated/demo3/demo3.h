@@ -466,7 +466,7 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 demo3_status demo3_state_from_coordinates(const demo3_real position[3], const demo3_real angles[3],
                                           const demo3_real q_dot[6], const demo3_real q_ddot[6],
                                           demo3_state *x, demo3_real V_dot[6]);
@@ -530,7 +530,7 @@ demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_moun
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7368 operations on reals, 22 of them divisions. Stack: at most 3776 bytes. */
+ * At most 7388 operations on reals, 22 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
                                 const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                 int order, demo3_step_carry *carry, demo3_state *next);
@@ -548,7 +548,7 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5024 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
+ * At most 5044 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);

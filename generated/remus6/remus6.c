@@ -265,57 +265,6 @@ static remus6_status remus6_check_state(const remus6_state *x)
     return REMUS6_OK;
 }
 
-/* The same of a state, and then: are values of the flywheels within a limit? */
-REMUS6_CODE
-static remus6_status remus6_check_motion(const remus6_state *x, const remus6_real values[REMUS6_N],
-                                         remus6_real limit)
-{
-#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
-    {
-        remus6_real position2, velocity2, speed2, phase2, given2;
-        position2 = 0.0;
-        velocity2 = 0.0;
-        speed2 = 0.0;
-        phase2 = 0.0;
-        given2 = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            position2 += x->position[i] * x->position[i];
-            velocity2 += x->V[i] * x->V[i];
-            speed2 += x->V[i + 3] * x->V[i + 3];
-        }
-        for (int s = 0; s < REMUS6_N; ++s) {
-            phase2 += x->phi[s] * x->phi[s];
-            given2 += values[s] * values[s];
-            speed2 += x->phi_dot[s] * x->phi_dot[s];
-        }
-        const remus6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < REMUS6_MAX_POSITION * REMUS6_MAX_POSITION
-            && velocity2 < REMUS6_MAX_VELOCITY * REMUS6_MAX_VELOCITY
-            && speed2 < REMUS6_MAX_SPEED * REMUS6_MAX_SPEED && phase2 < REMUS6_MAX_PHASE * REMUS6_MAX_PHASE
-            && given2 < limit * limit) { return REMUS6_OK; }
-    }
-#endif
-    remus6_status status = remus6_within(x->position, 3, REMUS6_MAX_POSITION);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(x->attitude, 4, 2.0);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(x->V, 6, REMUS6_MAX_SPEED);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(x->V, 3, REMUS6_MAX_VELOCITY);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(x->phi, REMUS6_N, REMUS6_MAX_PHASE);
-    if (status != REMUS6_OK) { return status; }
-    status = remus6_within(x->phi_dot, REMUS6_N, REMUS6_MAX_SPEED);
-    if (status != REMUS6_OK) { return status; }
-    const remus6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return REMUS6_RANGE; }
-    status = remus6_within(values, REMUS6_N, limit);
-    if (status != REMUS6_OK) { return status; }
-    return REMUS6_OK;
-}
-
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 REMUS6_CODE
 static void remus6_rotation(const remus6_real q[4], remus6_real C[restrict 9])
@@ -1271,7 +1220,7 @@ static remus6_status remus6_finish(remus6_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = remus6_check_motion(x, x->phi_dot, REMUS6_MAX_SPEED);
+    status = remus6_check_state(x);
     if (status != REMUS6_OK) { return status; }
     for (int s = 0; s < REMUS6_N; ++s) {
         x->phi[s] = remus6_wrapped(x->phi[s]);
@@ -3004,17 +2953,10 @@ remus6_status remus6_state_from_coordinates(const remus6_real position[3], const
         status = remus6_within(position, 3, REMUS6_MAX_POSITION);
         if (status != REMUS6_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < REMUS6_MAX_SPEED * REMUS6_MAX_SPEED)) {
-        status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
-        if (status != REMUS6_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < REMUS6_MAX_ACCELERATION
-        * REMUS6_MAX_ACCELERATION)) {
-        status = remus6_within(q_ddot, 6, REMUS6_MAX_ACCELERATION);
-        if (status != REMUS6_OK) { return status; }
-    }
+    status = remus6_within(q_dot, 6, REMUS6_MAX_SPEED);
+    if (status != REMUS6_OK) { return status; }
+    status = remus6_within(q_ddot, 6, REMUS6_MAX_ACCELERATION);
+    if (status != REMUS6_OK) { return status; }
     remus6_real attitude[4];
     remus6_real C[9];
     remus6_real v[3];  /* C^T r' */

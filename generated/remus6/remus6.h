@@ -411,7 +411,7 @@ remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 12895 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
+ * At most 12857 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
 remus6_status remus6_step(const remus6_table *table, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
@@ -428,7 +428,7 @@ remus6_status remus6_step(const remus6_table *table, const remus6_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9075 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
+ * At most 9037 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
 remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
@@ -562,7 +562,7 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 remus6_status remus6_state_from_coordinates(const remus6_real position[3], const remus6_real angles[3],
                                             const remus6_real q_dot[6], const remus6_real q_ddot[6],
                                             remus6_state *x, remus6_real V_dot[6]);

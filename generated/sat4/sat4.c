@@ -2629,16 +2629,10 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
         status = sat4_within(position, 3, SAT4_MAX_POSITION);
         if (status != SAT4_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < SAT4_MAX_SPEED * SAT4_MAX_SPEED)) {
-        status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
-        if (status != SAT4_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < SAT4_MAX_ACCELERATION * SAT4_MAX_ACCELERATION)) {
-        status = sat4_within(q_ddot, 6, SAT4_MAX_ACCELERATION);
-        if (status != SAT4_OK) { return status; }
-    }
+    status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(q_ddot, 6, SAT4_MAX_ACCELERATION);
+    if (status != SAT4_OK) { return status; }
     sat4_real attitude[4];
     sat4_real C[9];
     sat4_real v[3];  /* C^T r' */
@@ -3295,7 +3289,7 @@ static sat4_status sat4_finish_carried(sat4_state *restrict x, sat4_step_carry *
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = sat4_check_state(x);
+    status = sat4_check_motion(x, x->phi_dot, SAT4_MAX_SPEED);
     if (status != SAT4_OK) { return status; }
     return SAT4_OK;
 }

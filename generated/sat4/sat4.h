@@ -502,7 +502,7 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
                                         const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
                                         sat4_real V_dot[6]);
@@ -566,7 +566,7 @@ sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9035 operations on reals, 22 of them divisions. Stack: at most 3952 bytes. */
+ * At most 9061 operations on reals, 22 of them divisions. Stack: at most 3952 bytes. */
 sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                               const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
                               sat4_state *next);
@@ -584,7 +584,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6091 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
+ * At most 6117 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);

@@ -2765,17 +2765,10 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
         status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
         if (status != SHAKER2_OK) { return status; }
     }
-    if (!(q_dot[0] * q_dot[0] + q_dot[1] * q_dot[1] + q_dot[2] * q_dot[2] + q_dot[3] * q_dot[3]
-        + q_dot[4] * q_dot[4] + q_dot[5] * q_dot[5] < SHAKER2_MAX_SPEED * SHAKER2_MAX_SPEED)) {
-        status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
-        if (status != SHAKER2_OK) { return status; }
-    }
-    if (!(q_ddot[0] * q_ddot[0] + q_ddot[1] * q_ddot[1] + q_ddot[2] * q_ddot[2] + q_ddot[3] * q_ddot[3]
-        + q_ddot[4] * q_ddot[4] + q_ddot[5] * q_ddot[5] < SHAKER2_MAX_ACCELERATION
-        * SHAKER2_MAX_ACCELERATION)) {
-        status = shaker2_within(q_ddot, 6, SHAKER2_MAX_ACCELERATION);
-        if (status != SHAKER2_OK) { return status; }
-    }
+    status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(q_ddot, 6, SHAKER2_MAX_ACCELERATION);
+    if (status != SHAKER2_OK) { return status; }
     shaker2_real attitude[4];
     shaker2_real C[9];
     shaker2_real v[3];  /* C^T r' */
@@ -3426,7 +3419,7 @@ static shaker2_status shaker2_finish_carried(shaker2_state *restrict x, shaker2_
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = shaker2_check_state(x);
+    status = shaker2_check_motion(x, x->phi_dot, SHAKER2_MAX_SPEED);
     if (status != SHAKER2_OK) { return status; }
     return SHAKER2_OK;
 }

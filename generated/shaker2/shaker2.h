@@ -494,7 +494,7 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 505 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
                                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
                                               shaker2_state *x, shaker2_real V_dot[6]);
@@ -561,7 +561,7 @@ shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shak
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7197 operations on reals, 34 of them divisions. Stack: at most 4096 bytes. */
+ * At most 7211 operations on reals, 34 of them divisions. Stack: at most 4096 bytes. */
 shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                     shaker2_real dt, int order, shaker2_step_carry *carry,
@@ -580,7 +580,7 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5441 operations on reals, 30 of them divisions. Stack: at most 3456 bytes. */
+ * At most 5455 operations on reals, 30 of them divisions. Stack: at most 3456 bytes. */
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);
