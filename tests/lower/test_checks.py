@@ -37,7 +37,7 @@ def limit(name: str, real: str) -> float:
     return BOUNDS[name].at(real)
 
 
-def around(bound: float, precision: Precision) -> list[float]:
+def edges(bound: float, precision: Precision) -> list[float]:
     """Numbers that tell a check by squares from one by numbers."""
     one = precision.scalar(bound)
     up, down = (float(np.nextafter(one, precision.scalar(to))) for to in (math.inf, 0.0))
@@ -102,7 +102,7 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
         bound = 2.0 if name == "attitude" else limit(bounds[name], real)
         if name == "V" and place < 3 and draw(st.booleans()):
             bound = limit("MAX_VELOCITY", real)
-        pool = around(bound, PRECISIONS[real])
+        pool = edges(bound, PRECISIONS[real])
         if name == "attitude":
             pool += [math.sqrt(UNIT_SQUARE_MIN), math.sqrt(UNIT_SQUARE_MAX), 0.0316]
         arrays[name][place] = float(PRECISIONS[real].scalar(draw(st.sampled_from(pool))))

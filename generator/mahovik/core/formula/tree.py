@@ -59,15 +59,15 @@ def names_of(formula: Formula) -> set[str]:
     return set().union(*(names_of(part) for part in formula[1:])) if isinstance(formula, tuple) else set()
 
 
-def without(formula: Formula, name: str) -> Formula:
+def omitting(formula: Formula, name: str) -> Formula:
     """The formula where that name is zero: its products are left out. 0.0 where nothing is left."""
     if not isinstance(formula, tuple):
         return 0.0 if formula == name else formula
     operator, *parts = formula
     if len(parts) == 1:
-        one = without(parts[0], name)
+        one = omitting(parts[0], name)
         return 0.0 if one == 0.0 else (operator, one)
-    left, right = without(parts[0], name), without(parts[1], name)
+    left, right = omitting(parts[0], name), omitting(parts[1], name)
     if operator == "*":
         return 0.0 if 0.0 in (left, right) else (operator, left, right)
     if right == 0.0:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
-from mahovik.core.formula.tree import without
+from mahovik.core.formula.tree import omitting
 from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import add_each, assign, translate
@@ -36,7 +36,7 @@ def let_weights(body: Body, given: dict[str, Expr], names: Sequence[str]) -> dic
     expressions = derived.weights()
     bound = dict(given)
     for name in names:
-        value = expressions[name] if "phi_ddot" in given else without(expressions[name], "phi_ddot")
+        value = expressions[name] if "phi_ddot" in given else omitting(expressions[name], "phi_ddot")
         bound[name] = body.let(name, translate(value, bound), _COMMENTS[name])
     return bound
 
@@ -120,9 +120,9 @@ _NOTES = {
 }
 
 _MASS = ("J", "J_dot", "mu", "mu_dot")
-"""Sums that make up K and its rate; so many that a compiler keeps them in registers over a loop."""
+"""Sums that K and its rate consist of. A compiler can keep their number in registers over a loop, not that of all."""
 _SPIN = ("h_rel", "g_rel", "a_rel")
-"""Sums of what the flywheels do beside."""
+"""The other sums, of the flywheels alone."""
 _STEADY_SPIN = ("a_rel", "h_rel", "g_rel")
 """The same at constant speeds, in the order in which compilers then need the fewest instructions."""
 _ALL = ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel")
@@ -155,7 +155,7 @@ def _add_row(
             continue
         values = getattr(parts, name)
         if "phi_ddot" not in given:
-            values = [without(value, "phi_ddot") for value in values]
+            values = [omitting(value, "phi_ddot") for value in values]
         assign(body, sums[name], values, binding, add=True)
 
 
@@ -198,7 +198,7 @@ def sum_mass(lib: Library) -> Function:
 
 
 def sum_spin(lib: Library, steady: bool = False) -> Function:
-    """What the flywheels' turning adds besides; `steady`: sum_steady_spin, at constant speeds."""
+    """Terms of the flywheels' turning; `steady`: sum_steady_spin, at constant speeds."""
     table, turns = lib.table_argument(), lib.turn_arguments()
     phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
     phi_ddot = () if steady else (Argument("phi_ddot", Kind.REAL, (lib.layout.count,), unit="rad/s2"),)
