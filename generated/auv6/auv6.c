@@ -46,6 +46,13 @@ __asm__(".globl auv6_link_double_lanes1_v0_1_0_002b2abc\n"
 #define AUV6_CONST
 #endif
 
+/* Seldom called: one copy takes less code than one in each caller. */
+#ifdef __GNUC__
+#define AUV6_APART __attribute__((noinline))
+#else
+#define AUV6_APART
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct auv6_sums {
     auv6_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -200,7 +207,7 @@ static auv6_real auv6_wrapped(auv6_real phi)
 }
 
 /* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
-AUV6_CODE
+AUV6_CODE AUV6_APART
 static auv6_status auv6_within(const auv6_real values[], int count, auv6_real limit)
 {
     for (int i = 0; i < count; ++i) {
@@ -216,6 +223,29 @@ static auv6_status auv6_within(const auv6_real values[], int count, auv6_real li
 AUV6_CODE
 static auv6_status auv6_check_state(const auv6_state *x)
 {
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        auv6_real position2, velocity2, speed2, phase2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < AUV6_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const auv6_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < AUV6_MAX_POSITION * AUV6_MAX_POSITION
+            && velocity2 < AUV6_MAX_VELOCITY * AUV6_MAX_VELOCITY && speed2 < AUV6_MAX_SPEED * AUV6_MAX_SPEED
+            && phase2 < AUV6_MAX_PHASE * AUV6_MAX_PHASE) { return AUV6_OK; }
+    }
+#endif
     auv6_status status = auv6_within(x->position, 3, AUV6_MAX_POSITION);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(x->attitude, 4, 2.0);
@@ -257,23 +287,6 @@ static void auv6_rotate_back(const auv6_real C[9], const auv6_real a[3], auv6_re
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
-}
-
-/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
-AUV6_CODE
-static void auv6_start_sums(const auv6_table *table, auv6_sums *restrict sum)
-{
-    sum->mu[0] = table->first_moment[0];
-    sum->mu[1] = table->first_moment[1];
-    sum->mu[2] = table->first_moment[2];
-    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
-    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* Sines and cosines of all phases.
@@ -320,51 +333,136 @@ static void auv6_sincos_each(const auv6_real x[AUV6_N], auv6_real sine[restrict 
     }
 }
 
-/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 AUV6_CODE
-static void auv6_add_flywheel(const auv6_row *row, auv6_real s, auv6_real c, auv6_real phi_dot,
-                              auv6_real phi_ddot, auv6_sums *restrict sum)
+static void auv6_sum_mass(const auv6_table *table, const auv6_real sine[AUV6_N],
+                          const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
+                          auv6_sums *restrict sum)
 {
-    const auv6_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
-    const auv6_real s2 = 2.0 * c * s;
-    const auv6_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
-    const auv6_real ds = phi_dot * c;
-    const auv6_real dc2 = -2.0 * phi_dot * s2;
-    const auv6_real ds2 = 2.0 * phi_dot * c2;
-    const auv6_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
-    const auv6_real dds = phi_ddot * c + phi_dot * dc;
-    /* first moment and its rate */
-    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
-    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
-    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
-    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
-    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
-    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    /* its rate: K_dot of (6) */
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
-    /* moment part of I phi' (its force part is mu_dot) */
-    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
-    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
-    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
-    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
-    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
-    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
-    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
-    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
-    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    for (int k = 0; k < AUV6_N; ++k) {
+        const auv6_real s = sine[k];
+        const auv6_real c = cosine[k];
+        const auv6_real w = phi_dot[k];
+        const auv6_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
+        const auv6_real s2 = 2.0 * c * s;
+        const auv6_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const auv6_real ds = w * c;
+        const auv6_real dc2 = -2.0 * w * s2;
+        const auv6_real ds2 = 2.0 * w * c2;
+        /* inertia */
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        /* its rate: K_dot of (6) */
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        /* first moment and its rate */
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+AUV6_CODE
+static void auv6_sum_steady_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
+                                 const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
+                                 auv6_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < AUV6_N; ++k) {
+        const auv6_real s = sine[k];
+        const auv6_real c = cosine[k];
+        const auv6_real w = phi_dot[k];
+        const auv6_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const auv6_real ds = w * c;
+        const auv6_real ddc = -w * ds;  /* second time derivatives */
+        const auv6_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+AUV6_CODE
+static void auv6_sum_spin(const auv6_table *table, const auv6_real sine[AUV6_N],
+                          const auv6_real cosine[AUV6_N], const auv6_real phi_dot[AUV6_N],
+                          const auv6_real phi_ddot[AUV6_N], auv6_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < AUV6_N; ++k) {
+        const auv6_real s = sine[k];
+        const auv6_real c = cosine[k];
+        const auv6_real w = phi_dot[k];
+        const auv6_real a = phi_ddot[k];
+        const auv6_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const auv6_real ds = w * c;
+        const auv6_real ddc = -w * ds - a * s;  /* second time derivatives */
+        const auv6_real dds = a * c + w * dc;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+    }
 }
 
 /* Adds the damping of one body to its wrench, both in the body's own frame, (7). */
@@ -428,28 +526,42 @@ static void auv6_momentum_screw(const auv6_table *table, const auv6_sums *sum, c
         + sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2];
 }
 
-/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 AUV6_CODE
-static void auv6_subtract_rates(const auv6_sums *sum, const auv6_real V[6], const auv6_real Z[6],
+static void auv6_subtract_rates(const auv6_table *table, const auv6_sums *sum, const auv6_real V[6],
                                 auv6_real F[restrict 6])
 {
-    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
-    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
-    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
-    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
-        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
-        - Z[2] * V[1];
-    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
-        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
-        - Z[0] * V[2];
-    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
-        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
-        - Z[1] * V[0];
+    /* momentum screw Z = K V + sum I phi' */
+    const auv6_real Z1 = table->A[0] * V[0] + table->A[3] * V[1] + table->A[4] * V[2] + table->G[0] * V[3]
+        + (table->G[3] + sum->mu[2]) * V[4] + (table->G[6] - sum->mu[1]) * V[5] + sum->mu_dot[0];
+    const auv6_real Z2 = table->A[1] * V[1] + table->A[3] * V[0] + table->A[5] * V[2]
+        + (table->G[1] - sum->mu[2]) * V[3] + table->G[4] * V[4] + (table->G[7] + sum->mu[0]) * V[5]
+        + sum->mu_dot[1];
+    const auv6_real Z3 = table->A[2] * V[2] + table->A[4] * V[0] + table->A[5] * V[1]
+        + (table->G[2] + sum->mu[1]) * V[3] + (table->G[5] - sum->mu[0]) * V[4] + table->G[8] * V[5]
+        + sum->mu_dot[2];
+    const auv6_real Z4 = table->G[0] * V[0] + (table->G[1] - sum->mu[2]) * V[1]
+        + (table->G[2] + sum->mu[1]) * V[2] + sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5]
+        + sum->h_rel[0];
+    const auv6_real Z5 = (table->G[3] + sum->mu[2]) * V[0] + table->G[4] * V[1]
+        + (table->G[5] - sum->mu[0]) * V[2] + sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5]
+        + sum->h_rel[1];
+    const auv6_real Z6 = (table->G[6] - sum->mu[1]) * V[0] + (table->G[7] + sum->mu[0]) * V[1]
+        + table->G[8] * V[2] + sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2];
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z2 - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z3;
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z3 - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z1;
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z1 - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z2;
+    F[3] = F[3] + Z5 * V[5] + sum->mu_dot[2] * V[1] + Z2 * V[2] - sum->J_dot[0] * V[3] - sum->J_dot[3] * V[4]
+        - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z6 * V[4] - sum->mu_dot[1] * V[2] - Z3 * V[1];
+    F[4] = F[4] + Z6 * V[3] + sum->mu_dot[0] * V[2] + Z3 * V[0] - sum->J_dot[1] * V[4] - sum->J_dot[3] * V[3]
+        - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z4 * V[5] - sum->mu_dot[2] * V[0] - Z1 * V[2];
+    F[5] = F[5] + Z4 * V[4] + sum->mu_dot[1] * V[0] + Z1 * V[1] - sum->J_dot[2] * V[5] - sum->J_dot[4] * V[3]
+        - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z5 * V[3] - sum->mu_dot[0] * V[1] - Z2 * V[0];
 }
 
-/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 AUV6_CODE
-static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_real y[restrict 3])
+static auv6_status auv6_factor3(const auv6_real S[6], auv6_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
     const auv6_real r1 = 1.0 / S[0];
@@ -462,57 +574,76 @@ static auv6_status auv6_solve3(const auv6_real S[6], const auv6_real b[3], auv6_
     const auv6_real l32 = p32 * r2;
     const auv6_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return AUV6_NOT_POSITIVE_DEFINITE; }
-    /* L z = b, then L^T y = D^-1 z */
-    const auv6_real z2 = b[1] - l21 * b[0];
-    const auv6_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
-    const auv6_real y2 = z2 * r2 - l32 * y3;
-    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
-    y[1] = y2;  y[2] = y3;
+    L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
+    L->l21 = l21;
+    L->l31 = l31;
+    L->l32 = l32;
     return AUV6_OK;
 }
 
-/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
+/* Solves S y = b by S = L D L^T. */
 AUV6_CODE
-static auv6_status auv6_solve_carrier(const auv6_table *table, const auv6_sums *sum, const auv6_real F[6],
-                                      auv6_real y[restrict 6])
+static void auv6_solve3(const auv6_factors3 *L, const auv6_real b[3], auv6_real y[restrict 3])
+{
+    /* L z = b, then L^T y = D^-1 z */
+    const auv6_real z2 = b[1] - L->l21 * b[0];
+    const auv6_real y3 = (b[2] - L->l31 * b[0] - L->l32 * z2) / L->d3;
+    const auv6_real y2 = z2 * L->r2 - L->l32 * y3;
+    y[0] = b[0] * L->r1 - L->l21 * y2 - L->l31 * y3;
+    y[1] = y2;  y[2] = y3;
+}
+
+/* Factors K: its translational block is constant, so that a 3x3 matrix is left, (8). */
+AUV6_CODE
+static auv6_status auv6_factor_carrier(const auv6_table *table, const auv6_sums *sum,
+                                       auv6_carrier_factor *restrict K)
 {
     auv6_status status;
     auv6_real B[9];  /* <mu> + Lambda_21: lower left block of K */
-    auv6_real U[9];  /* A^-1 B^T */
     B[0] = table->G[0];               B[1] = table->G[1] - sum->mu[2];  B[2] = table->G[2] + sum->mu[1];
     B[3] = table->G[3] + sum->mu[2];  B[4] = table->G[4];               B[5] = table->G[5] - sum->mu[0];
     B[6] = table->G[6] - sum->mu[1];  B[7] = table->G[7] + sum->mu[0];  B[8] = table->G[8];
-    U[0] = table->A_inv[0] * B[0] + table->A_inv[3] * B[1] + table->A_inv[4] * B[2];
-    U[1] = table->A_inv[0] * B[3] + table->A_inv[3] * B[4] + table->A_inv[4] * B[5];
-    U[2] = table->A_inv[0] * B[6] + table->A_inv[3] * B[7] + table->A_inv[4] * B[8];
-    U[3] = table->A_inv[1] * B[1] + table->A_inv[3] * B[0] + table->A_inv[5] * B[2];
-    U[4] = table->A_inv[1] * B[4] + table->A_inv[3] * B[3] + table->A_inv[5] * B[5];
-    U[5] = table->A_inv[1] * B[7] + table->A_inv[3] * B[6] + table->A_inv[5] * B[8];
-    U[6] = table->A_inv[2] * B[2] + table->A_inv[4] * B[0] + table->A_inv[5] * B[1];
-    U[7] = table->A_inv[2] * B[5] + table->A_inv[4] * B[3] + table->A_inv[5] * B[4];
-    U[8] = table->A_inv[2] * B[8] + table->A_inv[4] * B[6] + table->A_inv[5] * B[7];
+    K->U[0] = table->A_inv[0] * B[0] + table->A_inv[3] * B[1] + table->A_inv[4] * B[2];
+    K->U[1] = table->A_inv[0] * B[3] + table->A_inv[3] * B[4] + table->A_inv[4] * B[5];
+    K->U[2] = table->A_inv[0] * B[6] + table->A_inv[3] * B[7] + table->A_inv[4] * B[8];
+    K->U[3] = table->A_inv[1] * B[1] + table->A_inv[3] * B[0] + table->A_inv[5] * B[2];
+    K->U[4] = table->A_inv[1] * B[4] + table->A_inv[3] * B[3] + table->A_inv[5] * B[5];
+    K->U[5] = table->A_inv[1] * B[7] + table->A_inv[3] * B[6] + table->A_inv[5] * B[8];
+    K->U[6] = table->A_inv[2] * B[2] + table->A_inv[4] * B[0] + table->A_inv[5] * B[1];
+    K->U[7] = table->A_inv[2] * B[5] + table->A_inv[4] * B[3] + table->A_inv[5] * B[4];
+    K->U[8] = table->A_inv[2] * B[8] + table->A_inv[4] * B[6] + table->A_inv[5] * B[7];
     auv6_real S[6];  /* J - B A^-1 B^T */
+    S[0] = sum->J[0] - B[0] * K->U[0] - B[1] * K->U[3] - B[2] * K->U[6];
+    S[1] = sum->J[1] - B[3] * K->U[1] - B[4] * K->U[4] - B[5] * K->U[7];
+    S[2] = sum->J[2] - B[6] * K->U[2] - B[7] * K->U[5] - B[8] * K->U[8];
+    S[3] = sum->J[3] - B[0] * K->U[1] - B[1] * K->U[4] - B[2] * K->U[7];
+    S[4] = sum->J[4] - B[0] * K->U[2] - B[1] * K->U[5] - B[2] * K->U[8];
+    S[5] = sum->J[5] - B[3] * K->U[2] - B[4] * K->U[5] - B[5] * K->U[8];
+    status = auv6_factor3(S, &K->L);
+    if (status != AUV6_OK) { return status; }
+    return AUV6_OK;
+}
+
+/* Solves K y = F by the factors of K, (8). */
+AUV6_CODE
+static void auv6_solve_carrier(const auv6_table *table, const auv6_carrier_factor *K, const auv6_real F[6],
+                               auv6_real y[restrict 6])
+{
     auv6_real moment[3];  /* n - B A^-1 f */
     auv6_real omega_dot[3];
-    S[0] = sum->J[0] - B[0] * U[0] - B[1] * U[3] - B[2] * U[6];
-    S[1] = sum->J[1] - B[3] * U[1] - B[4] * U[4] - B[5] * U[7];
-    S[2] = sum->J[2] - B[6] * U[2] - B[7] * U[5] - B[8] * U[8];
-    S[3] = sum->J[3] - B[0] * U[1] - B[1] * U[4] - B[2] * U[7];
-    S[4] = sum->J[4] - B[0] * U[2] - B[1] * U[5] - B[2] * U[8];
-    S[5] = sum->J[5] - B[3] * U[2] - B[4] * U[5] - B[5] * U[8];
-    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
-    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
-    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
-    status = auv6_solve3(S, moment, omega_dot);
-    if (status != AUV6_OK) { return status; }
-    y[0] = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2] - U[0] * omega_dot[0]
-        - U[1] * omega_dot[1] - U[2] * omega_dot[2];
-    y[1] = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2] - U[3] * omega_dot[0]
-        - U[4] * omega_dot[1] - U[5] * omega_dot[2];
-    y[2] = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1] - U[6] * omega_dot[0]
-        - U[7] * omega_dot[1] - U[8] * omega_dot[2];
+    moment[0] = F[3] - K->U[0] * F[0] - K->U[3] * F[1] - K->U[6] * F[2];
+    moment[1] = F[4] - K->U[1] * F[0] - K->U[4] * F[1] - K->U[7] * F[2];
+    moment[2] = F[5] - K->U[2] * F[0] - K->U[5] * F[1] - K->U[8] * F[2];
+    auv6_solve3(&K->L, moment, omega_dot);
+    y[0] = table->A_inv[0] * F[0] + table->A_inv[3] * F[1] + table->A_inv[4] * F[2] - K->U[0] * omega_dot[0]
+        - K->U[1] * omega_dot[1] - K->U[2] * omega_dot[2];
+    y[1] = table->A_inv[1] * F[1] + table->A_inv[3] * F[0] + table->A_inv[5] * F[2] - K->U[3] * omega_dot[0]
+        - K->U[4] * omega_dot[1] - K->U[5] * omega_dot[2];
+    y[2] = table->A_inv[2] * F[2] + table->A_inv[4] * F[0] + table->A_inv[5] * F[1] - K->U[6] * omega_dot[0]
+        - K->U[7] * omega_dot[1] - K->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return AUV6_OK;
 }
 
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
@@ -533,17 +664,15 @@ static auv6_status auv6_accelerate(const auv6_table *table, const auv6_state *x,
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, table->gravity, g);
     auv6_sums sum;
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     auv6_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    auv6_real Z[6];  /* momentum screw (2) */
+    auv6_carrier_factor K;
     auv6_external(table, &sum, V, g, F);
-    auv6_momentum_screw(table, &sum, V, Z);
-    auv6_subtract_rates(&sum, V, Z, F);
-    status = auv6_solve_carrier(table, &sum, F, V_dot);
+    auv6_subtract_rates(table, &sum, V, F);
+    status = auv6_factor_carrier(table, &sum, &K);
     if (status != AUV6_OK) { return status; }
+    auv6_solve_carrier(table, &K, F, V_dot);
     /* V* = V_r* - (omega x C^T u, 0) */
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
@@ -598,10 +727,7 @@ auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real 
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     auv6_real result[6];
     auv6_external(table, &sum, V, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
@@ -648,10 +774,7 @@ auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_mat
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     auv6_real F[6];
     auv6_external(table, &sum, V, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
@@ -753,10 +876,8 @@ auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_mom
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     auv6_real Z[6];  /* momentum screw (2) */
     auv6_momentum_screw(table, &sum, V, Z);
     auv6_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
@@ -941,9 +1062,9 @@ auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6
     return AUV6_OK;
 }
 
-/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
 AUV6_CODE
-static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], auv6_real y[restrict 6])
+static auv6_status auv6_factor_schur(const auv6_schur *K, auv6_schur_factor *restrict factor)
 {
     auv6_status status;
     const auv6_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -956,41 +1077,46 @@ static auv6_status auv6_solve_schur(const auv6_schur *K, const auv6_real F[6], a
     if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
         && det <= AUV6_LARGEST))) { return AUV6_NOT_POSITIVE_DEFINITE; }
     const auv6_real r = 1.0 / det;
-    auv6_real A_inv[6];
-    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
-    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
-    auv6_real U[9];  /* A^-1 B^T */
+    factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
+    factor->A_inv[3] = c12 * r;  factor->A_inv[4] = c13 * r;  factor->A_inv[5] = c23 * r;
     auv6_real S[6];  /* D - B A^-1 B^T */
+    factor->U[0] = factor->A_inv[0] * K->B[0] + factor->A_inv[3] * K->B[1] + factor->A_inv[4] * K->B[2];
+    factor->U[1] = factor->A_inv[0] * K->B[3] + factor->A_inv[3] * K->B[4] + factor->A_inv[4] * K->B[5];
+    factor->U[2] = factor->A_inv[0] * K->B[6] + factor->A_inv[3] * K->B[7] + factor->A_inv[4] * K->B[8];
+    factor->U[3] = factor->A_inv[1] * K->B[1] + factor->A_inv[3] * K->B[0] + factor->A_inv[5] * K->B[2];
+    factor->U[4] = factor->A_inv[1] * K->B[4] + factor->A_inv[3] * K->B[3] + factor->A_inv[5] * K->B[5];
+    factor->U[5] = factor->A_inv[1] * K->B[7] + factor->A_inv[3] * K->B[6] + factor->A_inv[5] * K->B[8];
+    factor->U[6] = factor->A_inv[2] * K->B[2] + factor->A_inv[4] * K->B[0] + factor->A_inv[5] * K->B[1];
+    factor->U[7] = factor->A_inv[2] * K->B[5] + factor->A_inv[4] * K->B[3] + factor->A_inv[5] * K->B[4];
+    factor->U[8] = factor->A_inv[2] * K->B[8] + factor->A_inv[4] * K->B[6] + factor->A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * factor->U[0] - K->B[1] * factor->U[3] - K->B[2] * factor->U[6];
+    S[1] = K->D[1] - K->B[3] * factor->U[1] - K->B[4] * factor->U[4] - K->B[5] * factor->U[7];
+    S[2] = K->D[2] - K->B[6] * factor->U[2] - K->B[7] * factor->U[5] - K->B[8] * factor->U[8];
+    S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
+    S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
+    S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
+    status = auv6_factor3(S, &factor->L);
+    if (status != AUV6_OK) { return status; }
+    return AUV6_OK;
+}
+
+/* Solves [A B^T; B D] y = F by the factors. */
+AUV6_CODE
+static void auv6_solve_schur(const auv6_schur_factor *factor, const auv6_real F[6], auv6_real y[restrict 6])
+{
     auv6_real moment[3];  /* n - B A^-1 f */
     auv6_real omega_dot[3];
-    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
-    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
-    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
-    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
-    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
-    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
-    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
-    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
-    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
-    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
-    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
-    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
-    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
-    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
-    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
-    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
-    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
-    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
-    status = auv6_solve3(S, moment, omega_dot);
-    if (status != AUV6_OK) { return status; }
-    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
-        - U[2] * omega_dot[2];
-    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
-        - U[5] * omega_dot[2];
-    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
-        - U[8] * omega_dot[2];
+    moment[0] = F[3] - factor->U[0] * F[0] - factor->U[3] * F[1] - factor->U[6] * F[2];
+    moment[1] = F[4] - factor->U[1] * F[0] - factor->U[4] * F[1] - factor->U[7] * F[2];
+    moment[2] = F[5] - factor->U[2] * F[0] - factor->U[5] * F[1] - factor->U[8] * F[2];
+    auv6_solve3(&factor->L, moment, omega_dot);
+    y[0] = factor->A_inv[0] * F[0] + factor->A_inv[3] * F[1] + factor->A_inv[4] * F[2]
+        - factor->U[0] * omega_dot[0] - factor->U[1] * omega_dot[1] - factor->U[2] * omega_dot[2];
+    y[1] = factor->A_inv[1] * F[1] + factor->A_inv[3] * F[0] + factor->A_inv[5] * F[2]
+        - factor->U[3] * omega_dot[0] - factor->U[4] * omega_dot[1] - factor->U[5] * omega_dot[2];
+    y[2] = factor->A_inv[2] * F[2] + factor->A_inv[4] * F[0] + factor->A_inv[5] * F[1]
+        - factor->U[6] * omega_dot[0] - factor->U[7] * omega_dot[1] - factor->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return AUV6_OK;
 }
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
@@ -1011,15 +1137,11 @@ static auv6_status auv6_solve_coupled(const auv6_table *table, const auv6_state 
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, table->gravity, g);
     auv6_sums sum;
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     auv6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    auv6_real Z[6];  /* momentum screw (2) */
     auv6_external(table, &sum, V, g, F);
-    auv6_momentum_screw(table, &sum, V, Z);
-    auv6_subtract_rates(&sum, V, Z, F);
+    auv6_subtract_rates(table, &sum, V, F);
     auv6_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->A[0];  K.A[1] = table->A[1];  K.A[2] = table->A[2];
     K.A[3] = table->A[3];  K.A[4] = table->A[4];  K.A[5] = table->A[5];
@@ -1045,8 +1167,10 @@ static auv6_status auv6_solve_coupled(const auv6_table *table, const auv6_state 
             auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
-    status = auv6_solve_schur(&K, F, V_dot);
+    auv6_schur_factor factor;
+    status = auv6_factor_schur(&K, &factor);
     if (status != AUV6_OK) { return status; }
+    auv6_solve_schur(&factor, F, V_dot);
     for (int s = 0; s < AUV6_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
@@ -1253,10 +1377,10 @@ auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_r
     if (status != AUV6_OK) { return status; }
     status = auv6_within(tau, AUV6_N, AUV6_MAX_WRENCH);
     if (status != AUV6_OK) { return status; }
-    auv6_real given[1];
-    given[0] = dt;
-    status = auv6_within(given, 1, AUV6_MAX_STEP);
-    if (status != AUV6_OK) { return status; }
+    if (!(dt >= -AUV6_MAX_STEP && dt <= AUV6_MAX_STEP)) {
+        if (dt >= -AUV6_LARGEST && dt <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     auv6_state y;  /* state of a stage; then the new state */
@@ -1397,10 +1521,10 @@ auv6_status auv6_step_driven(const auv6_table *table, const auv6_state *x, const
     if (status != AUV6_OK) { return status; }
     status = auv6_within(phi_ddot, AUV6_N, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
-    auv6_real given[1];
-    given[0] = dt;
-    status = auv6_within(given, 1, AUV6_MAX_STEP);
-    if (status != AUV6_OK) { return status; }
+    if (!(dt >= -AUV6_MAX_STEP && dt <= AUV6_MAX_STEP)) {
+        if (dt >= -AUV6_LARGEST && dt <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     auv6_state y;  /* state of a stage; then the new state */
@@ -1428,11 +1552,10 @@ AUV6_CODE
 auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped)
 {
     if (wrapped == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status;
-    auv6_real given[1];
-    given[0] = phi;
-    status = auv6_within(given, 1, AUV6_MAX_PHASE);
-    if (status != AUV6_OK) { return status; }
+    if (!(phi >= -AUV6_MAX_PHASE && phi <= AUV6_MAX_PHASE)) {
+        if (phi >= -AUV6_LARGEST && phi <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     auv6_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     auv6_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
@@ -1450,14 +1573,13 @@ AUV6_CODE
 auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_real *phi)
 {
     if (phi == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return AUV6_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     const auv6_real size = (auv6_real)turn;
-    auv6_real given[1];
-    given[0] = zero;
-    status = auv6_within(given, 1, size);
-    if (status != AUV6_OK) { return status; }
+    if (!(zero >= -size && zero <= size)) {
+        if (zero >= -AUV6_LARGEST && zero <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     const int rest = count - count / turn * turn;  /* whole turns removed */
     auv6_real place = (auv6_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
     const auv6_real half = size * 0.5;
@@ -1473,12 +1595,11 @@ AUV6_CODE
 auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_real *phi_dot)
 {
     if (phi_dot == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return AUV6_BAD_ARGUMENT; }
-    auv6_real given[1];
-    given[0] = dt;
-    status = auv6_within(given, 1, AUV6_MAX_STEP);
-    if (status != AUV6_OK) { return status; }
+    if (!(dt >= -AUV6_MAX_STEP && dt <= AUV6_MAX_STEP)) {
+        if (dt >= -AUV6_LARGEST && dt <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     const auv6_real turns = (auv6_real)moved / (auv6_real)per_turn;
     const auv6_real speed = turns * 6.283185307179586 / dt;
@@ -1697,10 +1818,8 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     auv6_real F[6];  /* right-hand side of (8) */
     auv6_real Z[6];  /* momentum screw (2) */
     auv6_real V_result[6];  /* V_r* */
@@ -1708,9 +1827,11 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
     auv6_real y[6];
     auv6_external(table, &sum, V, g, F);
     auv6_momentum_screw(table, &sum, V, Z);
-    auv6_subtract_rates(&sum, V, Z, F);
-    status = auv6_solve_carrier(table, &sum, F, V_result);
+    auv6_subtract_rates(table, &sum, V, F);
+    auv6_carrier_factor K;
+    status = auv6_factor_carrier(table, &sum, &K);
     if (status != AUV6_OK) { return status; }
+    auv6_solve_carrier(table, &K, F, V_result);
     auv6_matrices_result m;
     m.K[0][0] = table->A[0];  m.K[0][1] = table->A[3];  m.K[0][2] = table->A[4];
     m.K[0][3] = table->G[0];
@@ -1755,7 +1876,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)auv6_solve_carrier(table, &sum, rhs, y);
+        auv6_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1782,7 +1903,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             auv6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            (void)auv6_solve_carrier(table, &sum, rhs, y);
+            auv6_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1793,7 +1914,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             auv6_row_slope(&table->flywheel[s], change, V, V_result, g, rhs);
-            (void)auv6_solve_carrier(table, &sum, rhs, y);
+            auv6_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1807,7 +1928,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        (void)auv6_solve_carrier(table, &sum, rhs, y);
+        auv6_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1845,10 +1966,8 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     auv6_real g[3];  /* gravity in E1 */
     auv6_rotate_back(C, table->gravity, g);
     auv6_sums sum;
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     auv6_real drift[3];  /* omega x C^T u */
     drift[0] = u[2] * x->V[4] - u[1] * x->V[5];
     drift[1] = u[0] * x->V[5] - u[2] * x->V[3];
@@ -1912,6 +2031,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
     K.B[6] = table->G[6] - sum.mu[1];  K.B[7] = table->G[7] + sum.mu[0];  K.B[8] = table->G[8];
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    auv6_schur_factor factor;
     auv6_real rhs[6];  /* right-hand side of the carrier */
     auv6_real drive_rhs[AUV6_N];  /* right-hand sides of the drives */
     auv6_real y[6];
@@ -1923,6 +2043,8 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
+    status = auv6_factor_schur(&K, &factor);
+    if (status != AUV6_OK) { return status; }
     auv6_real drive_slope[AUV6_N][6];  /* derivatives of the bias torques by V */
     auv6_real J_p[6];  /* dJ / dphi */
     auv6_real turned[3];  /* J' omega */
@@ -1968,7 +2090,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
                 }
             }
         }
-        (void)auv6_solve_schur(&K, rhs, y);
+        auv6_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -2046,7 +2168,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
                     }
                 }
             }
-            (void)auv6_solve_schur(&K, rhs, y);
+            auv6_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -2077,7 +2199,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
                     }
                 }
             }
-            (void)auv6_solve_schur(&K, rhs, y);
+            auv6_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -2097,15 +2219,13 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
             drive_rhs[t] = 0.0;
         }
         drive_rhs[s] = 1.0;
-        for (int t = 0; t < AUV6_N; ++t) {
-            if (locked[t] == 0) {
-                const auv6_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I_[i] * share;
-                }
+        if (locked[s] == 0) {
+            const auv6_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            for (int i = 0; i < 6; ++i) {
+                rhs[i] -= drive[s].I_[i] * share;
             }
         }
-        (void)auv6_solve_schur(&K, rhs, y);
+        auv6_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_tau[i][s] = y[i];
         }
@@ -2230,32 +2350,11 @@ static auv6_status auv6_demand(const auv6_table *table, const auv6_state *x, con
     auv6_real V_r_dot[6];  /* V_r* = V* + (omega x C^T u, 0) */
     V_r_dot[0] = V_dot[0] + drift[0];  V_r_dot[1] = V_dot[1] + drift[1];  V_r_dot[2] = V_dot[2] + drift[2];
     V_r_dot[3] = V_dot[3];             V_r_dot[4] = V_dot[4];             V_r_dot[5] = V_dot[5];
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
-    auv6_real column[6];  /* I_s */
-    for (int s = 0; s < AUV6_N; ++s) {
-        const auv6_real s_phi = sine[s];
-        const auv6_real c_phi = cosine[s];
-        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
-        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
-        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
-        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0];
-        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1];
-        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2];
-        for (int i = 0; i < 6; ++i) {
-            work->I_[i][s] = column[i];
-        }
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    auv6_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     auv6_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    auv6_real Z[6];  /* momentum screw (2) */
     auv6_external(table, &sum, V, g, F);
-    auv6_momentum_screw(table, &sum, V, Z);
-    auv6_subtract_rates(&sum, V, Z, F);
+    auv6_subtract_rates(table, &sum, V, F);
     work->G[0][0] = table->A[0];  work->G[0][1] = table->A[3];  work->G[0][2] = table->A[4];
     work->G[0][3] = table->G[0];
     work->G[0][4] = table->G[3] + sum.mu[2];
@@ -2282,34 +2381,48 @@ static auv6_status auv6_demand(const auv6_table *table, const auv6_state *x, con
     work->G[5][5] = sum.J[2];
     /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
-        work->b[i] = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
+        const auv6_real demanded = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
             - work->G[i][2] * V_r_dot[2] - work->G[i][3] * V_r_dot[3] - work->G[i][4] * V_r_dot[4]
             - work->G[i][5] * V_r_dot[5];
-        work->r[i] = F[i] - work->G[i][0] * V_r_dot[0] - work->G[i][1] * V_r_dot[1]
-            - work->G[i][2] * V_r_dot[2] - work->G[i][3] * V_r_dot[3] - work->G[i][4] * V_r_dot[4]
-            - work->G[i][5] * V_r_dot[5];
+        work->b[i] = demanded;
+        work->r[i] = demanded;
     }
     status = auv6_factor(work);
     if (status != AUV6_OK) { return status; }
     for (int s = 0; s < AUV6_N; ++s) {
-        work->scale[s] = 1.0 / auv6_sqrt(table->flywheel[s].spin);
+        const auv6_real s_phi = sine[s];
+        const auv6_real c_phi = cosine[s];
+        const auv6_real scale = 1.0 / auv6_sqrt(table->flywheel[s].spin);
+        work->scale[s] = scale;
+        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I_[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * scale;
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
     for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < i; ++k) {
-            for (int s = 0; s < AUV6_N; ++s) {
-                work->W[i][s] -= work->G[i][k] * work->W[k][s];
-            }
-            work->r[i] -= work->G[i][k] * work->r[k];
-        }
         const auv6_real inverse = 1.0 / work->G[i][i];
+        auv6_real rest;
         for (int s = 0; s < AUV6_N; ++s) {
-            work->W[i][s] = work->W[i][s] * inverse;
+            rest = work->W[i][s];
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * work->W[k][s];
+            }
+            work->W[i][s] = rest * inverse;
         }
-        work->r[i] = work->r[i] * inverse;
+        rest = work->r[i];
+        for (int k = 0; k < i; ++k) {
+            rest -= work->G[i][k] * work->r[k];
+        }
+        work->r[i] = rest * inverse;
     }
     return AUV6_OK;
 }
@@ -2747,58 +2860,59 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
     auv6_real gram[6][6];
     auv6_real z[6];
     auv6_real trace = 0.0;
-    auv6_real weighed[AUV6_N];  /* a row of W Omega^-1 */
-    for (int i = 0; i < 6; ++i) {
-        for (int s = 0; s < AUV6_N; ++s) {
-            weighed[s] = work.W[i][s] / options->weight[s];
+    /* I has had its use: W Omega^-1 takes its place */
+    for (int s = 0; s < AUV6_N; ++s) {
+        const auv6_real give = 1.0 / options->weight[s];
+        for (int i = 0; i < 6; ++i) {
+            work.I_[i][s] = work.W[i][s] * give;
         }
+    }
+    for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < i + 1; ++j) {
-            gram[i][j] = 0.0;
+            auv6_real total = 0.0;
             for (int k = 0; k < AUV6_N; ++k) {
-                gram[i][j] += weighed[k] * work.W[j][k];
+                total += work.I_[i][k] * work.W[j][k];
             }
+            gram[i][j] = total;
         }
         trace += gram[i][i];
         z[i] = work.r[i];
     }
     const auv6_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
-    for (int i = 0; i < 6; ++i) {
-        gram[i][i] += lambda2;
-    }
     for (int j = 0; j < 6; ++j) {
-        const auv6_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
+        auv6_real pivot = gram[j][j] + lambda2;
+        const auv6_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        auv6_real rest = z[j];
         for (int k = 0; k < j; ++k) {
-            gram[j][j] -= gram[j][k] * gram[j][k];
+            pivot -= gram[j][k] * gram[k][j];
+            rest -= gram[k][j] * z[k];
         }
-        if (!(gram[j][j] > least)) { return AUV6_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = auv6_sqrt(gram[j][j]);
+        z[j] = rest;
+        if (!(pivot > least)) { return AUV6_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 6; ++i) {
+            auv6_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
-                gram[i][j] -= gram[i][k] * gram[j][k];
+                below -= gram[i][k] * gram[k][j];
             }
-            gram[i][j] = gram[i][j] / gram[j][j];
+            gram[i][j] = below;
+            gram[j][i] = below / pivot;
         }
-    }
-    for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < i; ++k) {
-            z[i] -= gram[i][k] * z[k];
-        }
-        z[i] = z[i] / gram[i][i];
     }
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
+        auv6_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 6; ++k) {
-            z[i] -= gram[k][i] * z[k];
+            rest -= gram[i][k] * z[k];
         }
-        z[i] = z[i] / gram[i][i];
+        z[i] = rest;
     }
     auv6_real answer[AUV6_N];
     for (int s = 0; s < AUV6_N; ++s) {
         auv6_real y = 0.0;
         for (int k = 0; k < 6; ++k) {
-            y += work.W[k][s] * z[k];
+            y += work.I_[k][s] * z[k];
         }
-        y = y / options->weight[s];
         answer[s] = y * work.scale[s];
     }
     status = auv6_within(answer, AUV6_N, AUV6_LARGEST);
@@ -2888,8 +3002,12 @@ AUV6_CODE
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_within(angles, 3, AUV6_MAX_PHASE);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < AUV6_MAX_PHASE * AUV6_MAX_PHASE)) {
+        status = auv6_within(angles, 3, AUV6_MAX_PHASE);
+        if (status != AUV6_OK) { return status; }
+    }
     auv6_real s_psi, c_psi;
     auv6_sincos(0.5 * angles[0], &s_psi, &c_psi);
     auv6_real s_theta, c_theta;
@@ -2911,8 +3029,12 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return AUV6_BAD_ARGUMENT; }
-    auv6_status status = auv6_within(position, 3, AUV6_MAX_POSITION);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < AUV6_MAX_POSITION * AUV6_MAX_POSITION)) {
+        status = auv6_within(position, 3, AUV6_MAX_POSITION);
+        if (status != AUV6_OK) { return status; }
+    }
     status = auv6_within(q_dot, 6, AUV6_MAX_SPEED);
     if (status != AUV6_OK) { return status; }
     status = auv6_within(q_ddot, 6, AUV6_MAX_ACCELERATION);
@@ -3071,10 +3193,17 @@ AUV6_CODE
 static auv6_status auv6_frame_of_axes(const auv6_real axis[3], const auv6_real zero[3],
                                       auv6_real R[restrict 9])
 {
-    auv6_status status = auv6_within(axis, 3, AUV6_MAX_PARAMETER);
-    if (status != AUV6_OK) { return status; }
-    status = auv6_within(zero, 3, AUV6_MAX_PARAMETER);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(axis[0] * axis[0] + axis[1] * axis[1]
+        + axis[2] * axis[2] < AUV6_MAX_PARAMETER * AUV6_MAX_PARAMETER)) {
+        status = auv6_within(axis, 3, AUV6_MAX_PARAMETER);
+        if (status != AUV6_OK) { return status; }
+    }
+    if (!(zero[0] * zero[0] + zero[1] * zero[1]
+        + zero[2] * zero[2] < AUV6_MAX_PARAMETER * AUV6_MAX_PARAMETER)) {
+        status = auv6_within(zero, 3, AUV6_MAX_PARAMETER);
+        if (status != AUV6_OK) { return status; }
+    }
     auv6_real e1[3];
     auv6_real e2[3];
     const auv6_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
@@ -3221,8 +3350,12 @@ AUV6_CODE
 static auv6_status auv6_place_flywheel(const auv6_parameters *parameters, const auv6_flywheel *w,
                                        auv6_real O[restrict 3], auv6_real R[restrict 9])
 {
-    auv6_status status = auv6_within(w->position, 3, AUV6_MAX_PARAMETER);
-    if (status != AUV6_OK) { return status; }
+    auv6_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < AUV6_MAX_PARAMETER * AUV6_MAX_PARAMETER)) {
+        status = auv6_within(w->position, 3, AUV6_MAX_PARAMETER);
+        if (status != AUV6_OK) { return status; }
+    }
     status = auv6_frame_of_axes(w->axis, w->zero, R);
     if (status != AUV6_OK) { return status; }
     O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
@@ -3339,8 +3472,13 @@ static auv6_status auv6_check_parameters(const auv6_parameters *parameters)
     for (int k = 0; k < 1; ++k) {
         status = auv6_check_body(&parameters->instrument[k].body);
         if (status != AUV6_OK) { return status; }
-        status = auv6_within(parameters->instrument[k].position, 3, AUV6_MAX_PARAMETER);
-        if (status != AUV6_OK) { return status; }
+        if (!(parameters->instrument[k].position[0] * parameters->instrument[k].position[0]
+            + parameters->instrument[k].position[1] * parameters->instrument[k].position[1]
+            + parameters->instrument[k].position[2] * parameters->instrument[k].position[2]
+            < AUV6_MAX_PARAMETER * AUV6_MAX_PARAMETER)) {
+            status = auv6_within(parameters->instrument[k].position, 3, AUV6_MAX_PARAMETER);
+            if (status != AUV6_OK) { return status; }
+        }
         status = auv6_frame_of_axes(parameters->instrument[k].axis, parameters->instrument[k].zero, R);
         if (status != AUV6_OK) { return status; }
         mass += parameters->instrument[k].body.mass;
@@ -3798,10 +3936,10 @@ auv6_status auv6_step_carried(const auv6_table *table, const auv6_state *x, cons
     if (status != AUV6_OK) { return status; }
     status = auv6_within(tau, AUV6_N, AUV6_MAX_WRENCH);
     if (status != AUV6_OK) { return status; }
-    auv6_real given[1];
-    given[0] = dt;
-    status = auv6_within(given, 1, AUV6_MAX_STEP);
-    if (status != AUV6_OK) { return status; }
+    if (!(dt >= -AUV6_MAX_STEP && dt <= AUV6_MAX_STEP)) {
+        if (dt >= -AUV6_LARGEST && dt <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     status = auv6_within(carry->rounding, 25, AUV6_MAX_ROUNDING);
@@ -3844,10 +3982,10 @@ auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *
     if (status != AUV6_OK) { return status; }
     status = auv6_within(phi_ddot, AUV6_N, AUV6_MAX_ACCELERATION);
     if (status != AUV6_OK) { return status; }
-    auv6_real given[1];
-    given[0] = dt;
-    status = auv6_within(given, 1, AUV6_MAX_STEP);
-    if (status != AUV6_OK) { return status; }
+    if (!(dt >= -AUV6_MAX_STEP && dt <= AUV6_MAX_STEP)) {
+        if (dt >= -AUV6_LARGEST && dt <= AUV6_LARGEST) { return AUV6_RANGE; }
+        return AUV6_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return AUV6_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return AUV6_BAD_ARGUMENT; }
     status = auv6_within(carry->rounding, 25, AUV6_MAX_ROUNDING);
@@ -3891,10 +4029,7 @@ auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_sta
     auv6_real sine[AUV6_N];
     auv6_real cosine[AUV6_N];
     auv6_sincos_each(x->phi, sine, cosine);
-    auv6_start_sums(table, &sum);
-    for (int s = 0; s < AUV6_N; ++s) {
-        auv6_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    auv6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     auv6_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

@@ -66,7 +66,6 @@ enum {
     AUV6_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
     AUV6_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     AUV6_COARSE = 32,                     /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    AUV6_EXCESSIVE = 64,                  /* more than a motor's torque or speed, or than `most` */
     AUV6_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     AUV6_RANGE = -2,                      /* out of range, quaternion off unit length */
     AUV6_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
@@ -244,21 +243,38 @@ typedef struct auv6_encoder {
     int moved;    /* counts between the last two readings */
 } auv6_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct auv6_factors3 {
+    auv6_real r1;   /* 1 / D, of the last D itself */
+    auv6_real r2;
+    auv6_real d3;
+    auv6_real l21;  /* L below its diagonal */
+    auv6_real l31;
+    auv6_real l32;
+} auv6_factors3;
+
+/* K of the carrier factored. */
+typedef struct auv6_carrier_factor {
+    auv6_real U[9];   /* m; A^-1 B^T */
+    auv6_factors3 L;  /* what is left of the inertia */
+} auv6_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct auv6_schur_factor {
+    auv6_real A_inv[6];  /* 1/kg */
+    auv6_real U[9];      /* m; A^-1 B^T */
+    auv6_factors3 L;     /* D - B A^-1 B^T */
+} auv6_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct auv6_inverse_options {
-    auv6_real weight[AUV6_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                      * default */
-    auv6_real limit[AUV6_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
-                                      * no limit */
-    auv6_real most[AUV6_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    auv6_real motor_torque[AUV6_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                      * infinity: no limit */
-    auv6_real motor_speed[AUV6_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
-                                      * greater than 0; infinity: none */
-    auv6_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
-                                      * value, 0..1 */
-    auv6_real damping;               /* damping of small singular values, as a fraction of the largest,
-                                      * 0..1; 0: none */
+    auv6_real weight[AUV6_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    auv6_real limit[AUV6_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                * limit */
+    auv6_real near;            /* status NEAR_SINGULAR below this fraction of the largest singular value,
+                                * 0..1 */
+    auv6_real damping;         /* damping of small singular values, as a fraction of the largest, 0..1; 0:
+                                * none */
 } auv6_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -307,7 +323,7 @@ extern const auv6_inverse_options auv6_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2194 operations on reals, 4 of them divisions. Stack: at most 2256 bytes. */
+ * At most 2265 operations on reals, 4 of them divisions. Stack: at most 2128 bytes. */
 auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                          auv6_real V_dot[6]);
 
@@ -316,7 +332,7 @@ auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1821 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 1556 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -324,7 +340,7 @@ auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2535 operations on reals, 1 of them a division. Stack: at most 1856 bytes. */
+ * At most 2270 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -332,7 +348,7 @@ auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2004 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 2015 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -342,7 +358,7 @@ auv6_status auv6_momentum(const auv6_table *table, const auv6_state *x, auv6_mom
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1170 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
+ * At most 1229 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
 auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                         const auv6_real phi_ddot[AUV6_N], auv6_real tau[AUV6_N]);
 
@@ -356,7 +372,7 @@ auv6_status auv6_torque(const auv6_table *table, const auv6_state *x, const auv6
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3209 operations on reals, 5 of them divisions. Stack: at most 3200 bytes. */
+ * At most 3220 operations on reals, 5 of them divisions. Stack: at most 3088 bytes. */
 auv6_status auv6_coupled(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                          const int locked[AUV6_N], auv6_real V_dot[6], auv6_real phi_ddot[AUV6_N]);
 
@@ -374,7 +390,7 @@ auv6_status auv6_coupled(const auv6_table *table, const auv6_state *x, const auv
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 13531 operations on reals, 26 of them divisions. Stack: at most 4416 bytes. */
+ * At most 13457 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
 auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                       const int locked[AUV6_N], auv6_real dt, int order, auv6_state *next);
 
@@ -391,7 +407,7 @@ auv6_status auv6_step(const auv6_table *table, const auv6_state *x, const auv6_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9471 operations on reals, 22 of them divisions. Stack: at most 3536 bytes. */
+ * At most 9637 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
 auv6_status auv6_step_driven(const auv6_table *table, const auv6_state *x, const auv6_real phi_ddot[AUV6_N],
                              auv6_real dt, int order, auv6_state *next);
 
@@ -400,7 +416,7 @@ auv6_status auv6_step_driven(const auv6_table *table, const auv6_state *x, const
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -411,7 +427,7 @@ auv6_status auv6_wrap(auv6_real phi, auv6_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -421,7 +437,7 @@ auv6_status auv6_phase_of_counts(int count, int per_turn, auv6_real zero, auv6_r
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 auv6_status auv6_speed_of_counts(int moved, int per_turn, auv6_real dt, auv6_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -444,7 +460,7 @@ auv6_status auv6_accumulate(auv6_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12040 operations on reals, 76 of them divisions. Stack: at most 4768 bytes. */
+ * At most 9723 operations on reals, 28 of them divisions. Stack: at most 4896 bytes. */
 auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
                                   const auv6_real phi_ddot[AUV6_N], auv6_forward_jacobian_result *out);
 
@@ -457,7 +473,7 @@ auv6_status auv6_forward_jacobian(const auv6_table *table, const auv6_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 20770 operations on reals, 102 of them divisions. Stack: at most 8032 bytes. */
+ * At most 17330 operations on reals, 33 of them divisions. Stack: at most 8096 bytes. */
 auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                                   const int locked[AUV6_N], auv6_coupled_jacobian_result *out);
 
@@ -471,9 +487,9 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43764 operations on reals, 1193 of them divisions. Stack: at most 5136 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 42822 operations on reals, 1180 of them divisions. Stack: at most 5040 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -490,7 +506,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3727 operations on reals, 97 of them divisions. Stack: at most 4720 bytes. */
+ * At most 3516 operations on reals, 55 of them divisions. Stack: at most 4576 bytes. */
 auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
@@ -500,7 +516,7 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 381 operations on reals, 1 of them a division. Stack: at most 1008 bytes. */
+ * At most 440 operations on reals, 1 of them a division. Stack: at most 1088 bytes. */
 auv6_status auv6_points(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                         auv6_points_result out[AUV6_SENSORS]);
 
@@ -508,7 +524,7 @@ auv6_status auv6_points(const auv6_table *table, const auv6_state *x, const auv6
  *   angles[3]    rad; psi, theta, phi of C = C2(psi) C3(theta) C1(phi) (aircraft)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -521,7 +537,7 @@ auv6_status auv6_quaternion(const auv6_real angles[3], auv6_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_real angles[3],
                                         const auv6_real q_dot[6], const auv6_real q_ddot[6], auv6_state *x,
                                         auv6_real V_dot[6]);
@@ -535,7 +551,7 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6738 operations on reals, 7 of them divisions. Stack: at most 4768 bytes. */
+ * At most 6551 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const auv6_real angles[3],
                              const auv6_real phi_ddot[AUV6_N], auv6_generalized_result *out);
 
@@ -549,7 +565,7 @@ auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const
  * the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 11570 operations on reals, 102 of them divisions. Stack: at most 2416 bytes. */
+ * At most 12039 operations on reals, 102 of them divisions. Stack: at most 2416 bytes. */
 auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -561,7 +577,7 @@ auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table);
  *   mount_wrench[36]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2325 operations on reals, 1 of them a division. Stack: at most 1968 bytes. */
+ * At most 2384 operations on reals, 1 of them a division. Stack: at most 1968 bytes. */
 auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mounting, const auv6_state *x,
                         const auv6_real V_dot[6], const auv6_real phi_ddot[AUV6_N],
                         auv6_real mount_wrench[36]);
@@ -571,7 +587,7 @@ auv6_status auv6_mounts(const auv6_table *table, const auv6_mount_table *mountin
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5606 operations on reals, 90 of them divisions. Stack: at most 1904 bytes. */
+ * At most 6047 operations on reals, 90 of them divisions. Stack: at most 1904 bytes. */
 auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -587,7 +603,7 @@ auv6_status auv6_prepare_mounts(const auv6_parameters *parameters, auv6_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 13853 operations on reals, 26 of them divisions. Stack: at most 4688 bytes. */
+ * At most 13779 operations on reals, 26 of them divisions. Stack: at most 4560 bytes. */
 auv6_status auv6_step_carried(const auv6_table *table, const auv6_state *x, const auv6_real tau[AUV6_N],
                               const int locked[AUV6_N], auv6_real dt, int order, auv6_step_carry *carry,
                               auv6_state *next);
@@ -605,7 +621,7 @@ auv6_status auv6_step_carried(const auv6_table *table, const auv6_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9793 operations on reals, 22 of them divisions. Stack: at most 3792 bytes. */
+ * At most 9959 operations on reals, 22 of them divisions. Stack: at most 3664 bytes. */
 auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *x,
                                      const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order,
                                      auv6_step_carry *carry, auv6_state *next);
@@ -615,7 +631,7 @@ auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1608 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
 auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
                                          auv6_real center_of_mass_velocity[3]);
 

@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define AUV6_RECORDER_FORMAT 2u           /* version of the log format */
-#define AUV6_RECORDER_SOURCE 0x986bf243u  /* FNV-1a hash of the texts of auv6.h and auv6.c */
+#define AUV6_RECORDER_SOURCE 0x6e599123u  /* FNV-1a hash of the texts of auv6.h and auv6.c */
 #define AUV6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -80,7 +80,7 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 5040 bytes, and that of write. */
+ * Stack: at most 4912 bytes, and that of write. */
 auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
                                int order);
@@ -90,7 +90,7 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4160 bytes, and that of write. */
+ * Stack: at most 4032 bytes, and that of write. */
 auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *table, auv6_state *x,
                                       const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order);
 

@@ -66,7 +66,6 @@ enum {
     BENCH8_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
     BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     BENCH8_COARSE = 32,                   /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    BENCH8_EXCESSIVE = 64,                /* more than a motor's torque or speed, or than `most` */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
     BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length */
     BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
@@ -200,21 +199,39 @@ typedef struct bench8_encoder {
     int moved;    /* counts between the last two readings */
 } bench8_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct bench8_factors3 {
+    bench8_real r1;   /* 1 / D, of the last D itself */
+    bench8_real r2;
+    bench8_real d3;
+    bench8_real l21;  /* L below its diagonal */
+    bench8_real l31;
+    bench8_real l32;
+} bench8_factors3;
+
+/* K of the carrier factored. */
+typedef struct bench8_carrier_factor {
+    bench8_real rho[3];  /* m; mass centre from O1, in E1 */
+    bench8_factors3 L;   /* what is left of the inertia */
+} bench8_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct bench8_schur_factor {
+    bench8_real A_inv[6];  /* 1/kg */
+    bench8_real U[9];      /* m; A^-1 B^T */
+    bench8_factors3 L;     /* D - B A^-1 B^T */
+} bench8_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                          * default */
-    bench8_real limit[BENCH8_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                          * infinity: no limit */
-    bench8_real most[BENCH8_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    bench8_real motor_torque[BENCH8_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                          * infinity: no limit */
-    bench8_real motor_speed[BENCH8_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                          * to 0; greater than 0; infinity: none */
-    bench8_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
-                                          * singular value, 0..1 */
-    bench8_real damping;                 /* damping of small singular values, as a fraction of the largest,
-                                          * 0..1; 0: none */
+    bench8_real weight[BENCH8_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                    * default */
+    bench8_real limit[BENCH8_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                    * limit */
+    bench8_real near;              /* status NEAR_SINGULAR below this fraction of the largest singular
+                                    * value, 0..1 */
+    bench8_real damping;           /* damping of small singular values, as a fraction of the largest, 0..1;
+                                    * 0: none */
 } bench8_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -263,7 +280,7 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2607 operations on reals, 6 of them divisions. Stack: at most 2336 bytes. */
+ * At most 2708 operations on reals, 6 of them divisions. Stack: at most 2368 bytes. */
 bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
 
@@ -272,7 +289,7 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2364 operations on reals, 3 of them divisions. Stack: at most 2080 bytes. */
+ * At most 1999 operations on reals, 3 of them divisions. Stack: at most 2080 bytes. */
 bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -280,7 +297,7 @@ bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, be
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 3228 operations on reals, 3 of them divisions. Stack: at most 2240 bytes. */
+ * At most 2863 operations on reals, 3 of them divisions. Stack: at most 2224 bytes. */
 bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -288,7 +305,7 @@ bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2440 operations on reals, 1 of them a division. Stack: at most 1616 bytes. */
+ * At most 2443 operations on reals, 1 of them a division. Stack: at most 1616 bytes. */
 bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -298,7 +315,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1444 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 1529 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
@@ -312,7 +329,7 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4026 operations on reals, 7 of them divisions. Stack: at most 3440 bytes. */
+ * At most 4047 operations on reals, 7 of them divisions. Stack: at most 3568 bytes. */
 bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                              bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N]);
@@ -331,7 +348,7 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 16927 operations on reals, 34 of them divisions. Stack: at most 4752 bytes. */
+ * At most 16873 operations on reals, 34 of them divisions. Stack: at most 4880 bytes. */
 bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
@@ -348,7 +365,7 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11251 operations on reals, 30 of them divisions. Stack: at most 3744 bytes. */
+ * At most 11517 operations on reals, 30 of them divisions. Stack: at most 3760 bytes. */
 bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
                                  const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                  bench8_state *next);
@@ -358,7 +375,7 @@ bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -369,7 +386,7 @@ bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -379,7 +396,7 @@ bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, 
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -402,7 +419,7 @@ bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10673 operations on reals, 96 of them divisions. Stack: at most 5088 bytes. */
+ * At most 9712 operations on reals, 36 of them divisions. Stack: at most 5168 bytes. */
 bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real phi_ddot[BENCH8_N],
                                       bench8_forward_jacobian_result *out);
@@ -416,7 +433,7 @@ bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 26115 operations on reals, 128 of them divisions. Stack: at most 8656 bytes. */
+ * At most 21545 operations on reals, 41 of them divisions. Stack: at most 8992 bytes. */
 bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
                                       const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                       bench8_coupled_jacobian_result *out);
@@ -431,9 +448,9 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 53899 operations on reals, 1411 of them divisions. Stack: at most 5568 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 52731 operations on reals, 1396 of them divisions. Stack: at most 5456 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -450,7 +467,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4528 operations on reals, 115 of them divisions. Stack: at most 5216 bytes. */
+ * At most 4309 operations on reals, 61 of them divisions. Stack: at most 5056 bytes. */
 bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
@@ -459,7 +476,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -472,7 +489,7 @@ bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
                                             const bench8_real q_dot[6], const bench8_real q_ddot[6],
                                             bench8_state *x, bench8_real V_dot[6]);
@@ -486,7 +503,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7628 operations on reals, 11 of them divisions. Stack: at most 5136 bytes. */
+ * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);
@@ -501,7 +518,7 @@ bench8_status bench8_generalized(const bench8_table *table, const bench8_state *
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10673 operations on reals, 68 of them divisions. Stack: at most 2016 bytes. */
+ * At most 11009 operations on reals, 68 of them divisions. Stack: at most 2016 bytes. */
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -513,7 +530,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
  *   mount_wrench[48]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2991 operations on reals, 1 of them a division. Stack: at most 1824 bytes. */
+ * At most 3076 operations on reals, 1 of them a division. Stack: at most 1824 bytes. */
 bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
                             const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48]);
@@ -523,7 +540,7 @@ bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table 
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3480 operations on reals, 59 of them divisions. Stack: at most 1552 bytes. */
+ * At most 3816 operations on reals, 59 of them divisions. Stack: at most 1552 bytes. */
 bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -539,7 +556,7 @@ bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 17303 operations on reals, 34 of them divisions. Stack: at most 5056 bytes. */
+ * At most 17249 operations on reals, 34 of them divisions. Stack: at most 5184 bytes. */
 bench8_status bench8_step_carried(const bench8_table *table, const bench8_state *x,
                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                   bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next);
@@ -557,7 +574,7 @@ bench8_status bench8_step_carried(const bench8_table *table, const bench8_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 11627 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
+ * At most 11893 operations on reals, 30 of them divisions. Stack: at most 4048 bytes. */
 bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
                                          const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
                                          bench8_step_carry *carry, bench8_state *next);
@@ -567,7 +584,7 @@ bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2076 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1711 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
 bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
                                              bench8_real center_of_mass_velocity[3]);
 

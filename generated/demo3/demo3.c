@@ -46,6 +46,13 @@ __asm__(".globl demo3_link_double_lanes1_v0_1_0_fdeb29e7\n"
 #define DEMO3_CONST
 #endif
 
+/* Seldom called: one copy takes less code than one in each caller. */
+#ifdef __GNUC__
+#define DEMO3_APART __attribute__((noinline))
+#else
+#define DEMO3_APART
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct demo3_sums {
     demo3_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -200,7 +207,7 @@ static demo3_real demo3_wrapped(demo3_real phi)
 }
 
 /* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
-DEMO3_CODE
+DEMO3_CODE DEMO3_APART
 static demo3_status demo3_within(const demo3_real values[], int count, demo3_real limit)
 {
     for (int i = 0; i < count; ++i) {
@@ -216,6 +223,30 @@ static demo3_status demo3_within(const demo3_real values[], int count, demo3_rea
 DEMO3_CODE
 static demo3_status demo3_check_state(const demo3_state *x)
 {
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        demo3_real position2, velocity2, speed2, phase2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < DEMO3_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < DEMO3_MAX_POSITION * DEMO3_MAX_POSITION
+            && velocity2 < DEMO3_MAX_VELOCITY * DEMO3_MAX_VELOCITY
+            && speed2 < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED
+            && phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE) { return DEMO3_OK; }
+    }
+#endif
     demo3_status status = demo3_within(x->position, 3, DEMO3_MAX_POSITION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(x->attitude, 4, 2.0);
@@ -234,6 +265,57 @@ static demo3_status demo3_check_state(const demo3_state *x)
     return DEMO3_OK;
 }
 
+/* The same of a state, and then: are values of the flywheels within a limit? */
+DEMO3_CODE
+static demo3_status demo3_check_motion(const demo3_state *x, const demo3_real values[DEMO3_N],
+                                       demo3_real limit)
+{
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        demo3_real position2, velocity2, speed2, phase2, given2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        given2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < DEMO3_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            given2 += values[s] * values[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < DEMO3_MAX_POSITION * DEMO3_MAX_POSITION
+            && velocity2 < DEMO3_MAX_VELOCITY * DEMO3_MAX_VELOCITY
+            && speed2 < DEMO3_MAX_SPEED * DEMO3_MAX_SPEED && phase2 < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE
+            && given2 < limit * limit) { return DEMO3_OK; }
+    }
+#endif
+    demo3_status status = demo3_within(x->position, 3, DEMO3_MAX_POSITION);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->attitude, 4, 2.0);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->V, 6, DEMO3_MAX_SPEED);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->V, 3, DEMO3_MAX_VELOCITY);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->phi, DEMO3_N, DEMO3_MAX_PHASE);
+    if (status != DEMO3_OK) { return status; }
+    status = demo3_within(x->phi_dot, DEMO3_N, DEMO3_MAX_SPEED);
+    if (status != DEMO3_OK) { return status; }
+    const demo3_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return DEMO3_RANGE; }
+    status = demo3_within(values, DEMO3_N, limit);
+    if (status != DEMO3_OK) { return status; }
+    return DEMO3_OK;
+}
+
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 DEMO3_CODE
 static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
@@ -248,23 +330,6 @@ static void demo3_rotation(const demo3_real q[4], demo3_real C[restrict 9])
     C[6] = k * (q[1] * q[3] - q[0] * q[2]);
     C[7] = k * (q[0] * q[1] + q[2] * q[3]);
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
-}
-
-/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
-DEMO3_CODE
-static void demo3_start_sums(const demo3_table *table, demo3_sums *restrict sum)
-{
-    sum->mu[0] = table->first_moment[0];
-    sum->mu[1] = table->first_moment[1];
-    sum->mu[2] = table->first_moment[2];
-    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
-    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* Sines and cosines of all phases.
@@ -311,51 +376,136 @@ static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restr
     }
 }
 
-/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 DEMO3_CODE
-static void demo3_add_flywheel(const demo3_row *row, demo3_real s, demo3_real c, demo3_real phi_dot,
-                               demo3_real phi_ddot, demo3_sums *restrict sum)
+static void demo3_sum_mass(const demo3_table *table, const demo3_real sine[DEMO3_N],
+                           const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
+                           demo3_sums *restrict sum)
 {
-    const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
-    const demo3_real s2 = 2.0 * c * s;
-    const demo3_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
-    const demo3_real ds = phi_dot * c;
-    const demo3_real dc2 = -2.0 * phi_dot * s2;
-    const demo3_real ds2 = 2.0 * phi_dot * c2;
-    const demo3_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
-    const demo3_real dds = phi_ddot * c + phi_dot * dc;
-    /* first moment and its rate */
-    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
-    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
-    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
-    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
-    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
-    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    /* its rate: K_dot of (6) */
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
-    /* moment part of I phi' (its force part is mu_dot) */
-    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
-    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
-    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
-    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
-    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
-    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
-    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
-    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
-    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    for (int k = 0; k < DEMO3_N; ++k) {
+        const demo3_real s = sine[k];
+        const demo3_real c = cosine[k];
+        const demo3_real w = phi_dot[k];
+        const demo3_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
+        const demo3_real s2 = 2.0 * c * s;
+        const demo3_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const demo3_real ds = w * c;
+        const demo3_real dc2 = -2.0 * w * s2;
+        const demo3_real ds2 = 2.0 * w * c2;
+        /* inertia */
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        /* its rate: K_dot of (6) */
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        /* first moment and its rate */
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+DEMO3_CODE
+static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
+                                  const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
+                                  demo3_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < DEMO3_N; ++k) {
+        const demo3_real s = sine[k];
+        const demo3_real c = cosine[k];
+        const demo3_real w = phi_dot[k];
+        const demo3_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const demo3_real ds = w * c;
+        const demo3_real ddc = -w * ds;  /* second time derivatives */
+        const demo3_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+DEMO3_CODE
+static void demo3_sum_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
+                           const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
+                           const demo3_real phi_ddot[DEMO3_N], demo3_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < DEMO3_N; ++k) {
+        const demo3_real s = sine[k];
+        const demo3_real c = cosine[k];
+        const demo3_real w = phi_dot[k];
+        const demo3_real a = phi_ddot[k];
+        const demo3_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const demo3_real ds = w * c;
+        const demo3_real ddc = -w * ds - a * s;  /* second time derivatives */
+        const demo3_real dds = a * c + w * dc;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+    }
 }
 
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
@@ -374,28 +524,35 @@ static void demo3_momentum_screw(const demo3_table *table, const demo3_sums *sum
         - sum->mu[1] * V[0];
 }
 
-/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 DEMO3_CODE
-static void demo3_subtract_rates(const demo3_sums *sum, const demo3_real V[6], const demo3_real Z[6],
+static void demo3_subtract_rates(const demo3_table *table, const demo3_sums *sum, const demo3_real V[6],
                                  demo3_real F[restrict 6])
 {
-    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
-    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
-    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
-    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
-        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
-        - Z[2] * V[1];
-    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
-        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
-        - Z[0] * V[2];
-    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
-        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
-        - Z[1] * V[0];
+    /* momentum screw Z = K V + sum I phi' */
+    const demo3_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    const demo3_real Z2 = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    const demo3_real Z3 = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    const demo3_real Z4 = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0]
+        + sum->mu[1] * V[2] - sum->mu[2] * V[1];
+    const demo3_real Z5 = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1]
+        + sum->mu[2] * V[0] - sum->mu[0] * V[2];
+    const demo3_real Z6 = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2]
+        + sum->mu[0] * V[1] - sum->mu[1] * V[0];
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z2 - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z3;
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z3 - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z1;
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z1 - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z2;
+    F[3] = F[3] + Z5 * V[5] + sum->mu_dot[2] * V[1] + Z2 * V[2] - sum->J_dot[0] * V[3] - sum->J_dot[3] * V[4]
+        - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z6 * V[4] - sum->mu_dot[1] * V[2] - Z3 * V[1];
+    F[4] = F[4] + Z6 * V[3] + sum->mu_dot[0] * V[2] + Z3 * V[0] - sum->J_dot[1] * V[4] - sum->J_dot[3] * V[3]
+        - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z4 * V[5] - sum->mu_dot[2] * V[0] - Z1 * V[2];
+    F[5] = F[5] + Z4 * V[4] + sum->mu_dot[1] * V[0] + Z1 * V[1] - sum->J_dot[2] * V[5] - sum->J_dot[4] * V[3]
+        - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z5 * V[3] - sum->mu_dot[0] * V[1] - Z2 * V[0];
 }
 
-/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 DEMO3_CODE
-static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], demo3_real y[restrict 3])
+static demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     const demo3_real r1 = 1.0 / S[0];
@@ -408,44 +565,63 @@ static demo3_status demo3_solve3(const demo3_real S[6], const demo3_real b[3], d
     const demo3_real l32 = p32 * r2;
     const demo3_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
-    /* L z = b, then L^T y = D^-1 z */
-    const demo3_real z2 = b[1] - l21 * b[0];
-    const demo3_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
-    const demo3_real y2 = z2 * r2 - l32 * y3;
-    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
-    y[1] = y2;  y[2] = y3;
+    L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
+    L->l21 = l21;
+    L->l31 = l31;
+    L->l32 = l32;
     return DEMO3_OK;
 }
 
-/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
+/* Solves S y = b by S = L D L^T. */
 DEMO3_CODE
-static demo3_status demo3_solve_carrier(const demo3_table *table, const demo3_sums *sum,
-                                        const demo3_real F[6], demo3_real y[restrict 6])
+static void demo3_solve3(const demo3_factors3 *L, const demo3_real b[3], demo3_real y[restrict 3])
+{
+    /* L z = b, then L^T y = D^-1 z */
+    const demo3_real z2 = b[1] - L->l21 * b[0];
+    const demo3_real y3 = (b[2] - L->l31 * b[0] - L->l32 * z2) / L->d3;
+    const demo3_real y2 = z2 * L->r2 - L->l32 * y3;
+    y[0] = b[0] * L->r1 - L->l21 * y2 - L->l31 * y3;
+    y[1] = y2;  y[2] = y3;
+}
+
+/* Factors K: its translational block is constant, so that a 3x3 matrix is left, (8). */
+DEMO3_CODE
+static demo3_status demo3_factor_carrier(const demo3_table *table, const demo3_sums *sum,
+                                         demo3_carrier_factor *restrict K)
 {
     demo3_status status;
-    demo3_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = table->mass_inverse * sum->mu[0];
-    rho[1] = table->mass_inverse * sum->mu[1];
-    rho[2] = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     demo3_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
+    status = demo3_factor3(S, &K->L);
+    if (status != DEMO3_OK) { return status; }
+    return DEMO3_OK;
+}
+
+/* Solves K y = F by the factors of K, (8). */
+DEMO3_CODE
+static void demo3_solve_carrier(const demo3_table *table, const demo3_carrier_factor *K,
+                                const demo3_real F[6], demo3_real y[restrict 6])
+{
     demo3_real moment[3];  /* about the mass centre */
     demo3_real omega_dot[3];
-    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
-    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
-    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
-    S[3] = sum->J[3] + sum->mu[1] * rho[0];
-    S[4] = sum->J[4] + sum->mu[2] * rho[0];
-    S[5] = sum->J[5] + sum->mu[2] * rho[1];
-    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
-    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
-    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
-    status = demo3_solve3(S, moment, omega_dot);
-    if (status != DEMO3_OK) { return status; }
-    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
+    demo3_solve3(&K->L, moment, omega_dot);
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return DEMO3_OK;
 }
 
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
@@ -457,18 +633,16 @@ static demo3_status demo3_accelerate(const demo3_table *table, const demo3_state
 {
     demo3_status status;
     demo3_sums sum;
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     demo3_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    demo3_real Z[6];  /* momentum screw (2) */
+    demo3_carrier_factor K;
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    demo3_momentum_screw(table, &sum, x->V, Z);
-    demo3_subtract_rates(&sum, x->V, Z, F);
-    status = demo3_solve_carrier(table, &sum, F, V_dot);
+    demo3_subtract_rates(table, &sum, x->V, F);
+    status = demo3_factor_carrier(table, &sum, &K);
     if (status != DEMO3_OK) { return status; }
+    demo3_solve_carrier(table, &K, F, V_dot);
     return DEMO3_OK;
 }
 
@@ -478,9 +652,7 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6])
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     demo3_real result[6];
     demo3_real sine[DEMO3_N];
@@ -521,10 +693,7 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     demo3_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -608,10 +777,8 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_momentum_screw(table, &sum, x->V, Z);
     demo3_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
@@ -727,9 +894,7 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
 {
     if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
@@ -755,9 +920,9 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
     return DEMO3_OK;
 }
 
-/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
 DEMO3_CODE
-static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6], demo3_real y[restrict 6])
+static demo3_status demo3_factor_schur(const demo3_schur *K, demo3_schur_factor *restrict factor)
 {
     demo3_status status;
     const demo3_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -770,41 +935,47 @@ static demo3_status demo3_solve_schur(const demo3_schur *K, const demo3_real F[6
     if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
         && det <= DEMO3_LARGEST))) { return DEMO3_NOT_POSITIVE_DEFINITE; }
     const demo3_real r = 1.0 / det;
-    demo3_real A_inv[6];
-    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
-    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
-    demo3_real U[9];  /* A^-1 B^T */
+    factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
+    factor->A_inv[3] = c12 * r;  factor->A_inv[4] = c13 * r;  factor->A_inv[5] = c23 * r;
     demo3_real S[6];  /* D - B A^-1 B^T */
+    factor->U[0] = factor->A_inv[0] * K->B[0] + factor->A_inv[3] * K->B[1] + factor->A_inv[4] * K->B[2];
+    factor->U[1] = factor->A_inv[0] * K->B[3] + factor->A_inv[3] * K->B[4] + factor->A_inv[4] * K->B[5];
+    factor->U[2] = factor->A_inv[0] * K->B[6] + factor->A_inv[3] * K->B[7] + factor->A_inv[4] * K->B[8];
+    factor->U[3] = factor->A_inv[1] * K->B[1] + factor->A_inv[3] * K->B[0] + factor->A_inv[5] * K->B[2];
+    factor->U[4] = factor->A_inv[1] * K->B[4] + factor->A_inv[3] * K->B[3] + factor->A_inv[5] * K->B[5];
+    factor->U[5] = factor->A_inv[1] * K->B[7] + factor->A_inv[3] * K->B[6] + factor->A_inv[5] * K->B[8];
+    factor->U[6] = factor->A_inv[2] * K->B[2] + factor->A_inv[4] * K->B[0] + factor->A_inv[5] * K->B[1];
+    factor->U[7] = factor->A_inv[2] * K->B[5] + factor->A_inv[4] * K->B[3] + factor->A_inv[5] * K->B[4];
+    factor->U[8] = factor->A_inv[2] * K->B[8] + factor->A_inv[4] * K->B[6] + factor->A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * factor->U[0] - K->B[1] * factor->U[3] - K->B[2] * factor->U[6];
+    S[1] = K->D[1] - K->B[3] * factor->U[1] - K->B[4] * factor->U[4] - K->B[5] * factor->U[7];
+    S[2] = K->D[2] - K->B[6] * factor->U[2] - K->B[7] * factor->U[5] - K->B[8] * factor->U[8];
+    S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
+    S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
+    S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
+    status = demo3_factor3(S, &factor->L);
+    if (status != DEMO3_OK) { return status; }
+    return DEMO3_OK;
+}
+
+/* Solves [A B^T; B D] y = F by the factors. */
+DEMO3_CODE
+static void demo3_solve_schur(const demo3_schur_factor *factor, const demo3_real F[6],
+                              demo3_real y[restrict 6])
+{
     demo3_real moment[3];  /* n - B A^-1 f */
     demo3_real omega_dot[3];
-    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
-    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
-    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
-    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
-    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
-    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
-    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
-    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
-    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
-    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
-    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
-    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
-    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
-    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
-    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
-    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
-    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
-    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
-    status = demo3_solve3(S, moment, omega_dot);
-    if (status != DEMO3_OK) { return status; }
-    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
-        - U[2] * omega_dot[2];
-    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
-        - U[5] * omega_dot[2];
-    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
-        - U[8] * omega_dot[2];
+    moment[0] = F[3] - factor->U[0] * F[0] - factor->U[3] * F[1] - factor->U[6] * F[2];
+    moment[1] = F[4] - factor->U[1] * F[0] - factor->U[4] * F[1] - factor->U[7] * F[2];
+    moment[2] = F[5] - factor->U[2] * F[0] - factor->U[5] * F[1] - factor->U[8] * F[2];
+    demo3_solve3(&factor->L, moment, omega_dot);
+    y[0] = factor->A_inv[0] * F[0] + factor->A_inv[3] * F[1] + factor->A_inv[4] * F[2]
+        - factor->U[0] * omega_dot[0] - factor->U[1] * omega_dot[1] - factor->U[2] * omega_dot[2];
+    y[1] = factor->A_inv[1] * F[1] + factor->A_inv[3] * F[0] + factor->A_inv[5] * F[2]
+        - factor->U[3] * omega_dot[0] - factor->U[4] * omega_dot[1] - factor->U[5] * omega_dot[2];
+    y[2] = factor->A_inv[2] * F[2] + factor->A_inv[4] * F[0] + factor->A_inv[5] * F[1]
+        - factor->U[6] * omega_dot[0] - factor->U[7] * omega_dot[1] - factor->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return DEMO3_OK;
 }
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
@@ -816,16 +987,12 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
 {
     demo3_status status;
     demo3_sums sum;
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     demo3_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    demo3_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    demo3_momentum_screw(table, &sum, x->V, Z);
-    demo3_subtract_rates(&sum, x->V, Z, F);
+    demo3_subtract_rates(table, &sum, x->V, F);
     demo3_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -853,8 +1020,10 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
             demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
-    status = demo3_solve_schur(&K, F, V_dot);
+    demo3_schur_factor factor;
+    status = demo3_factor_schur(&K, &factor);
     if (status != DEMO3_OK) { return status; }
+    demo3_solve_schur(&factor, F, V_dot);
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
@@ -874,9 +1043,7 @@ demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const
     if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return DEMO3_BAD_ARGUMENT; }
     if (locked == NULL) { locked = demo3_none_locked; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
+    demo3_status status = demo3_check_motion(x, tau, DEMO3_MAX_WRENCH);
     if (status != DEMO3_OK) { return status; }
     demo3_real V_result[6];
     demo3_real phi_result[DEMO3_N];
@@ -928,7 +1095,7 @@ static demo3_status demo3_finish(demo3_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = demo3_check_state(x);
+    status = demo3_check_motion(x, x->phi_dot, DEMO3_MAX_SPEED);
     if (status != DEMO3_OK) { return status; }
     for (int s = 0; s < DEMO3_N; ++s) {
         x->phi[s] = demo3_wrapped(x->phi[s]);
@@ -1048,14 +1215,12 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
 {
     if (table == NULL || x == NULL || tau == NULL || next == NULL) { return DEMO3_BAD_ARGUMENT; }
     if (locked == NULL) { locked = demo3_none_locked; }
-    demo3_status status = demo3_check_state(x);
+    demo3_status status = demo3_check_motion(x, tau, DEMO3_MAX_WRENCH);
     if (status != DEMO3_OK) { return status; }
-    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real given[1];
-    given[0] = dt;
-    status = demo3_within(given, 1, DEMO3_MAX_STEP);
-    if (status != DEMO3_OK) { return status; }
+    if (!(dt >= -DEMO3_MAX_STEP && dt <= DEMO3_MAX_STEP)) {
+        if (dt >= -DEMO3_LARGEST && dt <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     demo3_state y;  /* state of a stage; then the new state */
@@ -1191,14 +1356,12 @@ demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                demo3_state *next)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real given[1];
-    given[0] = dt;
-    status = demo3_within(given, 1, DEMO3_MAX_STEP);
-    if (status != DEMO3_OK) { return status; }
+    if (!(dt >= -DEMO3_MAX_STEP && dt <= DEMO3_MAX_STEP)) {
+        if (dt >= -DEMO3_LARGEST && dt <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     demo3_state y;  /* state of a stage; then the new state */
@@ -1226,11 +1389,10 @@ DEMO3_CODE
 demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped)
 {
     if (wrapped == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status;
-    demo3_real given[1];
-    given[0] = phi;
-    status = demo3_within(given, 1, DEMO3_MAX_PHASE);
-    if (status != DEMO3_OK) { return status; }
+    if (!(phi >= -DEMO3_MAX_PHASE && phi <= DEMO3_MAX_PHASE)) {
+        if (phi >= -DEMO3_LARGEST && phi <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     demo3_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     demo3_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
@@ -1248,14 +1410,13 @@ DEMO3_CODE
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi)
 {
     if (phi == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return DEMO3_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     const demo3_real size = (demo3_real)turn;
-    demo3_real given[1];
-    given[0] = zero;
-    status = demo3_within(given, 1, size);
-    if (status != DEMO3_OK) { return status; }
+    if (!(zero >= -size && zero <= size)) {
+        if (zero >= -DEMO3_LARGEST && zero <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     const int rest = count - count / turn * turn;  /* whole turns removed */
     demo3_real place = (demo3_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
     const demo3_real half = size * 0.5;
@@ -1271,12 +1432,11 @@ DEMO3_CODE
 demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot)
 {
     if (phi_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return DEMO3_BAD_ARGUMENT; }
-    demo3_real given[1];
-    given[0] = dt;
-    status = demo3_within(given, 1, DEMO3_MAX_STEP);
-    if (status != DEMO3_OK) { return status; }
+    if (!(dt >= -DEMO3_MAX_STEP && dt <= DEMO3_MAX_STEP)) {
+        if (dt >= -DEMO3_LARGEST && dt <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     const demo3_real turns = (demo3_real)moved / (demo3_real)per_turn;
     const demo3_real speed = turns * 6.283185307179586 / dt;
@@ -1421,18 +1581,14 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_jacobian_result *out)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     demo3_real F[6];  /* right-hand side of (8) */
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_real V_result[6];  /* V_r* */
@@ -1441,9 +1597,11 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     demo3_momentum_screw(table, &sum, x->V, Z);
-    demo3_subtract_rates(&sum, x->V, Z, F);
-    status = demo3_solve_carrier(table, &sum, F, V_result);
+    demo3_subtract_rates(table, &sum, x->V, F);
+    demo3_carrier_factor K;
+    status = demo3_factor_carrier(table, &sum, &K);
     if (status != DEMO3_OK) { return status; }
+    demo3_solve_carrier(table, &K, F, V_result);
     demo3_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1476,7 +1634,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)demo3_solve_carrier(table, &sum, rhs, y);
+        demo3_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1499,7 +1657,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            (void)demo3_solve_carrier(table, &sum, rhs, y);
+            demo3_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1510,7 +1668,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             demo3_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            (void)demo3_solve_carrier(table, &sum, rhs, y);
+            demo3_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1524,7 +1682,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        (void)demo3_solve_carrier(table, &sum, rhs, y);
+        demo3_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1540,9 +1698,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
 {
     if (table == NULL || x == NULL || tau == NULL || out == NULL) { return DEMO3_BAD_ARGUMENT; }
     if (locked == NULL) { locked = demo3_none_locked; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
+    demo3_status status = demo3_check_motion(x, tau, DEMO3_MAX_WRENCH);
     if (status != DEMO3_OK) { return status; }
     demo3_real V_result[6];  /* V*, then V_r* */
     demo3_real phi_result[DEMO3_N];  /* phi'' */
@@ -1552,10 +1708,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     status = demo3_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != DEMO3_OK) { return status; }
     demo3_sums sum;
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     demo3_real Z[6];  /* momentum screw (2) */
     demo3_momentum_screw(table, &sum, x->V, Z);
     demo3_matrices_result m;
@@ -1604,6 +1758,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    demo3_schur_factor factor;
     demo3_real rhs[6];  /* right-hand side of the carrier */
     demo3_real drive_rhs[DEMO3_N];  /* right-hand sides of the drives */
     demo3_real y[6];
@@ -1615,6 +1770,8 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
+    status = demo3_factor_schur(&K, &factor);
+    if (status != DEMO3_OK) { return status; }
     demo3_real drive_slope[DEMO3_N][6];  /* derivatives of the bias torques by V */
     demo3_real J_p[6];  /* dJ / dphi */
     demo3_real turned[3];  /* J' omega */
@@ -1660,7 +1817,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                 }
             }
         }
-        (void)demo3_solve_schur(&K, rhs, y);
+        demo3_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1734,7 +1891,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                     }
                 }
             }
-            (void)demo3_solve_schur(&K, rhs, y);
+            demo3_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1765,7 +1922,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
                     }
                 }
             }
-            (void)demo3_solve_schur(&K, rhs, y);
+            demo3_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1785,15 +1942,13 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
             drive_rhs[t] = 0.0;
         }
         drive_rhs[s] = 1.0;
-        for (int t = 0; t < DEMO3_N; ++t) {
-            if (locked[t] == 0) {
-                const demo3_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I_[i] * share;
-                }
+        if (locked[s] == 0) {
+            const demo3_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            for (int i = 0; i < 6; ++i) {
+                rhs[i] -= drive[s].I_[i] * share;
             }
         }
-        (void)demo3_solve_schur(&K, rhs, y);
+        demo3_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_tau[i][s] = y[i];
         }
@@ -1902,33 +2057,12 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
 {
     demo3_status status;
     demo3_sums sum;
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
-    demo3_real column[6];  /* I_s */
-    for (int s = 0; s < DEMO3_N; ++s) {
-        const demo3_real s_phi = sine[s];
-        const demo3_real c_phi = cosine[s];
-        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
-        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
-        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
-        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0];
-        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1];
-        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2];
-        for (int i = 0; i < 6; ++i) {
-            work->I_[i][s] = column[i];
-        }
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    demo3_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     demo3_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    demo3_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    demo3_momentum_screw(table, &sum, x->V, Z);
-    demo3_subtract_rates(&sum, x->V, Z, F);
+    demo3_subtract_rates(table, &sum, x->V, F);
     work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
     work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
@@ -1943,32 +2077,48 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
     /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
-        work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
-        work->r[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+        const demo3_real demanded = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1]
+            - work->G[i][2] * V_dot[2] - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4]
+            - work->G[i][5] * V_dot[5];
+        work->b[i] = demanded;
+        work->r[i] = demanded;
     }
     status = demo3_factor(work);
     if (status != DEMO3_OK) { return status; }
     for (int s = 0; s < DEMO3_N; ++s) {
-        work->scale[s] = 1.0 / demo3_sqrt(table->flywheel[s].spin);
+        const demo3_real s_phi = sine[s];
+        const demo3_real c_phi = cosine[s];
+        const demo3_real scale = 1.0 / demo3_sqrt(table->flywheel[s].spin);
+        work->scale[s] = scale;
+        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I_[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * scale;
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
     for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < i; ++k) {
-            for (int s = 0; s < DEMO3_N; ++s) {
-                work->W[i][s] -= work->G[i][k] * work->W[k][s];
-            }
-            work->r[i] -= work->G[i][k] * work->r[k];
-        }
         const demo3_real inverse = 1.0 / work->G[i][i];
+        demo3_real rest;
         for (int s = 0; s < DEMO3_N; ++s) {
-            work->W[i][s] = work->W[i][s] * inverse;
+            rest = work->W[i][s];
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * work->W[k][s];
+            }
+            work->W[i][s] = rest * inverse;
         }
-        work->r[i] = work->r[i] * inverse;
+        rest = work->r[i];
+        for (int k = 0; k < i; ++k) {
+            rest -= work->G[i][k] * work->r[k];
+        }
+        work->r[i] = rest * inverse;
     }
     return DEMO3_OK;
 }
@@ -2405,47 +2555,47 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
     demo3_real trace = 0.0;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < i + 1; ++j) {
-            gram[i][j] = 0.0;
+            demo3_real total = 0.0;
             for (int k = 0; k < 6; ++k) {
-                gram[i][j] += work.W[k][i] * work.W[k][j];
+                total += work.W[k][i] * work.W[k][j];
             }
+            gram[i][j] = total;
         }
         trace += gram[i][i];
-        z[i] = 0.0;
+        demo3_real side = 0.0;
         for (int k = 0; k < 6; ++k) {
-            z[i] += work.W[k][i] * work.r[k];
+            side += work.W[k][i] * work.r[k];
         }
+        z[i] = side;
     }
     const demo3_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
-    for (int i = 0; i < 3; ++i) {
-        gram[i][i] += lambda2;
-    }
     for (int j = 0; j < 3; ++j) {
-        const demo3_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
+        demo3_real pivot = gram[j][j] + lambda2;
+        const demo3_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        demo3_real rest = z[j];
         for (int k = 0; k < j; ++k) {
-            gram[j][j] -= gram[j][k] * gram[j][k];
+            pivot -= gram[j][k] * gram[k][j];
+            rest -= gram[k][j] * z[k];
         }
-        if (!(gram[j][j] > least)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = demo3_sqrt(gram[j][j]);
+        z[j] = rest;
+        if (!(pivot > least)) { return DEMO3_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 3; ++i) {
+            demo3_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
-                gram[i][j] -= gram[i][k] * gram[j][k];
+                below -= gram[i][k] * gram[k][j];
             }
-            gram[i][j] = gram[i][j] / gram[j][j];
+            gram[i][j] = below;
+            gram[j][i] = below / pivot;
         }
-    }
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < i; ++k) {
-            z[i] -= gram[i][k] * z[k];
-        }
-        z[i] = z[i] / gram[i][i];
     }
     for (int t = 0; t < 3; ++t) {
         const int i = 2 - t;
+        demo3_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 3; ++k) {
-            z[i] -= gram[k][i] * z[k];
+            rest -= gram[i][k] * z[k];
         }
-        z[i] = z[i] / gram[i][i];
+        z[i] = rest;
     }
     demo3_real answer[DEMO3_N];
     for (int s = 0; s < DEMO3_N; ++s) {
@@ -2465,8 +2615,12 @@ DEMO3_CODE
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < DEMO3_MAX_PHASE * DEMO3_MAX_PHASE)) {
+        status = demo3_within(angles, 3, DEMO3_MAX_PHASE);
+        if (status != DEMO3_OK) { return status; }
+    }
     demo3_real s_psi, c_psi;
     demo3_sincos(0.5 * angles[0], &s_psi, &c_psi);
     demo3_real s_theta, c_theta;
@@ -2488,8 +2642,12 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_within(position, 3, DEMO3_MAX_POSITION);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < DEMO3_MAX_POSITION * DEMO3_MAX_POSITION)) {
+        status = demo3_within(position, 3, DEMO3_MAX_POSITION);
+        if (status != DEMO3_OK) { return status; }
+    }
     status = demo3_within(q_dot, 6, DEMO3_MAX_SPEED);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(q_ddot, 6, DEMO3_MAX_ACCELERATION);
@@ -2647,10 +2805,17 @@ DEMO3_CODE
 static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_real zero[3],
                                         demo3_real R[restrict 9])
 {
-    demo3_status status = demo3_within(axis, 3, DEMO3_MAX_PARAMETER);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(zero, 3, DEMO3_MAX_PARAMETER);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(axis[0] * axis[0] + axis[1] * axis[1]
+        + axis[2] * axis[2] < DEMO3_MAX_PARAMETER * DEMO3_MAX_PARAMETER)) {
+        status = demo3_within(axis, 3, DEMO3_MAX_PARAMETER);
+        if (status != DEMO3_OK) { return status; }
+    }
+    if (!(zero[0] * zero[0] + zero[1] * zero[1]
+        + zero[2] * zero[2] < DEMO3_MAX_PARAMETER * DEMO3_MAX_PARAMETER)) {
+        status = demo3_within(zero, 3, DEMO3_MAX_PARAMETER);
+        if (status != DEMO3_OK) { return status; }
+    }
     demo3_real e1[3];
     demo3_real e2[3];
     const demo3_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
@@ -2778,8 +2943,12 @@ DEMO3_CODE
 static demo3_status demo3_place_flywheel(const demo3_flywheel *w, demo3_real O[restrict 3],
                                          demo3_real R[restrict 9])
 {
-    demo3_status status = demo3_within(w->position, 3, DEMO3_MAX_PARAMETER);
-    if (status != DEMO3_OK) { return status; }
+    demo3_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < DEMO3_MAX_PARAMETER * DEMO3_MAX_PARAMETER)) {
+        status = demo3_within(w->position, 3, DEMO3_MAX_PARAMETER);
+        if (status != DEMO3_OK) { return status; }
+    }
     status = demo3_frame_of_axes(w->axis, w->zero, R);
     if (status != DEMO3_OK) { return status; }
     O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
@@ -2998,9 +3167,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
 {
     if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || mount_wrench == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
-    if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
     status = demo3_within(V_dot, 6, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
@@ -3113,7 +3280,7 @@ static demo3_status demo3_finish_carried(demo3_state *restrict x, demo3_step_car
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = demo3_check_state(x);
+    status = demo3_check_motion(x, x->phi_dot, DEMO3_MAX_SPEED);
     if (status != DEMO3_OK) { return status; }
     return DEMO3_OK;
 }
@@ -3128,14 +3295,12 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
     if (table == NULL || x == NULL || tau == NULL || carry == NULL
         || next == NULL) { return DEMO3_BAD_ARGUMENT; }
     if (locked == NULL) { locked = demo3_none_locked; }
-    demo3_status status = demo3_check_state(x);
+    demo3_status status = demo3_check_motion(x, tau, DEMO3_MAX_WRENCH);
     if (status != DEMO3_OK) { return status; }
-    status = demo3_within(tau, DEMO3_N, DEMO3_MAX_WRENCH);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real given[1];
-    given[0] = dt;
-    status = demo3_within(given, 1, DEMO3_MAX_STEP);
-    if (status != DEMO3_OK) { return status; }
+    if (!(dt >= -DEMO3_MAX_STEP && dt <= DEMO3_MAX_STEP)) {
+        if (dt >= -DEMO3_LARGEST && dt <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     status = demo3_within(carry->rounding, 19, DEMO3_MAX_ROUNDING);
@@ -3172,14 +3337,12 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
         || next == NULL) { return DEMO3_BAD_ARGUMENT; }
-    demo3_status status = demo3_check_state(x);
+    demo3_status status = demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION);
     if (status != DEMO3_OK) { return status; }
-    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);
-    if (status != DEMO3_OK) { return status; }
-    demo3_real given[1];
-    given[0] = dt;
-    status = demo3_within(given, 1, DEMO3_MAX_STEP);
-    if (status != DEMO3_OK) { return status; }
+    if (!(dt >= -DEMO3_MAX_STEP && dt <= DEMO3_MAX_STEP)) {
+        if (dt >= -DEMO3_LARGEST && dt <= DEMO3_LARGEST) { return DEMO3_RANGE; }
+        return DEMO3_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return DEMO3_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return DEMO3_BAD_ARGUMENT; }
     status = demo3_within(carry->rounding, 19, DEMO3_MAX_ROUNDING);
@@ -3221,10 +3384,7 @@ demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3
     demo3_real sine[DEMO3_N];
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
-    demo3_start_sums(table, &sum);
-    for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

@@ -66,7 +66,6 @@ enum {
     DEMO3_UNREACHABLE = 8,                /* wanted motion not reached: residual above 1e-9 of the demand */
     DEMO3_RANK_DEFICIENT = 16,            /* fewer than min(6, N) singular values above 1e-9 of the largest */
     DEMO3_COARSE = 32,                    /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    DEMO3_EXCESSIVE = 64,                 /* more than a motor's torque or speed, or than `most` */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
     DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length */
     DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot failed */
@@ -189,21 +188,38 @@ typedef struct demo3_encoder {
     int moved;    /* counts between the last two readings */
 } demo3_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct demo3_factors3 {
+    demo3_real r1;   /* 1 / D, of the last D itself */
+    demo3_real r2;
+    demo3_real d3;
+    demo3_real l21;  /* L below its diagonal */
+    demo3_real l31;
+    demo3_real l32;
+} demo3_factors3;
+
+/* K of the carrier factored. */
+typedef struct demo3_carrier_factor {
+    demo3_real rho[3];  /* m; mass centre from O1, in E1 */
+    demo3_factors3 L;   /* what is left of the inertia */
+} demo3_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct demo3_schur_factor {
+    demo3_real A_inv[6];  /* 1/kg */
+    demo3_real U[9];      /* m; A^-1 B^T */
+    demo3_factors3 L;     /* D - B A^-1 B^T */
+} demo3_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                        * default */
-    demo3_real limit[DEMO3_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                        * infinity: no limit */
-    demo3_real most[DEMO3_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    demo3_real motor_torque[DEMO3_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                        * infinity: no limit */
-    demo3_real motor_speed[DEMO3_N];   /* rad/s; no-load speed, where the torque that drives has fallen to
-                                        * 0; greater than 0; infinity: none */
-    demo3_real near;                   /* status NEAR_SINGULAR below this fraction of the largest singular
-                                        * value, 0..1 */
-    demo3_real damping;                /* damping of small singular values, as a fraction of the largest,
-                                        * 0..1; 0: none */
+    demo3_real weight[DEMO3_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    demo3_real limit[DEMO3_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                  * limit */
+    demo3_real near;             /* status NEAR_SINGULAR below this fraction of the largest singular value,
+                                  * 0..1 */
+    demo3_real damping;          /* damping of small singular values, as a fraction of the largest, 0..1;
+                                  * 0: none */
 } demo3_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -252,7 +268,7 @@ extern const demo3_inverse_options demo3_default_options;         /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1016 operations on reals, 3 of them divisions. Stack: at most 1808 bytes. */
+ * At most 1077 operations on reals, 3 of them divisions. Stack: at most 1680 bytes. */
 demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
                            const demo3_real phi_ddot[DEMO3_N], demo3_real V_dot[6]);
 
@@ -261,7 +277,7 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1252 operations on reals, no division. Stack: at most 1520 bytes. */
+ * At most 1137 operations on reals, no division. Stack: at most 1520 bytes. */
 demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -269,7 +285,7 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1060 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
+ * At most 1083 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
 demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo3_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -279,7 +295,7 @@ demo3_status demo3_momentum(const demo3_table *table, const demo3_state *x, demo
  *   phi_ddot[3]  rad/s2; flywheel accelerations
  *   tau[3]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 589 operations on reals, no division. Stack: at most 1216 bytes. */
+ * At most 644 operations on reals, no division. Stack: at most 1216 bytes. */
 demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real tau[DEMO3_N]);
 
@@ -293,7 +309,7 @@ demo3_status demo3_torque(const demo3_table *table, const demo3_state *x, const 
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1632 operations on reals, 4 of them divisions. Stack: at most 2640 bytes. */
+ * At most 1663 operations on reals, 4 of them divisions. Stack: at most 2512 bytes. */
 demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                            const int locked[DEMO3_N], demo3_real V_dot[6], demo3_real phi_ddot[DEMO3_N]);
 
@@ -311,7 +327,7 @@ demo3_status demo3_coupled(const demo3_table *table, const demo3_state *x, const
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7121 operations on reals, 22 of them divisions. Stack: at most 3696 bytes. */
+ * At most 7147 operations on reals, 22 of them divisions. Stack: at most 3568 bytes. */
 demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const demo3_real tau[DEMO3_N],
                         const int locked[DEMO3_N], demo3_real dt, int order, demo3_state *next);
 
@@ -328,7 +344,7 @@ demo3_status demo3_step(const demo3_table *table, const demo3_state *x, const de
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4657 operations on reals, 18 of them divisions. Stack: at most 2896 bytes. */
+ * At most 4803 operations on reals, 18 of them divisions. Stack: at most 2768 bytes. */
 demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
                                const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                demo3_state *next);
@@ -338,7 +354,7 @@ demo3_status demo3_step_driven(const demo3_table *table, const demo3_state *x,
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -349,7 +365,7 @@ demo3_status demo3_wrap(demo3_real phi, demo3_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, demo3_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -359,7 +375,7 @@ demo3_status demo3_phase_of_counts(int count, int per_turn, demo3_real zero, dem
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 demo3_status demo3_speed_of_counts(int moved, int per_turn, demo3_real dt, demo3_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -382,7 +398,7 @@ demo3_status demo3_accumulate(demo3_encoder *encoder, int counter, int bits, int
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4409 operations on reals, 48 of them divisions. Stack: at most 3936 bytes. */
+ * At most 3963 operations on reals, 18 of them divisions. Stack: at most 4000 bytes. */
 demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real phi_ddot[DEMO3_N], demo3_forward_jacobian_result *out);
 
@@ -395,7 +411,7 @@ demo3_status demo3_forward_jacobian(const demo3_table *table, const demo3_state 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 9573 operations on reals, 64 of them divisions. Stack: at most 6448 bytes. */
+ * At most 7668 operations on reals, 22 of them divisions. Stack: at most 6512 bytes. */
 demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state *x,
                                     const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                     demo3_coupled_jacobian_result *out);
@@ -410,9 +426,9 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 30203 operations on reals, 927 of them divisions. Stack: at most 4512 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 29740 operations on reals, 918 of them divisions. Stack: at most 4416 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -429,7 +445,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1893 operations on reals, 33 of them divisions. Stack: at most 3568 bytes. */
+ * At most 1769 operations on reals, 30 of them divisions. Stack: at most 3472 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
@@ -437,7 +453,7 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -450,7 +466,7 @@ demo3_status demo3_quaternion(const demo3_real angles[3], demo3_real attitude[4]
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 demo3_status demo3_state_from_coordinates(const demo3_real position[3], const demo3_real angles[3],
                                           const demo3_real q_dot[6], const demo3_real q_ddot[6],
                                           demo3_state *x, demo3_real V_dot[6]);
@@ -464,7 +480,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4061 operations on reals, 5 of them divisions. Stack: at most 3888 bytes. */
+ * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
@@ -478,7 +494,7 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4208 operations on reals, 28 of them divisions. Stack: at most 2016 bytes. */
+ * At most 4334 operations on reals, 28 of them divisions. Stack: at most 2016 bytes. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -489,7 +505,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
  *   mount_wrench[18]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1042 operations on reals, no division. Stack: at most 1520 bytes. */
+ * At most 1097 operations on reals, no division. Stack: at most 1520 bytes. */
 demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *x, const demo3_real V_dot[6],
                           const demo3_real phi_ddot[DEMO3_N], demo3_real mount_wrench[18]);
 
@@ -498,7 +514,7 @@ demo3_status demo3_mounts(const demo3_mount_table *mounting, const demo3_state *
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1395 operations on reals, 24 of them divisions. Stack: at most 1552 bytes. */
+ * At most 1521 operations on reals, 24 of them divisions. Stack: at most 1552 bytes. */
 demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -514,7 +530,7 @@ demo3_status demo3_prepare_mounts(const demo3_parameters *parameters, demo3_moun
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7362 operations on reals, 22 of them divisions. Stack: at most 3904 bytes. */
+ * At most 7388 operations on reals, 22 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
                                 const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                 int order, demo3_step_carry *carry, demo3_state *next);
@@ -532,7 +548,7 @@ demo3_status demo3_step_carried(const demo3_table *table, const demo3_state *x,
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 4898 operations on reals, 18 of them divisions. Stack: at most 3104 bytes. */
+ * At most 5044 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
 demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_state *x,
                                        const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order,
                                        demo3_step_carry *carry, demo3_state *next);
@@ -542,7 +558,7 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 876 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 761 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
 demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
                                            demo3_real center_of_mass_velocity[3]);
 

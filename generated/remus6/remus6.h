@@ -66,7 +66,6 @@ enum {
     REMUS6_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
     REMUS6_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     REMUS6_COARSE = 32,                   /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    REMUS6_EXCESSIVE = 64,                /* more than a motor's torque or speed, or than `most` */
     REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
     REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length */
     REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
@@ -263,21 +262,39 @@ typedef struct remus6_encoder {
     int moved;    /* counts between the last two readings */
 } remus6_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct remus6_factors3 {
+    remus6_real r1;   /* 1 / D, of the last D itself */
+    remus6_real r2;
+    remus6_real d3;
+    remus6_real l21;  /* L below its diagonal */
+    remus6_real l31;
+    remus6_real l32;
+} remus6_factors3;
+
+/* K of the carrier factored. */
+typedef struct remus6_carrier_factor {
+    remus6_real U[9];   /* m; A^-1 B^T */
+    remus6_factors3 L;  /* what is left of the inertia */
+} remus6_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct remus6_schur_factor {
+    remus6_real A_inv[6];  /* 1/kg */
+    remus6_real U[9];      /* m; A^-1 B^T */
+    remus6_factors3 L;     /* D - B A^-1 B^T */
+} remus6_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct remus6_inverse_options {
-    remus6_real weight[REMUS6_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                          * default */
-    remus6_real limit[REMUS6_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                          * infinity: no limit */
-    remus6_real most[REMUS6_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    remus6_real motor_torque[REMUS6_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                          * infinity: no limit */
-    remus6_real motor_speed[REMUS6_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                          * to 0; greater than 0; infinity: none */
-    remus6_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
-                                          * singular value, 0..1 */
-    remus6_real damping;                 /* damping of small singular values, as a fraction of the largest,
-                                          * 0..1; 0: none */
+    remus6_real weight[REMUS6_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                    * default */
+    remus6_real limit[REMUS6_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                    * limit */
+    remus6_real near;              /* status NEAR_SINGULAR below this fraction of the largest singular
+                                    * value, 0..1 */
+    remus6_real damping;           /* damping of small singular values, as a fraction of the largest, 0..1;
+                                    * 0: none */
 } remus6_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -326,7 +343,7 @@ extern const remus6_inverse_options remus6_default_options;       /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2044 operations on reals, 4 of them divisions. Stack: at most 2256 bytes. */
+ * At most 2115 operations on reals, 4 of them divisions. Stack: at most 2128 bytes. */
 remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
                              const remus6_real phi_ddot[REMUS6_N], remus6_real V_dot[6]);
 
@@ -335,7 +352,7 @@ remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1671 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 1406 operations on reals, 1 of them a division. Stack: at most 1680 bytes. */
 remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -343,7 +360,7 @@ remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, re
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2385 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
+ * At most 2120 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, remus6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -351,7 +368,7 @@ remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2004 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 2015 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, remus6_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -361,7 +378,7 @@ remus6_status remus6_momentum(const remus6_table *table, const remus6_state *x, 
  *   phi_ddot[6]  rad/s2; flywheel accelerations
  *   tau[6]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1170 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
+ * At most 1229 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
 remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real tau[REMUS6_N]);
 
@@ -375,7 +392,7 @@ remus6_status remus6_torque(const remus6_table *table, const remus6_state *x, co
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3059 operations on reals, 5 of them divisions. Stack: at most 3200 bytes. */
+ * At most 3070 operations on reals, 5 of them divisions. Stack: at most 3088 bytes. */
 remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
                              const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                              remus6_real V_dot[6], remus6_real phi_ddot[REMUS6_N]);
@@ -394,7 +411,7 @@ remus6_status remus6_coupled(const remus6_table *table, const remus6_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 12931 operations on reals, 26 of them divisions. Stack: at most 4416 bytes. */
+ * At most 12857 operations on reals, 26 of them divisions. Stack: at most 4288 bytes. */
 remus6_status remus6_step(const remus6_table *table, const remus6_state *x, const remus6_real tau[REMUS6_N],
                           const int locked[REMUS6_N], remus6_real dt, int order, remus6_state *next);
 
@@ -411,7 +428,7 @@ remus6_status remus6_step(const remus6_table *table, const remus6_state *x, cons
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 8871 operations on reals, 22 of them divisions. Stack: at most 3536 bytes. */
+ * At most 9037 operations on reals, 22 of them divisions. Stack: at most 3408 bytes. */
 remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *x,
                                  const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                  remus6_state *next);
@@ -421,7 +438,7 @@ remus6_status remus6_step_driven(const remus6_table *table, const remus6_state *
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -432,7 +449,7 @@ remus6_status remus6_wrap(remus6_real phi, remus6_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, remus6_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -442,7 +459,7 @@ remus6_status remus6_phase_of_counts(int count, int per_turn, remus6_real zero, 
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 remus6_status remus6_speed_of_counts(int moved, int per_turn, remus6_real dt, remus6_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -465,7 +482,7 @@ remus6_status remus6_accumulate(remus6_encoder *encoder, int counter, int bits, 
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 10894 operations on reals, 76 of them divisions. Stack: at most 4752 bytes. */
+ * At most 8577 operations on reals, 28 of them divisions. Stack: at most 4896 bytes. */
 remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real phi_ddot[REMUS6_N],
                                       remus6_forward_jacobian_result *out);
@@ -479,7 +496,7 @@ remus6_status remus6_forward_jacobian(const remus6_table *table, const remus6_st
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 19624 operations on reals, 102 of them divisions. Stack: at most 8032 bytes. */
+ * At most 16184 operations on reals, 33 of them divisions. Stack: at most 8096 bytes. */
 remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_state *x,
                                       const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                       remus6_coupled_jacobian_result *out);
@@ -494,9 +511,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43614 operations on reals, 1193 of them divisions. Stack: at most 5136 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 42672 operations on reals, 1180 of them divisions. Stack: at most 5040 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -513,7 +530,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3577 operations on reals, 97 of them divisions. Stack: at most 4720 bytes. */
+ * At most 3366 operations on reals, 55 of them divisions. Stack: at most 4576 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);
@@ -524,7 +541,7 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[2]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 543 operations on reals, 1 of them a division. Stack: at most 1008 bytes. */
+ * At most 602 operations on reals, 1 of them a division. Stack: at most 1088 bytes. */
 remus6_status remus6_points(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                             remus6_points_result out[REMUS6_SENSORS]);
 
@@ -532,7 +549,7 @@ remus6_status remus6_points(const remus6_table *table, const remus6_state *x, co
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -545,7 +562,7 @@ remus6_status remus6_quaternion(const remus6_real angles[3], remus6_real attitud
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 remus6_status remus6_state_from_coordinates(const remus6_real position[3], const remus6_real angles[3],
                                             const remus6_real q_dot[6], const remus6_real q_ddot[6],
                                             remus6_state *x, remus6_real V_dot[6]);
@@ -559,7 +576,7 @@ remus6_status remus6_state_from_coordinates(const remus6_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6438 operations on reals, 7 of them divisions. Stack: at most 4768 bytes. */
+ * At most 6251 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 remus6_status remus6_generalized(const remus6_table *table, const remus6_state *x,
                                  const remus6_real angles[3], const remus6_real phi_ddot[REMUS6_N],
                                  remus6_generalized_result *out);
@@ -574,7 +591,7 @@ remus6_status remus6_generalized(const remus6_table *table, const remus6_state *
  * the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12196 operations on reals, 110 of them divisions. Stack: at most 2448 bytes. */
+ * At most 12735 operations on reals, 110 of them divisions. Stack: at most 2448 bytes. */
 remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -586,7 +603,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
  *   mount_wrench[36]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2325 operations on reals, 1 of them a division. Stack: at most 1968 bytes. */
+ * At most 2384 operations on reals, 1 of them a division. Stack: at most 1968 bytes. */
 remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table *mounting,
                             const remus6_state *x, const remus6_real V_dot[6],
                             const remus6_real phi_ddot[REMUS6_N], remus6_real mount_wrench[36]);
@@ -596,7 +613,7 @@ remus6_status remus6_mounts(const remus6_table *table, const remus6_mount_table 
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5919 operations on reals, 94 of them divisions. Stack: at most 1920 bytes. */
+ * At most 6395 operations on reals, 94 of them divisions. Stack: at most 1920 bytes. */
 remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -612,7 +629,7 @@ remus6_status remus6_prepare_mounts(const remus6_parameters *parameters, remus6_
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 13253 operations on reals, 26 of them divisions. Stack: at most 4688 bytes. */
+ * At most 13179 operations on reals, 26 of them divisions. Stack: at most 4560 bytes. */
 remus6_status remus6_step_carried(const remus6_table *table, const remus6_state *x,
                                   const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                   remus6_real dt, int order, remus6_step_carry *carry, remus6_state *next);
@@ -630,7 +647,7 @@ remus6_status remus6_step_carried(const remus6_table *table, const remus6_state 
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9193 operations on reals, 22 of them divisions. Stack: at most 3792 bytes. */
+ * At most 9359 operations on reals, 22 of them divisions. Stack: at most 3664 bytes. */
 remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6_state *x,
                                          const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order,
                                          remus6_step_carry *carry, remus6_state *next);
@@ -640,7 +657,7 @@ remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1608 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
 remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
                                              remus6_real center_of_mass_velocity[3]);
 

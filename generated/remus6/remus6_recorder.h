@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define REMUS6_RECORDER_FORMAT 2u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0xdabeb1efu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORDER_SOURCE 0xb045bbbfu  /* FNV-1a hash of the texts of remus6.h and remus6.c */
 #define REMUS6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -80,7 +80,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 5040 bytes, and that of write. */
+ * Stack: at most 4912 bytes, and that of write. */
 remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order);
@@ -90,7 +90,7 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4160 bytes, and that of write. */
+ * Stack: at most 4032 bytes, and that of write. */
 remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order);
 

@@ -46,6 +46,13 @@ __asm__(".globl sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
 #define SAT4_CONST
 #endif
 
+/* Seldom called: one copy takes less code than one in each caller. */
+#ifdef __GNUC__
+#define SAT4_APART __attribute__((noinline))
+#else
+#define SAT4_APART
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct sat4_sums {
     sat4_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -200,7 +207,7 @@ static sat4_real sat4_wrapped(sat4_real phi)
 }
 
 /* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
-SAT4_CODE
+SAT4_CODE SAT4_APART
 static sat4_status sat4_within(const sat4_real values[], int count, sat4_real limit)
 {
     for (int i = 0; i < count; ++i) {
@@ -216,6 +223,29 @@ static sat4_status sat4_within(const sat4_real values[], int count, sat4_real li
 SAT4_CODE
 static sat4_status sat4_check_state(const sat4_state *x)
 {
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        sat4_real position2, velocity2, speed2, phase2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < SAT4_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < SAT4_MAX_POSITION * SAT4_MAX_POSITION
+            && velocity2 < SAT4_MAX_VELOCITY * SAT4_MAX_VELOCITY && speed2 < SAT4_MAX_SPEED * SAT4_MAX_SPEED
+            && phase2 < SAT4_MAX_PHASE * SAT4_MAX_PHASE) { return SAT4_OK; }
+    }
+#endif
     sat4_status status = sat4_within(x->position, 3, SAT4_MAX_POSITION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(x->attitude, 4, 2.0);
@@ -234,6 +264,55 @@ static sat4_status sat4_check_state(const sat4_state *x)
     return SAT4_OK;
 }
 
+/* The same of a state, and then: are values of the flywheels within a limit? */
+SAT4_CODE
+static sat4_status sat4_check_motion(const sat4_state *x, const sat4_real values[SAT4_N], sat4_real limit)
+{
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        sat4_real position2, velocity2, speed2, phase2, given2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        given2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < SAT4_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            given2 += values[s] * values[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < SAT4_MAX_POSITION * SAT4_MAX_POSITION
+            && velocity2 < SAT4_MAX_VELOCITY * SAT4_MAX_VELOCITY && speed2 < SAT4_MAX_SPEED * SAT4_MAX_SPEED
+            && phase2 < SAT4_MAX_PHASE * SAT4_MAX_PHASE && given2 < limit * limit) { return SAT4_OK; }
+    }
+#endif
+    sat4_status status = sat4_within(x->position, 3, SAT4_MAX_POSITION);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->attitude, 4, 2.0);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->V, 6, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->V, 3, SAT4_MAX_VELOCITY);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->phi, SAT4_N, SAT4_MAX_PHASE);
+    if (status != SAT4_OK) { return status; }
+    status = sat4_within(x->phi_dot, SAT4_N, SAT4_MAX_SPEED);
+    if (status != SAT4_OK) { return status; }
+    const sat4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return SAT4_RANGE; }
+    status = sat4_within(values, SAT4_N, limit);
+    if (status != SAT4_OK) { return status; }
+    return SAT4_OK;
+}
+
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
 SAT4_CODE
 static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
@@ -248,23 +327,6 @@ static void sat4_rotation(const sat4_real q[4], sat4_real C[restrict 9])
     C[6] = k * (q[1] * q[3] - q[0] * q[2]);
     C[7] = k * (q[0] * q[1] + q[2] * q[3]);
     C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
-}
-
-/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
-SAT4_CODE
-static void sat4_start_sums(const sat4_table *table, sat4_sums *restrict sum)
-{
-    sum->mu[0] = table->first_moment[0];
-    sum->mu[1] = table->first_moment[1];
-    sum->mu[2] = table->first_moment[2];
-    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
-    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* Sines and cosines of all phases.
@@ -311,51 +373,136 @@ static void sat4_sincos_each(const sat4_real x[SAT4_N], sat4_real sine[restrict 
     }
 }
 
-/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 SAT4_CODE
-static void sat4_add_flywheel(const sat4_row *row, sat4_real s, sat4_real c, sat4_real phi_dot,
-                              sat4_real phi_ddot, sat4_sums *restrict sum)
+static void sat4_sum_mass(const sat4_table *table, const sat4_real sine[SAT4_N],
+                          const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
+                          sat4_sums *restrict sum)
 {
-    const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
-    const sat4_real s2 = 2.0 * c * s;
-    const sat4_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
-    const sat4_real ds = phi_dot * c;
-    const sat4_real dc2 = -2.0 * phi_dot * s2;
-    const sat4_real ds2 = 2.0 * phi_dot * c2;
-    const sat4_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
-    const sat4_real dds = phi_ddot * c + phi_dot * dc;
-    /* first moment and its rate */
-    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
-    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
-    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
-    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
-    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
-    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    /* its rate: K_dot of (6) */
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
-    /* moment part of I phi' (its force part is mu_dot) */
-    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
-    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
-    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
-    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
-    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
-    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
-    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
-    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
-    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    for (int k = 0; k < SAT4_N; ++k) {
+        const sat4_real s = sine[k];
+        const sat4_real c = cosine[k];
+        const sat4_real w = phi_dot[k];
+        const sat4_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
+        const sat4_real s2 = 2.0 * c * s;
+        const sat4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const sat4_real ds = w * c;
+        const sat4_real dc2 = -2.0 * w * s2;
+        const sat4_real ds2 = 2.0 * w * c2;
+        /* inertia */
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        /* its rate: K_dot of (6) */
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        /* first moment and its rate */
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+SAT4_CODE
+static void sat4_sum_steady_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
+                                 const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
+                                 sat4_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < SAT4_N; ++k) {
+        const sat4_real s = sine[k];
+        const sat4_real c = cosine[k];
+        const sat4_real w = phi_dot[k];
+        const sat4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const sat4_real ds = w * c;
+        const sat4_real ddc = -w * ds;  /* second time derivatives */
+        const sat4_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+SAT4_CODE
+static void sat4_sum_spin(const sat4_table *table, const sat4_real sine[SAT4_N],
+                          const sat4_real cosine[SAT4_N], const sat4_real phi_dot[SAT4_N],
+                          const sat4_real phi_ddot[SAT4_N], sat4_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < SAT4_N; ++k) {
+        const sat4_real s = sine[k];
+        const sat4_real c = cosine[k];
+        const sat4_real w = phi_dot[k];
+        const sat4_real a = phi_ddot[k];
+        const sat4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const sat4_real ds = w * c;
+        const sat4_real ddc = -w * ds - a * s;  /* second time derivatives */
+        const sat4_real dds = a * c + w * dc;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+    }
 }
 
 /* Momentum screw Z = K V + sum I phi' of the sums, (2). */
@@ -374,28 +521,35 @@ static void sat4_momentum_screw(const sat4_table *table, const sat4_sums *sum, c
         - sum->mu[1] * V[0];
 }
 
-/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 SAT4_CODE
-static void sat4_subtract_rates(const sat4_sums *sum, const sat4_real V[6], const sat4_real Z[6],
+static void sat4_subtract_rates(const sat4_table *table, const sat4_sums *sum, const sat4_real V[6],
                                 sat4_real F[restrict 6])
 {
-    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
-    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
-    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
-    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
-        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
-        - Z[2] * V[1];
-    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
-        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
-        - Z[0] * V[2];
-    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
-        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
-        - Z[1] * V[0];
+    /* momentum screw Z = K V + sum I phi' */
+    const sat4_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    const sat4_real Z2 = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    const sat4_real Z3 = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    const sat4_real Z4 = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0]
+        + sum->mu[1] * V[2] - sum->mu[2] * V[1];
+    const sat4_real Z5 = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1]
+        + sum->mu[2] * V[0] - sum->mu[0] * V[2];
+    const sat4_real Z6 = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2]
+        + sum->mu[0] * V[1] - sum->mu[1] * V[0];
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z2 - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z3;
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z3 - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z1;
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z1 - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z2;
+    F[3] = F[3] + Z5 * V[5] + sum->mu_dot[2] * V[1] + Z2 * V[2] - sum->J_dot[0] * V[3] - sum->J_dot[3] * V[4]
+        - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z6 * V[4] - sum->mu_dot[1] * V[2] - Z3 * V[1];
+    F[4] = F[4] + Z6 * V[3] + sum->mu_dot[0] * V[2] + Z3 * V[0] - sum->J_dot[1] * V[4] - sum->J_dot[3] * V[3]
+        - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z4 * V[5] - sum->mu_dot[2] * V[0] - Z1 * V[2];
+    F[5] = F[5] + Z4 * V[4] + sum->mu_dot[1] * V[0] + Z1 * V[1] - sum->J_dot[2] * V[5] - sum->J_dot[4] * V[3]
+        - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z5 * V[3] - sum->mu_dot[0] * V[1] - Z2 * V[0];
 }
 
-/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 SAT4_CODE
-static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_real y[restrict 3])
+static sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r1 = 1.0 / S[0];
@@ -408,44 +562,63 @@ static sat4_status sat4_solve3(const sat4_real S[6], const sat4_real b[3], sat4_
     const sat4_real l32 = p32 * r2;
     const sat4_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return SAT4_NOT_POSITIVE_DEFINITE; }
-    /* L z = b, then L^T y = D^-1 z */
-    const sat4_real z2 = b[1] - l21 * b[0];
-    const sat4_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
-    const sat4_real y2 = z2 * r2 - l32 * y3;
-    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
-    y[1] = y2;  y[2] = y3;
+    L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
+    L->l21 = l21;
+    L->l31 = l31;
+    L->l32 = l32;
     return SAT4_OK;
 }
 
-/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
+/* Solves S y = b by S = L D L^T. */
 SAT4_CODE
-static sat4_status sat4_solve_carrier(const sat4_table *table, const sat4_sums *sum, const sat4_real F[6],
-                                      sat4_real y[restrict 6])
+static void sat4_solve3(const sat4_factors3 *L, const sat4_real b[3], sat4_real y[restrict 3])
+{
+    /* L z = b, then L^T y = D^-1 z */
+    const sat4_real z2 = b[1] - L->l21 * b[0];
+    const sat4_real y3 = (b[2] - L->l31 * b[0] - L->l32 * z2) / L->d3;
+    const sat4_real y2 = z2 * L->r2 - L->l32 * y3;
+    y[0] = b[0] * L->r1 - L->l21 * y2 - L->l31 * y3;
+    y[1] = y2;  y[2] = y3;
+}
+
+/* Factors K: its translational block is constant, so that a 3x3 matrix is left, (8). */
+SAT4_CODE
+static sat4_status sat4_factor_carrier(const sat4_table *table, const sat4_sums *sum,
+                                       sat4_carrier_factor *restrict K)
 {
     sat4_status status;
-    sat4_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = table->mass_inverse * sum->mu[0];
-    rho[1] = table->mass_inverse * sum->mu[1];
-    rho[2] = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     sat4_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
+    status = sat4_factor3(S, &K->L);
+    if (status != SAT4_OK) { return status; }
+    return SAT4_OK;
+}
+
+/* Solves K y = F by the factors of K, (8). */
+SAT4_CODE
+static void sat4_solve_carrier(const sat4_table *table, const sat4_carrier_factor *K, const sat4_real F[6],
+                               sat4_real y[restrict 6])
+{
     sat4_real moment[3];  /* about the mass centre */
     sat4_real omega_dot[3];
-    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
-    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
-    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
-    S[3] = sum->J[3] + sum->mu[1] * rho[0];
-    S[4] = sum->J[4] + sum->mu[2] * rho[0];
-    S[5] = sum->J[5] + sum->mu[2] * rho[1];
-    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
-    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
-    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
-    status = sat4_solve3(S, moment, omega_dot);
-    if (status != SAT4_OK) { return status; }
-    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
+    sat4_solve3(&K->L, moment, omega_dot);
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return SAT4_OK;
 }
 
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
@@ -457,18 +630,16 @@ static sat4_status sat4_accelerate(const sat4_table *table, const sat4_state *x,
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     sat4_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    sat4_real Z[6];  /* momentum screw (2) */
+    sat4_carrier_factor K;
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
-    status = sat4_solve_carrier(table, &sum, F, V_dot);
+    sat4_subtract_rates(table, &sum, x->V, F);
+    status = sat4_factor_carrier(table, &sum, &K);
     if (status != SAT4_OK) { return status; }
+    sat4_solve_carrier(table, &K, F, V_dot);
     return SAT4_OK;
 }
 
@@ -478,9 +649,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
                          sat4_real V_dot[6])
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     sat4_real result[6];
     sat4_real sine[SAT4_N];
@@ -521,10 +690,7 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     sat4_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -608,10 +774,8 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
@@ -727,9 +891,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
 {
     if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
@@ -755,9 +917,9 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
     return SAT4_OK;
 }
 
-/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
 SAT4_CODE
-static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], sat4_real y[restrict 6])
+static sat4_status sat4_factor_schur(const sat4_schur *K, sat4_schur_factor *restrict factor)
 {
     sat4_status status;
     const sat4_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -770,41 +932,46 @@ static sat4_status sat4_solve_schur(const sat4_schur *K, const sat4_real F[6], s
     if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
         && det <= SAT4_LARGEST))) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r = 1.0 / det;
-    sat4_real A_inv[6];
-    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
-    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
-    sat4_real U[9];  /* A^-1 B^T */
+    factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
+    factor->A_inv[3] = c12 * r;  factor->A_inv[4] = c13 * r;  factor->A_inv[5] = c23 * r;
     sat4_real S[6];  /* D - B A^-1 B^T */
+    factor->U[0] = factor->A_inv[0] * K->B[0] + factor->A_inv[3] * K->B[1] + factor->A_inv[4] * K->B[2];
+    factor->U[1] = factor->A_inv[0] * K->B[3] + factor->A_inv[3] * K->B[4] + factor->A_inv[4] * K->B[5];
+    factor->U[2] = factor->A_inv[0] * K->B[6] + factor->A_inv[3] * K->B[7] + factor->A_inv[4] * K->B[8];
+    factor->U[3] = factor->A_inv[1] * K->B[1] + factor->A_inv[3] * K->B[0] + factor->A_inv[5] * K->B[2];
+    factor->U[4] = factor->A_inv[1] * K->B[4] + factor->A_inv[3] * K->B[3] + factor->A_inv[5] * K->B[5];
+    factor->U[5] = factor->A_inv[1] * K->B[7] + factor->A_inv[3] * K->B[6] + factor->A_inv[5] * K->B[8];
+    factor->U[6] = factor->A_inv[2] * K->B[2] + factor->A_inv[4] * K->B[0] + factor->A_inv[5] * K->B[1];
+    factor->U[7] = factor->A_inv[2] * K->B[5] + factor->A_inv[4] * K->B[3] + factor->A_inv[5] * K->B[4];
+    factor->U[8] = factor->A_inv[2] * K->B[8] + factor->A_inv[4] * K->B[6] + factor->A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * factor->U[0] - K->B[1] * factor->U[3] - K->B[2] * factor->U[6];
+    S[1] = K->D[1] - K->B[3] * factor->U[1] - K->B[4] * factor->U[4] - K->B[5] * factor->U[7];
+    S[2] = K->D[2] - K->B[6] * factor->U[2] - K->B[7] * factor->U[5] - K->B[8] * factor->U[8];
+    S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
+    S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
+    S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
+    status = sat4_factor3(S, &factor->L);
+    if (status != SAT4_OK) { return status; }
+    return SAT4_OK;
+}
+
+/* Solves [A B^T; B D] y = F by the factors. */
+SAT4_CODE
+static void sat4_solve_schur(const sat4_schur_factor *factor, const sat4_real F[6], sat4_real y[restrict 6])
+{
     sat4_real moment[3];  /* n - B A^-1 f */
     sat4_real omega_dot[3];
-    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
-    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
-    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
-    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
-    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
-    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
-    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
-    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
-    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
-    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
-    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
-    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
-    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
-    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
-    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
-    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
-    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
-    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
-    status = sat4_solve3(S, moment, omega_dot);
-    if (status != SAT4_OK) { return status; }
-    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
-        - U[2] * omega_dot[2];
-    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
-        - U[5] * omega_dot[2];
-    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
-        - U[8] * omega_dot[2];
+    moment[0] = F[3] - factor->U[0] * F[0] - factor->U[3] * F[1] - factor->U[6] * F[2];
+    moment[1] = F[4] - factor->U[1] * F[0] - factor->U[4] * F[1] - factor->U[7] * F[2];
+    moment[2] = F[5] - factor->U[2] * F[0] - factor->U[5] * F[1] - factor->U[8] * F[2];
+    sat4_solve3(&factor->L, moment, omega_dot);
+    y[0] = factor->A_inv[0] * F[0] + factor->A_inv[3] * F[1] + factor->A_inv[4] * F[2]
+        - factor->U[0] * omega_dot[0] - factor->U[1] * omega_dot[1] - factor->U[2] * omega_dot[2];
+    y[1] = factor->A_inv[1] * F[1] + factor->A_inv[3] * F[0] + factor->A_inv[5] * F[2]
+        - factor->U[3] * omega_dot[0] - factor->U[4] * omega_dot[1] - factor->U[5] * omega_dot[2];
+    y[2] = factor->A_inv[2] * F[2] + factor->A_inv[4] * F[0] + factor->A_inv[5] * F[1]
+        - factor->U[6] * omega_dot[0] - factor->U[7] * omega_dot[1] - factor->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return SAT4_OK;
 }
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
@@ -816,16 +983,12 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_subtract_rates(table, &sum, x->V, F);
     sat4_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -853,8 +1016,10 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
             sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
-    status = sat4_solve_schur(&K, F, V_dot);
+    sat4_schur_factor factor;
+    status = sat4_factor_schur(&K, &factor);
     if (status != SAT4_OK) { return status; }
+    sat4_solve_schur(&factor, F, V_dot);
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
@@ -874,9 +1039,7 @@ sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat
     if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SAT4_BAD_ARGUMENT; }
     if (locked == NULL) { locked = sat4_none_locked; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
+    sat4_status status = sat4_check_motion(x, tau, SAT4_MAX_WRENCH);
     if (status != SAT4_OK) { return status; }
     sat4_real V_result[6];
     sat4_real phi_result[SAT4_N];
@@ -927,7 +1090,7 @@ static sat4_status sat4_finish(sat4_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = sat4_check_state(x);
+    status = sat4_check_motion(x, x->phi_dot, SAT4_MAX_SPEED);
     if (status != SAT4_OK) { return status; }
     for (int s = 0; s < SAT4_N; ++s) {
         x->phi[s] = sat4_wrapped(x->phi[s]);
@@ -1047,14 +1210,12 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
 {
     if (table == NULL || x == NULL || tau == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
     if (locked == NULL) { locked = sat4_none_locked; }
-    sat4_status status = sat4_check_state(x);
+    sat4_status status = sat4_check_motion(x, tau, SAT4_MAX_WRENCH);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
-    if (status != SAT4_OK) { return status; }
-    sat4_real given[1];
-    given[0] = dt;
-    status = sat4_within(given, 1, SAT4_MAX_STEP);
-    if (status != SAT4_OK) { return status; }
+    if (!(dt >= -SAT4_MAX_STEP && dt <= SAT4_MAX_STEP)) {
+        if (dt >= -SAT4_LARGEST && dt <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state y;  /* state of a stage; then the new state */
@@ -1189,14 +1350,12 @@ sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const
                              sat4_real dt, int order, sat4_state *next)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
-    if (status != SAT4_OK) { return status; }
-    sat4_real given[1];
-    given[0] = dt;
-    status = sat4_within(given, 1, SAT4_MAX_STEP);
-    if (status != SAT4_OK) { return status; }
+    if (!(dt >= -SAT4_MAX_STEP && dt <= SAT4_MAX_STEP)) {
+        if (dt >= -SAT4_LARGEST && dt <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     sat4_state y;  /* state of a stage; then the new state */
@@ -1224,11 +1383,10 @@ SAT4_CODE
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped)
 {
     if (wrapped == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status;
-    sat4_real given[1];
-    given[0] = phi;
-    status = sat4_within(given, 1, SAT4_MAX_PHASE);
-    if (status != SAT4_OK) { return status; }
+    if (!(phi >= -SAT4_MAX_PHASE && phi <= SAT4_MAX_PHASE)) {
+        if (phi >= -SAT4_LARGEST && phi <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     sat4_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     sat4_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
@@ -1246,14 +1404,13 @@ SAT4_CODE
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi)
 {
     if (phi == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     const sat4_real size = (sat4_real)turn;
-    sat4_real given[1];
-    given[0] = zero;
-    status = sat4_within(given, 1, size);
-    if (status != SAT4_OK) { return status; }
+    if (!(zero >= -size && zero <= size)) {
+        if (zero >= -SAT4_LARGEST && zero <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     const int rest = count - count / turn * turn;  /* whole turns removed */
     sat4_real place = (sat4_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
     const sat4_real half = size * 0.5;
@@ -1269,12 +1426,11 @@ SAT4_CODE
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot)
 {
     if (phi_dot == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SAT4_BAD_ARGUMENT; }
-    sat4_real given[1];
-    given[0] = dt;
-    status = sat4_within(given, 1, SAT4_MAX_STEP);
-    if (status != SAT4_OK) { return status; }
+    if (!(dt >= -SAT4_MAX_STEP && dt <= SAT4_MAX_STEP)) {
+        if (dt >= -SAT4_LARGEST && dt <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     const sat4_real turns = (sat4_real)moved / (sat4_real)per_turn;
     const sat4_real speed = turns * 6.283185307179586 / dt;
@@ -1418,18 +1574,14 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     sat4_real F[6];  /* right-hand side of (8) */
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_real V_result[6];  /* V_r* */
@@ -1438,9 +1590,11 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
     sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
-    status = sat4_solve_carrier(table, &sum, F, V_result);
+    sat4_subtract_rates(table, &sum, x->V, F);
+    sat4_carrier_factor K;
+    status = sat4_factor_carrier(table, &sum, &K);
     if (status != SAT4_OK) { return status; }
+    sat4_solve_carrier(table, &K, F, V_result);
     sat4_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1473,7 +1627,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)sat4_solve_carrier(table, &sum, rhs, y);
+        sat4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1496,7 +1650,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            (void)sat4_solve_carrier(table, &sum, rhs, y);
+            sat4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1507,7 +1661,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             sat4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
-            (void)sat4_solve_carrier(table, &sum, rhs, y);
+            sat4_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1521,7 +1675,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        (void)sat4_solve_carrier(table, &sum, rhs, y);
+        sat4_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1536,9 +1690,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
 {
     if (table == NULL || x == NULL || tau == NULL || out == NULL) { return SAT4_BAD_ARGUMENT; }
     if (locked == NULL) { locked = sat4_none_locked; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
+    sat4_status status = sat4_check_motion(x, tau, SAT4_MAX_WRENCH);
     if (status != SAT4_OK) { return status; }
     sat4_real V_result[6];  /* V*, then V_r* */
     sat4_real phi_result[SAT4_N];  /* phi'' */
@@ -1548,10 +1700,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     status = sat4_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != SAT4_OK) { return status; }
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real Z[6];  /* momentum screw (2) */
     sat4_momentum_screw(table, &sum, x->V, Z);
     sat4_matrices_result m;
@@ -1600,6 +1750,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    sat4_schur_factor factor;
     sat4_real rhs[6];  /* right-hand side of the carrier */
     sat4_real drive_rhs[SAT4_N];  /* right-hand sides of the drives */
     sat4_real y[6];
@@ -1611,6 +1762,8 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
+    status = sat4_factor_schur(&K, &factor);
+    if (status != SAT4_OK) { return status; }
     sat4_real drive_slope[SAT4_N][6];  /* derivatives of the bias torques by V */
     sat4_real J_p[6];  /* dJ / dphi */
     sat4_real turned[3];  /* J' omega */
@@ -1656,7 +1809,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                 }
             }
         }
-        (void)sat4_solve_schur(&K, rhs, y);
+        sat4_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1730,7 +1883,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                     }
                 }
             }
-            (void)sat4_solve_schur(&K, rhs, y);
+            sat4_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1761,7 +1914,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
                     }
                 }
             }
-            (void)sat4_solve_schur(&K, rhs, y);
+            sat4_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1781,15 +1934,13 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
             drive_rhs[t] = 0.0;
         }
         drive_rhs[s] = 1.0;
-        for (int t = 0; t < SAT4_N; ++t) {
-            if (locked[t] == 0) {
-                const sat4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I_[i] * share;
-                }
+        if (locked[s] == 0) {
+            const sat4_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            for (int i = 0; i < 6; ++i) {
+                rhs[i] -= drive[s].I_[i] * share;
             }
         }
-        (void)sat4_solve_schur(&K, rhs, y);
+        sat4_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_tau[i][s] = y[i];
         }
@@ -1898,33 +2049,12 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
 {
     sat4_status status;
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
-    sat4_real column[6];  /* I_s */
-    for (int s = 0; s < SAT4_N; ++s) {
-        const sat4_real s_phi = sine[s];
-        const sat4_real c_phi = cosine[s];
-        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
-        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
-        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
-        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0];
-        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1];
-        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2];
-        for (int i = 0; i < 6; ++i) {
-            work->I_[i][s] = column[i];
-        }
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_subtract_rates(table, &sum, x->V, F);
     work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
     work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
@@ -1939,32 +2069,48 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
     /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
-        work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
-        work->r[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+        const sat4_real demanded = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1]
+            - work->G[i][2] * V_dot[2] - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4]
+            - work->G[i][5] * V_dot[5];
+        work->b[i] = demanded;
+        work->r[i] = demanded;
     }
     status = sat4_factor(work);
     if (status != SAT4_OK) { return status; }
     for (int s = 0; s < SAT4_N; ++s) {
-        work->scale[s] = 1.0 / sat4_sqrt(table->flywheel[s].spin);
+        const sat4_real s_phi = sine[s];
+        const sat4_real c_phi = cosine[s];
+        const sat4_real scale = 1.0 / sat4_sqrt(table->flywheel[s].spin);
+        work->scale[s] = scale;
+        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I_[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * scale;
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
     for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < i; ++k) {
-            for (int s = 0; s < SAT4_N; ++s) {
-                work->W[i][s] -= work->G[i][k] * work->W[k][s];
-            }
-            work->r[i] -= work->G[i][k] * work->r[k];
-        }
         const sat4_real inverse = 1.0 / work->G[i][i];
+        sat4_real rest;
         for (int s = 0; s < SAT4_N; ++s) {
-            work->W[i][s] = work->W[i][s] * inverse;
+            rest = work->W[i][s];
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * work->W[k][s];
+            }
+            work->W[i][s] = rest * inverse;
         }
-        work->r[i] = work->r[i] * inverse;
+        rest = work->r[i];
+        for (int k = 0; k < i; ++k) {
+            rest -= work->G[i][k] * work->r[k];
+        }
+        work->r[i] = rest * inverse;
     }
     return SAT4_OK;
 }
@@ -2400,47 +2546,47 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     sat4_real trace = 0.0;
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < i + 1; ++j) {
-            gram[i][j] = 0.0;
+            sat4_real total = 0.0;
             for (int k = 0; k < 6; ++k) {
-                gram[i][j] += work.W[k][i] * work.W[k][j];
+                total += work.W[k][i] * work.W[k][j];
             }
+            gram[i][j] = total;
         }
         trace += gram[i][i];
-        z[i] = 0.0;
+        sat4_real side = 0.0;
         for (int k = 0; k < 6; ++k) {
-            z[i] += work.W[k][i] * work.r[k];
+            side += work.W[k][i] * work.r[k];
         }
+        z[i] = side;
     }
     const sat4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
-    for (int i = 0; i < 4; ++i) {
-        gram[i][i] += lambda2;
-    }
     for (int j = 0; j < 4; ++j) {
-        const sat4_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
+        sat4_real pivot = gram[j][j] + lambda2;
+        const sat4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        sat4_real rest = z[j];
         for (int k = 0; k < j; ++k) {
-            gram[j][j] -= gram[j][k] * gram[j][k];
+            pivot -= gram[j][k] * gram[k][j];
+            rest -= gram[k][j] * z[k];
         }
-        if (!(gram[j][j] > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = sat4_sqrt(gram[j][j]);
+        z[j] = rest;
+        if (!(pivot > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 4; ++i) {
+            sat4_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
-                gram[i][j] -= gram[i][k] * gram[j][k];
+                below -= gram[i][k] * gram[k][j];
             }
-            gram[i][j] = gram[i][j] / gram[j][j];
+            gram[i][j] = below;
+            gram[j][i] = below / pivot;
         }
-    }
-    for (int i = 0; i < 4; ++i) {
-        for (int k = 0; k < i; ++k) {
-            z[i] -= gram[i][k] * z[k];
-        }
-        z[i] = z[i] / gram[i][i];
     }
     for (int t = 0; t < 4; ++t) {
         const int i = 3 - t;
+        sat4_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 4; ++k) {
-            z[i] -= gram[k][i] * z[k];
+            rest -= gram[i][k] * z[k];
         }
-        z[i] = z[i] / gram[i][i];
+        z[i] = rest;
     }
     sat4_real answer[SAT4_N];
     for (int s = 0; s < SAT4_N; ++s) {
@@ -3998,8 +4144,12 @@ SAT4_CODE
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_within(angles, 3, SAT4_MAX_PHASE);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < SAT4_MAX_PHASE * SAT4_MAX_PHASE)) {
+        status = sat4_within(angles, 3, SAT4_MAX_PHASE);
+        if (status != SAT4_OK) { return status; }
+    }
     sat4_real s_psi, c_psi;
     sat4_sincos(0.5 * angles[0], &s_psi, &c_psi);
     sat4_real s_theta, c_theta;
@@ -4021,8 +4171,12 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_within(position, 3, SAT4_MAX_POSITION);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < SAT4_MAX_POSITION * SAT4_MAX_POSITION)) {
+        status = sat4_within(position, 3, SAT4_MAX_POSITION);
+        if (status != SAT4_OK) { return status; }
+    }
     status = sat4_within(q_dot, 6, SAT4_MAX_SPEED);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(q_ddot, 6, SAT4_MAX_ACCELERATION);
@@ -4180,10 +4334,17 @@ SAT4_CODE
 static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real zero[3],
                                       sat4_real R[restrict 9])
 {
-    sat4_status status = sat4_within(axis, 3, SAT4_MAX_PARAMETER);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(zero, 3, SAT4_MAX_PARAMETER);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(axis[0] * axis[0] + axis[1] * axis[1]
+        + axis[2] * axis[2] < SAT4_MAX_PARAMETER * SAT4_MAX_PARAMETER)) {
+        status = sat4_within(axis, 3, SAT4_MAX_PARAMETER);
+        if (status != SAT4_OK) { return status; }
+    }
+    if (!(zero[0] * zero[0] + zero[1] * zero[1]
+        + zero[2] * zero[2] < SAT4_MAX_PARAMETER * SAT4_MAX_PARAMETER)) {
+        status = sat4_within(zero, 3, SAT4_MAX_PARAMETER);
+        if (status != SAT4_OK) { return status; }
+    }
     sat4_real e1[3];
     sat4_real e2[3];
     const sat4_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
@@ -4310,8 +4471,12 @@ SAT4_CODE
 static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restrict 3],
                                        sat4_real R[restrict 9])
 {
-    sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < SAT4_MAX_PARAMETER * SAT4_MAX_PARAMETER)) {
+        status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
+        if (status != SAT4_OK) { return status; }
+    }
     status = sat4_frame_of_axes(w->axis, w->zero, R);
     if (status != SAT4_OK) { return status; }
     O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
@@ -4322,8 +4487,12 @@ static sat4_status sat4_place_flywheel(const sat4_flywheel *w, sat4_real O[restr
 SAT4_CODE
 static sat4_status sat4_place_point(const sat4_point *w, sat4_real O[restrict 3], sat4_real R[restrict 9])
 {
-    sat4_status status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
-    if (status != SAT4_OK) { return status; }
+    sat4_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < SAT4_MAX_PARAMETER * SAT4_MAX_PARAMETER)) {
+        status = sat4_within(w->position, 3, SAT4_MAX_PARAMETER);
+        if (status != SAT4_OK) { return status; }
+    }
     status = sat4_frame_of_axes(w->axis, w->zero, R);
     if (status != SAT4_OK) { return status; }
     O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
@@ -4555,9 +4724,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
 {
     if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || mount_wrench == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
-    if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
     status = sat4_within(V_dot, 6, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
@@ -4670,7 +4837,7 @@ static sat4_status sat4_finish_carried(sat4_state *restrict x, sat4_step_carry *
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = sat4_check_state(x);
+    status = sat4_check_motion(x, x->phi_dot, SAT4_MAX_SPEED);
     if (status != SAT4_OK) { return status; }
     return SAT4_OK;
 }
@@ -4685,14 +4852,12 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
     if (table == NULL || x == NULL || tau == NULL || carry == NULL
         || next == NULL) { return SAT4_BAD_ARGUMENT; }
     if (locked == NULL) { locked = sat4_none_locked; }
-    sat4_status status = sat4_check_state(x);
+    sat4_status status = sat4_check_motion(x, tau, SAT4_MAX_WRENCH);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(tau, SAT4_N, SAT4_MAX_WRENCH);
-    if (status != SAT4_OK) { return status; }
-    sat4_real given[1];
-    given[0] = dt;
-    status = sat4_within(given, 1, SAT4_MAX_STEP);
-    if (status != SAT4_OK) { return status; }
+    if (!(dt >= -SAT4_MAX_STEP && dt <= SAT4_MAX_STEP)) {
+        if (dt >= -SAT4_LARGEST && dt <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     status = sat4_within(carry->rounding, 21, SAT4_MAX_ROUNDING);
@@ -4729,14 +4894,12 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
         || next == NULL) { return SAT4_BAD_ARGUMENT; }
-    sat4_status status = sat4_check_state(x);
+    sat4_status status = sat4_check_motion(x, phi_ddot, SAT4_MAX_ACCELERATION);
     if (status != SAT4_OK) { return status; }
-    status = sat4_within(phi_ddot, SAT4_N, SAT4_MAX_ACCELERATION);
-    if (status != SAT4_OK) { return status; }
-    sat4_real given[1];
-    given[0] = dt;
-    status = sat4_within(given, 1, SAT4_MAX_STEP);
-    if (status != SAT4_OK) { return status; }
+    if (!(dt >= -SAT4_MAX_STEP && dt <= SAT4_MAX_STEP)) {
+        if (dt >= -SAT4_LARGEST && dt <= SAT4_LARGEST) { return SAT4_RANGE; }
+        return SAT4_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SAT4_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SAT4_BAD_ARGUMENT; }
     status = sat4_within(carry->rounding, 21, SAT4_MAX_ROUNDING);
@@ -4778,10 +4941,7 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
     sat4_real sine[SAT4_N];
     sat4_real cosine[SAT4_N];
     sat4_sincos_each(x->phi, sine, cosine);
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     sat4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

@@ -1,5 +1,5 @@
 /* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
- * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
  * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
@@ -27,8 +27,8 @@
 extern "C" {
 #endif
 
-#define SAT4_STRUCTURE 0xf28a1ef8u  /* hash of the stand's names, counts and kinds of wrench */
-#define SAT4_PHYSICS   0xe77ec5a4u  /* hash of its structure and all numbers */
+#define SAT4_STRUCTURE 0x60e5c883u  /* hash of the stand's names, counts and kinds of wrench */
+#define SAT4_PHYSICS   0x347c0b3bu  /* hash of its structure and all numbers */
 #define SAT4_TABLE_HASH 0xca9f3637u /* FNV-1a of all numbers of the default table but its stream */
 #define SAT4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SAT4_REAL_BYTES 8           /* bytes of a sat4_real */
@@ -66,7 +66,6 @@ enum {
     SAT4_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
     SAT4_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SAT4_COARSE = 32,                     /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    SAT4_EXCESSIVE = 64,                  /* more than a motor's torque or speed, or than `most` */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     SAT4_RANGE = -2,                      /* out of range, quaternion off unit length */
     SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
@@ -217,30 +216,38 @@ typedef struct sat4_encoder {
     int moved;    /* counts between the last two readings */
 } sat4_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct sat4_factors3 {
+    sat4_real r1;   /* 1 / D, of the last D itself */
+    sat4_real r2;
+    sat4_real d3;
+    sat4_real l21;  /* L below its diagonal */
+    sat4_real l31;
+    sat4_real l32;
+} sat4_factors3;
+
+/* K of the carrier factored. */
+typedef struct sat4_carrier_factor {
+    sat4_real rho[3];  /* m; mass centre from O1, in E1 */
+    sat4_factors3 L;   /* what is left of the inertia */
+} sat4_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct sat4_schur_factor {
+    sat4_real A_inv[6];  /* 1/kg */
+    sat4_real U[9];      /* m; A^-1 B^T */
+    sat4_factors3 L;     /* D - B A^-1 B^T */
+} sat4_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                      * default */
-    sat4_real limit[SAT4_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
-                                      * no limit */
-    sat4_real most[SAT4_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    sat4_real motor_torque[SAT4_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                      * infinity: no limit */
-    sat4_real motor_speed[SAT4_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
-                                      * greater than 0; infinity: none */
-    sat4_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
-                                      * value, 0..1 */
-    sat4_real damping;               /* damping of small singular values, as a fraction of the largest,
-                                      * 0..1; 0: none */
-    int use_pointing[3];             /* rows of the task pointing: 0: free */
-    sat4_real motor_power[SAT4_N];   /* W; most that torque_for drives with; infinity: no limit */
-    sat4_real target_speed[SAT4_N];  /* rad/s; speed that torque_for approaches with what the demand leaves
-                                      * free */
-    sat4_real target_rate;           /* 1/s; part of what is missing to it, wanted a second; 0: least
-                                      * torque */
-    sat4_real avoid_speed;           /* rad/s; no wanted speed lies nearer to 0 than this; 0: none is
-                                      * avoided */
-    int keep_direction;              /* 1: a demand out of reach is made smaller, 0: least error */
+    sat4_real weight[SAT4_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
+    sat4_real limit[SAT4_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
+                                * limit */
+    sat4_real near;            /* status NEAR_SINGULAR below this fraction of the largest singular value,
+                                * 0..1 */
+    sat4_real damping;         /* damping of small singular values, as a fraction of the largest, 0..1; 0:
+                                * none */
 } sat4_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -254,29 +261,6 @@ typedef struct sat4_inverse_result {
     sat4_real hardest[6];        /* the unreachable wrench, or the one hardest to reach; a unit vector in
                                   * the norm of K^-1 */
 } sat4_inverse_result;
-
-/* Result of inverse_pointing and its quality. */
-typedef struct sat4_inverse_pointing_result {
-    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations */
-    sat4_real V_dot[6];          /* m/s2, rad/s2; motion of the carrier that results */
-    sat4_real residual[3];       /* m/s2, rad/s2; demand minus reached; 0 of a free row */
-    sat4_real sigma[3];          /* singular values of (S K^-1 S^T)^-1/2 S K^-1 I Theta_ff^-1/2, descending */
-    int rank;                    /* number of singular values above the rank threshold */
-    sat4_real damped_by;         /* largest damping lambda applied, in units of sigma; 0: none */
-    int limited[SAT4_N];         /* 1 if the flywheel reached its limit */
-    sat4_real hardest[3];        /* m/s2, rad/s2; the unreachable part of the demand, or the one hardest to
-                                  * reach; a unit in its norm */
-} sat4_inverse_pointing_result;
-
-/* Result of torque_for_pointing and its quality. */
-typedef struct sat4_torque_for_pointing_result {
-    sat4_real tau[SAT4_N];       /* N m; drive torques */
-    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations that result */
-    sat4_real V_dot[6];          /* m/s2, rad/s2; motion of the carrier that results */
-    sat4_real residual[3];       /* m/s2, rad/s2; demand minus reached; 0 of a free row */
-    sat4_real share;             /* part of the demand that is met, with keep_direction; else 1 */
-    int limited[SAT4_N];         /* 1 if the torque is at its limit */
-} sat4_torque_for_pointing_result;
 
 /* Derivatives of coupled. */
 typedef struct sat4_coupled_jacobian_result {
@@ -312,7 +296,7 @@ extern const sat4_inverse_options sat4_default_options;           /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1260 operations on reals, 3 of them divisions. Stack: at most 1824 bytes. */
+ * At most 1329 operations on reals, 3 of them divisions. Stack: at most 1696 bytes. */
 sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                          sat4_real V_dot[6]);
 
@@ -321,7 +305,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1573 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1408 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -329,7 +313,7 @@ sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_mat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1336 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
+ * At most 1355 operations on reals, 1 of them a division. Stack: at most 1536 bytes. */
 sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
@@ -339,7 +323,7 @@ sat4_status sat4_momentum(const sat4_table *table, const sat4_state *x, sat4_mom
  *   phi_ddot[4]  rad/s2; flywheel accelerations
  *   tau[4]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 747 operations on reals, no division. Stack: at most 1248 bytes. */
+ * At most 808 operations on reals, no division. Stack: at most 1248 bytes. */
 sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real tau[SAT4_N]);
 
@@ -353,7 +337,7 @@ sat4_status sat4_torque(const sat4_table *table, const sat4_state *x, const sat4
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2036 operations on reals, 4 of them divisions. Stack: at most 2736 bytes. */
+ * At most 2065 operations on reals, 4 of them divisions. Stack: at most 2624 bytes. */
 sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                          const int locked[SAT4_N], sat4_real V_dot[6], sat4_real phi_ddot[SAT4_N]);
 
@@ -371,7 +355,7 @@ sat4_status sat4_coupled(const sat4_table *table, const sat4_state *x, const sat
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 8783 operations on reals, 22 of them divisions. Stack: at most 3856 bytes. */
+ * At most 8793 operations on reals, 22 of them divisions. Stack: at most 3728 bytes. */
 sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                       const int locked[SAT4_N], sat4_real dt, int order, sat4_state *next);
 
@@ -388,7 +372,7 @@ sat4_status sat4_step(const sat4_table *table, const sat4_state *x, const sat4_r
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5679 operations on reals, 18 of them divisions. Stack: at most 2976 bytes. */
+ * At most 5849 operations on reals, 18 of them divisions. Stack: at most 2848 bytes. */
 sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const sat4_real phi_ddot[SAT4_N],
                              sat4_real dt, int order, sat4_state *next);
 
@@ -397,7 +381,7 @@ sat4_status sat4_step_driven(const sat4_table *table, const sat4_state *x, const
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -408,7 +392,7 @@ sat4_status sat4_wrap(sat4_real phi, sat4_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -418,7 +402,7 @@ sat4_status sat4_phase_of_counts(int count, int per_turn, sat4_real zero, sat4_r
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 sat4_status sat4_speed_of_counts(int moved, int per_turn, sat4_real dt, sat4_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -441,7 +425,7 @@ sat4_status sat4_accumulate(sat4_encoder *encoder, int counter, int bits, int pe
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5542 operations on reals, 57 of them divisions. Stack: at most 4080 bytes. */
+ * At most 4993 operations on reals, 21 of them divisions. Stack: at most 4144 bytes. */
 sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
                                   const sat4_real phi_ddot[SAT4_N], sat4_forward_jacobian_result *out);
 
@@ -454,7 +438,7 @@ sat4_status sat4_forward_jacobian(const sat4_table *table, const sat4_state *x,
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12436 operations on reals, 76 of them divisions. Stack: at most 6816 bytes. */
+ * At most 10050 operations on reals, 25 of them divisions. Stack: at most 6880 bytes. */
 sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                                   const int locked[SAT4_N], sat4_coupled_jacobian_result *out);
 
@@ -468,9 +452,9 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34283 operations on reals, 1007 of them divisions. Stack: at most 4720 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 33692 operations on reals, 997 of them divisions. Stack: at most 4624 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -487,65 +471,9 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2344 operations on reals, 39 of them divisions. Stack: at most 3808 bytes. */
+ * At most 2191 operations on reals, 35 of them divisions. Stack: at most 3712 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
-
-/* inverse_pointing: flywheel accelerations for the task pointing: what no row names is free, found by the
- * dynamics. Least error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi''.
- *   table      the prepared table
- *   x          state; its attitude within 1e-3 of unit length
- *   demand[3]  m/s2, rad/s2; wanted: wx, wy, wz
- *   options    weights, limits, damping, rows; default_options holds those of the stand file
- *   out        out: phi_ddot, the motion and its quality
- * Positive statuses are bits and may be combined.
- * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
- * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11723 operations on reals, 413 of them divisions. Stack: at most 4368 bytes. */
-sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
-                                  const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
-
-/* inverse_fast_pointing: flywheel accelerations for the task pointing, without diagnostics: normal
- * equations.
- *   table        the prepared table
- *   x            state; its attitude within 1e-3 of unit length
- *   demand[3]    m/s2, rad/s2; wanted: wx, wy, wz
- *   options      weights, limits, damping, rows; default_options holds those of the stand file
- *   phi_ddot[4]  out: rad/s2; flywheel accelerations
- * Squares the condition number: as accurate as inverse_pointing if singular values differ by a factor of
- * at most some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
- * Damping is relative to the norm of W.
- * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
- * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 2095 operations on reals, 50 of them divisions. Stack: at most 4096 bytes. */
-sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
-                                       const sat4_real demand[3], const sat4_inverse_options *options,
-                                       sat4_real phi_ddot[SAT4_N]);
-
-/* torque_for_pointing: drive torques for the task pointing, within what the motors have. Least error in
- * the norm of (S K_c^-1 S^T)^-1, K_c = K - sum I I^T / Theta_ff of the free flywheels; then torques
- * nearest to those of the preferred accelerations.
- *   table      the prepared table
- *   x          state; its attitude within 1e-3 of unit length
- *   demand[3]  m/s2, rad/s2; wanted: wx, wy, wz
- *   options    weights, limits, damping, rows; default_options holds those of the stand file
- *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
- *   out        out: tau, the motion and its quality
- * With keep_direction a demand out of reach is made smaller, not turned: share is the part that is met.
- * A flywheel whose lock or failure is known goes into `locked`: the others do its part.
- * Positive statuses are bits and may be combined.
- * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
- * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
- * written when the status is negative.
- * At most 48298 operations on reals, 6729 of them divisions. Stack: at most 5200 bytes. */
-sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
-                                     const sat4_inverse_options *options, const int locked[SAT4_N],
-                                     sat4_torque_for_pointing_result *out);
 
 /* points: readings of an accelerometer and a gyro at each instrument and point.
  *   table     the prepared table
@@ -553,7 +481,7 @@ sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *
  *   V_dot[6]  m/s2, rad/s2; derivative of the components of V
  *   out[1]    out: one reading for each instrument, then for each point
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 335 operations on reals, 1 of them a division. Stack: at most 976 bytes. */
+ * At most 386 operations on reals, 1 of them a division. Stack: at most 1056 bytes. */
 sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                         sat4_points_result out[SAT4_SENSORS]);
 
@@ -561,7 +489,7 @@ sat4_status sat4_points(const sat4_table *table, const sat4_state *x, const sat4
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -574,7 +502,7 @@ sat4_status sat4_quaternion(const sat4_real angles[3], sat4_real attitude[4]);
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_real angles[3],
                                         const sat4_real q_dot[6], const sat4_real q_ddot[6], sat4_state *x,
                                         sat4_real V_dot[6]);
@@ -588,7 +516,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4626 operations on reals, 5 of them divisions. Stack: at most 4048 bytes. */
+ * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -602,7 +530,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5763 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
+ * At most 5973 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -613,7 +541,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
  *   mount_wrench[24]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1357 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1418 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, const sat4_real V_dot[6],
                         const sat4_real phi_ddot[SAT4_N], sat4_real mount_wrench[24]);
 
@@ -622,7 +550,7 @@ sat4_status sat4_mounts(const sat4_mount_table *mounting, const sat4_state *x, c
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1943 operations on reals, 33 of them divisions. Stack: at most 1568 bytes. */
+ * At most 2132 operations on reals, 33 of them divisions. Stack: at most 1568 bytes. */
 sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -638,7 +566,7 @@ sat4_status sat4_prepare_mounts(const sat4_parameters *parameters, sat4_mount_ta
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 9051 operations on reals, 22 of them divisions. Stack: at most 4080 bytes. */
+ * At most 9061 operations on reals, 22 of them divisions. Stack: at most 3952 bytes. */
 sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, const sat4_real tau[SAT4_N],
                               const int locked[SAT4_N], sat4_real dt, int order, sat4_step_carry *carry,
                               sat4_state *next);
@@ -656,7 +584,7 @@ sat4_status sat4_step_carried(const sat4_table *table, const sat4_state *x, cons
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5947 operations on reals, 18 of them divisions. Stack: at most 3200 bytes. */
+ * At most 6117 operations on reals, 18 of them divisions. Stack: at most 3072 bytes. */
 sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *x,
                                      const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                      sat4_step_carry *carry, sat4_state *next);
@@ -666,7 +594,7 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1116 operations on reals, 1 of them a division. Stack: at most 1456 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
                                          sat4_real center_of_mass_velocity[3]);
 
@@ -684,11 +612,11 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
 #define SAT4_LINK_CHECKED
 #if __SIZEOF_POINTER__ == 8
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
+        ".quad sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
         ".popsection\n");
 #elif __SIZEOF_POINTER__ == 4
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
+        ".long sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
         ".popsection\n");
 #endif
 #endif

@@ -1,6 +1,6 @@
 /* sat4_recorder.h: flight recorder of the stand "sat4". It logs the raw inputs of every step, so that
  * `mahovik replay` repeats the run on the desk bit for bit.
- * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
  *
  * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
  *
@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 2u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0x81cc0fa3u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORDER_SOURCE 0x23a803c5u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
@@ -79,7 +79,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4416 bytes, and that of write. */
+ * Stack: at most 4288 bytes, and that of write. */
 sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
@@ -89,7 +89,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3536 bytes, and that of write. */
+ * Stack: at most 3408 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 

@@ -46,6 +46,13 @@ __asm__(".globl shaker2_link_double_lanes1_v0_1_0_2591b2a4\n"
 #define SHAKER2_CONST
 #endif
 
+/* Seldom called: one copy takes less code than one in each caller. */
+#ifdef __GNUC__
+#define SHAKER2_APART __attribute__((noinline))
+#else
+#define SHAKER2_APART
+#endif
+
 /* Sums over all bodies at one state. */
 typedef struct shaker2_sums {
     shaker2_real mu[3];      /* kg m; first moment of all bodies about O1 */
@@ -240,7 +247,7 @@ static shaker2_real shaker2_wrapped(shaker2_real phi)
 }
 
 /* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
-SHAKER2_CODE
+SHAKER2_CODE SHAKER2_APART
 static shaker2_status shaker2_within(const shaker2_real values[], int count, shaker2_real limit)
 {
     for (int i = 0; i < count; ++i) {
@@ -256,6 +263,30 @@ static shaker2_status shaker2_within(const shaker2_real values[], int count, sha
 SHAKER2_CODE
 static shaker2_status shaker2_check_state(const shaker2_state *x)
 {
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        shaker2_real position2, velocity2, speed2, phase2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < SHAKER2_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < SHAKER2_MAX_POSITION * SHAKER2_MAX_POSITION
+            && velocity2 < SHAKER2_MAX_VELOCITY * SHAKER2_MAX_VELOCITY
+            && speed2 < SHAKER2_MAX_SPEED * SHAKER2_MAX_SPEED
+            && phase2 < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE) { return SHAKER2_OK; }
+    }
+#endif
     shaker2_status status = shaker2_within(x->position, 3, SHAKER2_MAX_POSITION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(x->attitude, 4, 2.0);
@@ -271,6 +302,58 @@ static shaker2_status shaker2_check_state(const shaker2_state *x)
     const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return SHAKER2_RANGE; }
+    return SHAKER2_OK;
+}
+
+/* The same of a state, and then: are values of the flywheels within a limit? */
+SHAKER2_CODE
+static shaker2_status shaker2_check_motion(const shaker2_state *x, const shaker2_real values[SHAKER2_N],
+                                           shaker2_real limit)
+{
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        shaker2_real position2, velocity2, speed2, phase2, given2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        given2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < SHAKER2_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            given2 += values[s] * values[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < SHAKER2_MAX_POSITION * SHAKER2_MAX_POSITION
+            && velocity2 < SHAKER2_MAX_VELOCITY * SHAKER2_MAX_VELOCITY
+            && speed2 < SHAKER2_MAX_SPEED * SHAKER2_MAX_SPEED
+            && phase2 < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE
+            && given2 < limit * limit) { return SHAKER2_OK; }
+    }
+#endif
+    shaker2_status status = shaker2_within(x->position, 3, SHAKER2_MAX_POSITION);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(x->attitude, 4, 2.0);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(x->V, 6, SHAKER2_MAX_SPEED);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(x->V, 3, SHAKER2_MAX_VELOCITY);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(x->phi, SHAKER2_N, SHAKER2_MAX_PHASE);
+    if (status != SHAKER2_OK) { return status; }
+    status = shaker2_within(x->phi_dot, SHAKER2_N, SHAKER2_MAX_SPEED);
+    if (status != SHAKER2_OK) { return status; }
+    const shaker2_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return SHAKER2_RANGE; }
+    status = shaker2_within(values, SHAKER2_N, limit);
+    if (status != SHAKER2_OK) { return status; }
     return SHAKER2_OK;
 }
 
@@ -298,23 +381,6 @@ static void shaker2_rotate_back(const shaker2_real C[9], const shaker2_real a[3]
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
     out[2] = C[2] * a[0] + C[5] * a[1] + C[8] * a[2];
-}
-
-/* Sums of carrier, instruments and the constant part of the flywheels, (2). */
-SHAKER2_CODE
-static void shaker2_start_sums(const shaker2_table *table, shaker2_sums *restrict sum)
-{
-    sum->mu[0] = table->first_moment[0];
-    sum->mu[1] = table->first_moment[1];
-    sum->mu[2] = table->first_moment[2];
-    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
-    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
-    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
-    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
-    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
-    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
 }
 
 /* Sines and cosines of all phases.
@@ -361,51 +427,136 @@ static void shaker2_sincos_each(const shaker2_real x[SHAKER2_N], shaker2_real si
     }
 }
 
-/* Adds the terms of one flywheel, at its phase, to the sums, (2), (5), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 SHAKER2_CODE
-static void shaker2_add_flywheel(const shaker2_row *row, shaker2_real s, shaker2_real c,
-                                 shaker2_real phi_dot, shaker2_real phi_ddot, shaker2_sums *restrict sum)
+static void shaker2_sum_mass(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
+                             const shaker2_real cosine[SHAKER2_N], const shaker2_real phi_dot[SHAKER2_N],
+                             shaker2_sums *restrict sum)
 {
-    const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
-    const shaker2_real s2 = 2.0 * c * s;
-    const shaker2_real dc = -phi_dot * s;  /* time derivatives: d(cos phi)/dt, ... */
-    const shaker2_real ds = phi_dot * c;
-    const shaker2_real dc2 = -2.0 * phi_dot * s2;
-    const shaker2_real ds2 = 2.0 * phi_dot * c2;
-    const shaker2_real ddc = -phi_dot * ds - phi_ddot * s;  /* second time derivatives */
-    const shaker2_real dds = phi_ddot * c + phi_dot * dc;
-    /* first moment and its rate */
-    sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
-    sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
-    sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
-    sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
-    sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
-    sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
-    /* inertia */
-    sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
-    sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
-    sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
-    sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
-    sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
-    sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
-    /* its rate: K_dot of (6) */
-    sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
-    sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
-    sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
-    sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
-    sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
-    sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
-    /* moment part of I phi' (its force part is mu_dot) */
-    sum->h_rel[0] += row->t_c[0] * ds + phi_dot * row->t_0[0] - row->t_s[0] * dc;
-    sum->h_rel[1] += row->t_c[1] * ds + phi_dot * row->t_0[1] - row->t_s[1] * dc;
-    sum->h_rel[2] += row->t_c[2] * ds + phi_dot * row->t_0[2] - row->t_s[2] * dc;
-    /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
-    sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
-    sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
-    sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
-    sum->g_rel[0] += row->t_c[0] * dds + phi_ddot * row->t_0[0] - row->t_s[0] * ddc;
-    sum->g_rel[1] += row->t_c[1] * dds + phi_ddot * row->t_0[1] - row->t_s[1] * ddc;
-    sum->g_rel[2] += row->t_c[2] * dds + phi_ddot * row->t_0[2] - row->t_s[2] * ddc;
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
+        const shaker2_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
+        const shaker2_real s2 = 2.0 * c * s;
+        const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const shaker2_real ds = w * c;
+        const shaker2_real dc2 = -2.0 * w * s2;
+        const shaker2_real ds2 = 2.0 * w * c2;
+        /* inertia */
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        /* its rate: K_dot of (6) */
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        /* first moment and its rate */
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+SHAKER2_CODE
+static void shaker2_sum_steady_spin(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
+                                    const shaker2_real cosine[SHAKER2_N],
+                                    const shaker2_real phi_dot[SHAKER2_N], shaker2_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
+        const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const shaker2_real ds = w * c;
+        const shaker2_real ddc = -w * ds;  /* second time derivatives */
+        const shaker2_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+SHAKER2_CODE
+static void shaker2_sum_spin(const shaker2_table *table, const shaker2_real sine[SHAKER2_N],
+                             const shaker2_real cosine[SHAKER2_N], const shaker2_real phi_dot[SHAKER2_N],
+                             const shaker2_real phi_ddot[SHAKER2_N], shaker2_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < SHAKER2_N; ++k) {
+        const shaker2_real s = sine[k];
+        const shaker2_real c = cosine[k];
+        const shaker2_real w = phi_dot[k];
+        const shaker2_real a = phi_ddot[k];
+        const shaker2_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const shaker2_real ds = w * c;
+        const shaker2_real ddc = -w * ds - a * s;  /* second time derivatives */
+        const shaker2_real dds = a * c + w * dc;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+    }
 }
 
 /* Rotation vector of a quaternion of about unit length; its length is at most pi. */
@@ -491,29 +642,35 @@ static void shaker2_momentum_screw(const shaker2_table *table, const shaker2_sum
         - sum->mu[1] * V[0];
 }
 
-/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
 SHAKER2_CODE
-static void shaker2_subtract_rates(const shaker2_sums *sum, const shaker2_real V[6], const shaker2_real Z[6],
-                                   shaker2_real F[restrict 6])
+static void shaker2_subtract_rates(const shaker2_table *table, const shaker2_sums *sum,
+                                   const shaker2_real V[6], shaker2_real F[restrict 6])
 {
-    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z[1] - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z[2];
-    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z[2] - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z[0];
-    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z[0] - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z[1];
-    F[3] = F[3] + Z[4] * V[5] + sum->mu_dot[2] * V[1] + Z[1] * V[2] - sum->J_dot[0] * V[3]
-        - sum->J_dot[3] * V[4] - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z[5] * V[4] - sum->mu_dot[1] * V[2]
-        - Z[2] * V[1];
-    F[4] = F[4] + Z[5] * V[3] + sum->mu_dot[0] * V[2] + Z[2] * V[0] - sum->J_dot[1] * V[4]
-        - sum->J_dot[3] * V[3] - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z[3] * V[5] - sum->mu_dot[2] * V[0]
-        - Z[0] * V[2];
-    F[5] = F[5] + Z[3] * V[4] + sum->mu_dot[1] * V[0] + Z[0] * V[1] - sum->J_dot[2] * V[5]
-        - sum->J_dot[4] * V[3] - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z[4] * V[3] - sum->mu_dot[0] * V[1]
-        - Z[1] * V[0];
+    /* momentum screw Z = K V + sum I phi' */
+    const shaker2_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    const shaker2_real Z2 = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    const shaker2_real Z3 = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    const shaker2_real Z4 = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0]
+        + sum->mu[1] * V[2] - sum->mu[2] * V[1];
+    const shaker2_real Z5 = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1]
+        + sum->mu[2] * V[0] - sum->mu[0] * V[2];
+    const shaker2_real Z6 = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2]
+        + sum->mu[0] * V[1] - sum->mu[1] * V[0];
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z2 - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z3;
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z3 - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z1;
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z1 - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z2;
+    F[3] = F[3] + Z5 * V[5] + sum->mu_dot[2] * V[1] + Z2 * V[2] - sum->J_dot[0] * V[3] - sum->J_dot[3] * V[4]
+        - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z6 * V[4] - sum->mu_dot[1] * V[2] - Z3 * V[1];
+    F[4] = F[4] + Z6 * V[3] + sum->mu_dot[0] * V[2] + Z3 * V[0] - sum->J_dot[1] * V[4] - sum->J_dot[3] * V[3]
+        - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z4 * V[5] - sum->mu_dot[2] * V[0] - Z1 * V[2];
+    F[5] = F[5] + Z4 * V[4] + sum->mu_dot[1] * V[0] + Z1 * V[1] - sum->J_dot[2] * V[5] - sum->J_dot[4] * V[3]
+        - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z5 * V[3] - sum->mu_dot[0] * V[1] - Z2 * V[0];
 }
 
-/* Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T. */
+/* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
 SHAKER2_CODE
-static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real b[3],
-                                     shaker2_real y[restrict 3])
+static shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_factors3 *restrict L)
 {
     if (!(S[0] >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     const shaker2_real r1 = 1.0 / S[0];
@@ -526,44 +683,63 @@ static shaker2_status shaker2_solve3(const shaker2_real S[6], const shaker2_real
     const shaker2_real l32 = p32 * r2;
     const shaker2_real d3 = S[2] - l31 * S[4] - l32 * p32;
     if (!(d3 >= 2.2250738585072014e-308)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
-    /* L z = b, then L^T y = D^-1 z */
-    const shaker2_real z2 = b[1] - l21 * b[0];
-    const shaker2_real y3 = (b[2] - l31 * b[0] - l32 * z2) / d3;
-    const shaker2_real y2 = z2 * r2 - l32 * y3;
-    y[0] = b[0] * r1 - l21 * y2 - l31 * y3;
-    y[1] = y2;  y[2] = y3;
+    L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
+    L->l21 = l21;
+    L->l31 = l31;
+    L->l32 = l32;
     return SHAKER2_OK;
 }
 
-/* Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains, (8). */
+/* Solves S y = b by S = L D L^T. */
 SHAKER2_CODE
-static shaker2_status shaker2_solve_carrier(const shaker2_table *table, const shaker2_sums *sum,
-                                            const shaker2_real F[6], shaker2_real y[restrict 6])
+static void shaker2_solve3(const shaker2_factors3 *L, const shaker2_real b[3], shaker2_real y[restrict 3])
+{
+    /* L z = b, then L^T y = D^-1 z */
+    const shaker2_real z2 = b[1] - L->l21 * b[0];
+    const shaker2_real y3 = (b[2] - L->l31 * b[0] - L->l32 * z2) / L->d3;
+    const shaker2_real y2 = z2 * L->r2 - L->l32 * y3;
+    y[0] = b[0] * L->r1 - L->l21 * y2 - L->l31 * y3;
+    y[1] = y2;  y[2] = y3;
+}
+
+/* Factors K: its translational block is constant, so that a 3x3 matrix is left, (8). */
+SHAKER2_CODE
+static shaker2_status shaker2_factor_carrier(const shaker2_table *table, const shaker2_sums *sum,
+                                             shaker2_carrier_factor *restrict K)
 {
     shaker2_status status;
-    shaker2_real rho[3];  /* mass centre from O1, in E1 */
-    rho[0] = table->mass_inverse * sum->mu[0];
-    rho[1] = table->mass_inverse * sum->mu[1];
-    rho[2] = table->mass_inverse * sum->mu[2];
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
     shaker2_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
+    status = shaker2_factor3(S, &K->L);
+    if (status != SHAKER2_OK) { return status; }
+    return SHAKER2_OK;
+}
+
+/* Solves K y = F by the factors of K, (8). */
+SHAKER2_CODE
+static void shaker2_solve_carrier(const shaker2_table *table, const shaker2_carrier_factor *K,
+                                  const shaker2_real F[6], shaker2_real y[restrict 6])
+{
     shaker2_real moment[3];  /* about the mass centre */
     shaker2_real omega_dot[3];
-    S[0] = sum->J[0] - sum->mu[1] * rho[1] - sum->mu[2] * rho[2];
-    S[1] = sum->J[1] - sum->mu[0] * rho[0] - sum->mu[2] * rho[2];
-    S[2] = sum->J[2] - sum->mu[0] * rho[0] - sum->mu[1] * rho[1];
-    S[3] = sum->J[3] + sum->mu[1] * rho[0];
-    S[4] = sum->J[4] + sum->mu[2] * rho[0];
-    S[5] = sum->J[5] + sum->mu[2] * rho[1];
-    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
-    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
-    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
-    status = shaker2_solve3(S, moment, omega_dot);
-    if (status != SHAKER2_OK) { return status; }
-    y[0] = F[0] * table->mass_inverse + omega_dot[2] * rho[1] - omega_dot[1] * rho[2];
-    y[1] = F[1] * table->mass_inverse + omega_dot[0] * rho[2] - omega_dot[2] * rho[0];
-    y[2] = F[2] * table->mass_inverse + omega_dot[1] * rho[0] - omega_dot[0] * rho[1];
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
+    shaker2_solve3(&K->L, moment, omega_dot);
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return SHAKER2_OK;
 }
 
 /* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
@@ -581,17 +757,15 @@ static shaker2_status shaker2_accelerate(const shaker2_table *table, const shake
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     shaker2_real F[6];  /* wrench (7); then the right-hand side of (8) */
-    shaker2_real Z[6];  /* momentum screw (2) */
+    shaker2_carrier_factor K;
     shaker2_external(table, x, &sum, C, g, F);
-    shaker2_momentum_screw(table, &sum, x->V, Z);
-    shaker2_subtract_rates(&sum, x->V, Z, F);
-    status = shaker2_solve_carrier(table, &sum, F, V_dot);
+    shaker2_subtract_rates(table, &sum, x->V, F);
+    status = shaker2_factor_carrier(table, &sum, &K);
     if (status != SHAKER2_OK) { return status; }
+    shaker2_solve_carrier(table, &K, F, V_dot);
     return SHAKER2_OK;
 }
 
@@ -601,9 +775,7 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6])
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real result[6];
     shaker2_real sine[SHAKER2_N];
@@ -631,10 +803,7 @@ shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real result[6];
     shaker2_external(table, x, &sum, C, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
@@ -675,10 +844,7 @@ shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state 
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real F[6];
     shaker2_external(table, x, &sum, C, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
@@ -762,10 +928,8 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
@@ -893,9 +1057,7 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
 {
     if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
@@ -925,10 +1087,9 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
     return SHAKER2_OK;
 }
 
-/* Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3. */
+/* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
 SHAKER2_CODE
-static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_real F[6],
-                                          shaker2_real y[restrict 6])
+static shaker2_status shaker2_factor_schur(const shaker2_schur *K, shaker2_schur_factor *restrict factor)
 {
     shaker2_status status;
     const shaker2_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
@@ -941,41 +1102,47 @@ static shaker2_status shaker2_solve_schur(const shaker2_schur *K, const shaker2_
     if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
         && det <= SHAKER2_LARGEST))) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
     const shaker2_real r = 1.0 / det;
-    shaker2_real A_inv[6];
-    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
-    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
-    shaker2_real U[9];  /* A^-1 B^T */
+    factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
+    factor->A_inv[3] = c12 * r;  factor->A_inv[4] = c13 * r;  factor->A_inv[5] = c23 * r;
     shaker2_real S[6];  /* D - B A^-1 B^T */
+    factor->U[0] = factor->A_inv[0] * K->B[0] + factor->A_inv[3] * K->B[1] + factor->A_inv[4] * K->B[2];
+    factor->U[1] = factor->A_inv[0] * K->B[3] + factor->A_inv[3] * K->B[4] + factor->A_inv[4] * K->B[5];
+    factor->U[2] = factor->A_inv[0] * K->B[6] + factor->A_inv[3] * K->B[7] + factor->A_inv[4] * K->B[8];
+    factor->U[3] = factor->A_inv[1] * K->B[1] + factor->A_inv[3] * K->B[0] + factor->A_inv[5] * K->B[2];
+    factor->U[4] = factor->A_inv[1] * K->B[4] + factor->A_inv[3] * K->B[3] + factor->A_inv[5] * K->B[5];
+    factor->U[5] = factor->A_inv[1] * K->B[7] + factor->A_inv[3] * K->B[6] + factor->A_inv[5] * K->B[8];
+    factor->U[6] = factor->A_inv[2] * K->B[2] + factor->A_inv[4] * K->B[0] + factor->A_inv[5] * K->B[1];
+    factor->U[7] = factor->A_inv[2] * K->B[5] + factor->A_inv[4] * K->B[3] + factor->A_inv[5] * K->B[4];
+    factor->U[8] = factor->A_inv[2] * K->B[8] + factor->A_inv[4] * K->B[6] + factor->A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * factor->U[0] - K->B[1] * factor->U[3] - K->B[2] * factor->U[6];
+    S[1] = K->D[1] - K->B[3] * factor->U[1] - K->B[4] * factor->U[4] - K->B[5] * factor->U[7];
+    S[2] = K->D[2] - K->B[6] * factor->U[2] - K->B[7] * factor->U[5] - K->B[8] * factor->U[8];
+    S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
+    S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
+    S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
+    status = shaker2_factor3(S, &factor->L);
+    if (status != SHAKER2_OK) { return status; }
+    return SHAKER2_OK;
+}
+
+/* Solves [A B^T; B D] y = F by the factors. */
+SHAKER2_CODE
+static void shaker2_solve_schur(const shaker2_schur_factor *factor, const shaker2_real F[6],
+                                shaker2_real y[restrict 6])
+{
     shaker2_real moment[3];  /* n - B A^-1 f */
     shaker2_real omega_dot[3];
-    U[0] = A_inv[0] * K->B[0] + A_inv[3] * K->B[1] + A_inv[4] * K->B[2];
-    U[1] = A_inv[0] * K->B[3] + A_inv[3] * K->B[4] + A_inv[4] * K->B[5];
-    U[2] = A_inv[0] * K->B[6] + A_inv[3] * K->B[7] + A_inv[4] * K->B[8];
-    U[3] = A_inv[1] * K->B[1] + A_inv[3] * K->B[0] + A_inv[5] * K->B[2];
-    U[4] = A_inv[1] * K->B[4] + A_inv[3] * K->B[3] + A_inv[5] * K->B[5];
-    U[5] = A_inv[1] * K->B[7] + A_inv[3] * K->B[6] + A_inv[5] * K->B[8];
-    U[6] = A_inv[2] * K->B[2] + A_inv[4] * K->B[0] + A_inv[5] * K->B[1];
-    U[7] = A_inv[2] * K->B[5] + A_inv[4] * K->B[3] + A_inv[5] * K->B[4];
-    U[8] = A_inv[2] * K->B[8] + A_inv[4] * K->B[6] + A_inv[5] * K->B[7];
-    S[0] = K->D[0] - K->B[0] * U[0] - K->B[1] * U[3] - K->B[2] * U[6];
-    S[1] = K->D[1] - K->B[3] * U[1] - K->B[4] * U[4] - K->B[5] * U[7];
-    S[2] = K->D[2] - K->B[6] * U[2] - K->B[7] * U[5] - K->B[8] * U[8];
-    S[3] = K->D[3] - K->B[0] * U[1] - K->B[1] * U[4] - K->B[2] * U[7];
-    S[4] = K->D[4] - K->B[0] * U[2] - K->B[1] * U[5] - K->B[2] * U[8];
-    S[5] = K->D[5] - K->B[3] * U[2] - K->B[4] * U[5] - K->B[5] * U[8];
-    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
-    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
-    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
-    status = shaker2_solve3(S, moment, omega_dot);
-    if (status != SHAKER2_OK) { return status; }
-    y[0] = A_inv[0] * F[0] + A_inv[3] * F[1] + A_inv[4] * F[2] - U[0] * omega_dot[0] - U[1] * omega_dot[1]
-        - U[2] * omega_dot[2];
-    y[1] = A_inv[1] * F[1] + A_inv[3] * F[0] + A_inv[5] * F[2] - U[3] * omega_dot[0] - U[4] * omega_dot[1]
-        - U[5] * omega_dot[2];
-    y[2] = A_inv[2] * F[2] + A_inv[4] * F[0] + A_inv[5] * F[1] - U[6] * omega_dot[0] - U[7] * omega_dot[1]
-        - U[8] * omega_dot[2];
+    moment[0] = F[3] - factor->U[0] * F[0] - factor->U[3] * F[1] - factor->U[6] * F[2];
+    moment[1] = F[4] - factor->U[1] * F[0] - factor->U[4] * F[1] - factor->U[7] * F[2];
+    moment[2] = F[5] - factor->U[2] * F[0] - factor->U[5] * F[1] - factor->U[8] * F[2];
+    shaker2_solve3(&factor->L, moment, omega_dot);
+    y[0] = factor->A_inv[0] * F[0] + factor->A_inv[3] * F[1] + factor->A_inv[4] * F[2]
+        - factor->U[0] * omega_dot[0] - factor->U[1] * omega_dot[1] - factor->U[2] * omega_dot[2];
+    y[1] = factor->A_inv[1] * F[1] + factor->A_inv[3] * F[0] + factor->A_inv[5] * F[2]
+        - factor->U[3] * omega_dot[0] - factor->U[4] * omega_dot[1] - factor->U[5] * omega_dot[2];
+    y[2] = factor->A_inv[2] * F[2] + factor->A_inv[4] * F[0] + factor->A_inv[5] * F[1]
+        - factor->U[6] * omega_dot[0] - factor->U[7] * omega_dot[1] - factor->U[8] * omega_dot[2];
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
-    return SHAKER2_OK;
 }
 
 /* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
@@ -993,15 +1160,11 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_external(table, x, &sum, C, g, F);
-    shaker2_momentum_screw(table, &sum, x->V, Z);
-    shaker2_subtract_rates(&sum, x->V, Z, F);
+    shaker2_subtract_rates(table, &sum, x->V, F);
     shaker2_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -1029,8 +1192,10 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
             shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
         }
     }
-    status = shaker2_solve_schur(&K, F, V_dot);
+    shaker2_schur_factor factor;
+    status = shaker2_factor_schur(&K, &factor);
     if (status != SHAKER2_OK) { return status; }
+    shaker2_solve_schur(&factor, F, V_dot);
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = 0.0;
         if (locked[s] == 0) {
@@ -1051,9 +1216,7 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
     if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return SHAKER2_BAD_ARGUMENT; }
     if (locked == NULL) { locked = shaker2_none_locked; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
+    shaker2_status status = shaker2_check_motion(x, tau, SHAKER2_MAX_WRENCH);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real V_result[6];
     shaker2_real phi_result[SHAKER2_N];
@@ -1105,7 +1268,7 @@ static shaker2_status shaker2_finish(shaker2_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = shaker2_check_state(x);
+    status = shaker2_check_motion(x, x->phi_dot, SHAKER2_MAX_SPEED);
     if (status != SHAKER2_OK) { return status; }
     for (int s = 0; s < SHAKER2_N; ++s) {
         x->phi[s] = shaker2_wrapped(x->phi[s]);
@@ -1228,14 +1391,12 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
 {
     if (table == NULL || x == NULL || tau == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     if (locked == NULL) { locked = shaker2_none_locked; }
-    shaker2_status status = shaker2_check_state(x);
+    shaker2_status status = shaker2_check_motion(x, tau, SHAKER2_MAX_WRENCH);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real given[1];
-    given[0] = dt;
-    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(dt >= -SHAKER2_MAX_STEP && dt <= SHAKER2_MAX_STEP)) {
+        if (dt >= -SHAKER2_LARGEST && dt <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state y;  /* state of a stage; then the new state */
@@ -1373,14 +1534,12 @@ shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_sta
                                    shaker2_state *next)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real given[1];
-    given[0] = dt;
-    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(dt >= -SHAKER2_MAX_STEP && dt <= SHAKER2_MAX_STEP)) {
+        if (dt >= -SHAKER2_LARGEST && dt <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     shaker2_state y;  /* state of a stage; then the new state */
@@ -1408,11 +1567,10 @@ SHAKER2_CODE
 shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped)
 {
     if (wrapped == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status;
-    shaker2_real given[1];
-    given[0] = phi;
-    status = shaker2_within(given, 1, SHAKER2_MAX_PHASE);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(phi >= -SHAKER2_MAX_PHASE && phi <= SHAKER2_MAX_PHASE)) {
+        if (phi >= -SHAKER2_LARGEST && phi <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     shaker2_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
     shaker2_real angle;
     k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
@@ -1430,14 +1588,13 @@ SHAKER2_CODE
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi)
 {
     if (phi == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
     const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
     const shaker2_real size = (shaker2_real)turn;
-    shaker2_real given[1];
-    given[0] = zero;
-    status = shaker2_within(given, 1, size);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(zero >= -size && zero <= size)) {
+        if (zero >= -SHAKER2_LARGEST && zero <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     const int rest = count - count / turn * turn;  /* whole turns removed */
     /* counts from phi = 0; then reduced to within half a turn */
     shaker2_real place = (shaker2_real)rest - zero;
@@ -1454,12 +1611,11 @@ SHAKER2_CODE
 shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot)
 {
     if (phi_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status;
     if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_real given[1];
-    given[0] = dt;
-    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(dt >= -SHAKER2_MAX_STEP && dt <= SHAKER2_MAX_STEP)) {
+        if (dt >= -SHAKER2_LARGEST && dt <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     const shaker2_real turns = (shaker2_real)moved / (shaker2_real)per_turn;
     const shaker2_real speed = turns * 6.283185307179586 / dt;
@@ -1611,9 +1767,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
                                         shaker2_forward_jacobian_result *out)
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real C[9];  /* attitude */
     shaker2_rotation(x->attitude, C);
@@ -1623,10 +1777,8 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
     shaker2_real F[6];  /* right-hand side of (8) */
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_real V_result[6];  /* V_r* */
@@ -1634,9 +1786,11 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
     shaker2_real y[6];
     shaker2_external(table, x, &sum, C, g, F);
     shaker2_momentum_screw(table, &sum, x->V, Z);
-    shaker2_subtract_rates(&sum, x->V, Z, F);
-    status = shaker2_solve_carrier(table, &sum, F, V_result);
+    shaker2_subtract_rates(table, &sum, x->V, F);
+    shaker2_carrier_factor K;
+    status = shaker2_factor_carrier(table, &sum, &K);
     if (status != SHAKER2_OK) { return status; }
+    shaker2_solve_carrier(table, &K, F, V_result);
     shaker2_matrices_result m;
     m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
     m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
@@ -1669,7 +1823,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
         for (int i = 0; i < 6; ++i) {
             rhs[i] = slope[i * 6 + j];
         }
-        (void)shaker2_solve_carrier(table, &sum, rhs, y);
+        shaker2_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1692,7 +1846,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
             change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)shaker2_solve_carrier(table, &sum, rhs, y);
+            shaker2_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1703,7 +1857,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
             change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
             shaker2_row_slope(&table->flywheel[s], change, x->V, V_result, g, rhs);
-            (void)shaker2_solve_carrier(table, &sum, rhs, y);
+            shaker2_solve_carrier(table, &K, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1717,7 +1871,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
             - table->flywheel[s].t_0[1];
         rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
             - table->flywheel[s].t_0[2];
-        (void)shaker2_solve_carrier(table, &sum, rhs, y);
+        shaker2_solve_carrier(table, &K, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_phi_ddot[i][s] = y[i];
         }
@@ -1733,9 +1887,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
 {
     if (table == NULL || x == NULL || tau == NULL || out == NULL) { return SHAKER2_BAD_ARGUMENT; }
     if (locked == NULL) { locked = shaker2_none_locked; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
+    shaker2_status status = shaker2_check_motion(x, tau, SHAKER2_MAX_WRENCH);
     if (status != SHAKER2_OK) { return status; }
     shaker2_real V_result[6];  /* V*, then V_r* */
     shaker2_real phi_result[SHAKER2_N];  /* phi'' */
@@ -1749,10 +1901,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_result[s], &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_momentum_screw(table, &sum, x->V, Z);
     shaker2_matrices_result m;
@@ -1801,6 +1951,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
     K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    shaker2_schur_factor factor;
     shaker2_real rhs[6];  /* right-hand side of the carrier */
     shaker2_real drive_rhs[SHAKER2_N];  /* right-hand sides of the drives */
     shaker2_real y[6];
@@ -1812,6 +1963,8 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
         }
     }
+    status = shaker2_factor_schur(&K, &factor);
+    if (status != SHAKER2_OK) { return status; }
     shaker2_real drive_slope[SHAKER2_N][6];  /* derivatives of the bias torques by V */
     shaker2_real J_p[6];  /* dJ / dphi */
     shaker2_real turned[3];  /* J' omega */
@@ -1857,7 +2010,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                 }
             }
         }
-        (void)shaker2_solve_schur(&K, rhs, y);
+        shaker2_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_V[i][j] = y[i];
         }
@@ -1931,7 +2084,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                     }
                 }
             }
-            (void)shaker2_solve_schur(&K, rhs, y);
+            shaker2_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi[i][s] = y[i];
             }
@@ -1962,7 +2115,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
                     }
                 }
             }
-            (void)shaker2_solve_schur(&K, rhs, y);
+            shaker2_solve_schur(&factor, rhs, y);
             for (int i = 0; i < 6; ++i) {
                 out->V_dot_phi_dot[i][s] = y[i];
             }
@@ -1982,15 +2135,13 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
             drive_rhs[t] = 0.0;
         }
         drive_rhs[s] = 1.0;
-        for (int t = 0; t < SHAKER2_N; ++t) {
-            if (locked[t] == 0) {
-                const shaker2_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
-                for (int i = 0; i < 6; ++i) {
-                    rhs[i] -= drive[t].I_[i] * share;
-                }
+        if (locked[s] == 0) {
+            const shaker2_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            for (int i = 0; i < 6; ++i) {
+                rhs[i] -= drive[s].I_[i] * share;
             }
         }
-        (void)shaker2_solve_schur(&K, rhs, y);
+        shaker2_solve_schur(&factor, rhs, y);
         for (int i = 0; i < 6; ++i) {
             out->V_dot_tau[i][s] = y[i];
         }
@@ -2104,32 +2255,11 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     shaker2_real g[3];  /* gravity in E1 */
     shaker2_rotate_back(C, table->gravity, g);
     shaker2_sums sum;
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
-    shaker2_real column[6];  /* I_s */
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        const shaker2_real s_phi = sine[s];
-        const shaker2_real c_phi = cosine[s];
-        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
-        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
-        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
-        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0];
-        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1];
-        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2];
-        for (int i = 0; i < 6; ++i) {
-            work->I_[i][s] = column[i];
-        }
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    shaker2_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
-    shaker2_real Z[6];  /* momentum screw (2) */
     shaker2_external(table, x, &sum, C, g, F);
-    shaker2_momentum_screw(table, &sum, x->V, Z);
-    shaker2_subtract_rates(&sum, x->V, Z, F);
+    shaker2_subtract_rates(table, &sum, x->V, F);
     work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
     work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
     work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
@@ -2144,32 +2274,48 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
     /* b = F - K V*: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
-        work->b[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
-        work->r[i] = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1] - work->G[i][2] * V_dot[2]
-            - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4] - work->G[i][5] * V_dot[5];
+        const shaker2_real demanded = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1]
+            - work->G[i][2] * V_dot[2] - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4]
+            - work->G[i][5] * V_dot[5];
+        work->b[i] = demanded;
+        work->r[i] = demanded;
     }
     status = shaker2_factor(work);
     if (status != SHAKER2_OK) { return status; }
     for (int s = 0; s < SHAKER2_N; ++s) {
-        work->scale[s] = 1.0 / shaker2_sqrt(table->flywheel[s].spin);
+        const shaker2_real s_phi = sine[s];
+        const shaker2_real c_phi = cosine[s];
+        const shaker2_real scale = 1.0 / shaker2_sqrt(table->flywheel[s].spin);
+        work->scale[s] = scale;
+        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
         for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I_[i][s] * work->scale[s];
+            work->W[i][s] = work->I_[i][s] * scale;
         }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
     for (int i = 0; i < 6; ++i) {
-        for (int k = 0; k < i; ++k) {
-            for (int s = 0; s < SHAKER2_N; ++s) {
-                work->W[i][s] -= work->G[i][k] * work->W[k][s];
-            }
-            work->r[i] -= work->G[i][k] * work->r[k];
-        }
         const shaker2_real inverse = 1.0 / work->G[i][i];
+        shaker2_real rest;
         for (int s = 0; s < SHAKER2_N; ++s) {
-            work->W[i][s] = work->W[i][s] * inverse;
+            rest = work->W[i][s];
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * work->W[k][s];
+            }
+            work->W[i][s] = rest * inverse;
         }
-        work->r[i] = work->r[i] * inverse;
+        rest = work->r[i];
+        for (int k = 0; k < i; ++k) {
+            rest -= work->G[i][k] * work->r[k];
+        }
+        work->r[i] = rest * inverse;
     }
     return SHAKER2_OK;
 }
@@ -2611,47 +2757,47 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
     shaker2_real trace = 0.0;
     for (int i = 0; i < 2; ++i) {
         for (int j = 0; j < i + 1; ++j) {
-            gram[i][j] = 0.0;
+            shaker2_real total = 0.0;
             for (int k = 0; k < 6; ++k) {
-                gram[i][j] += work.W[k][i] * work.W[k][j];
+                total += work.W[k][i] * work.W[k][j];
             }
+            gram[i][j] = total;
         }
         trace += gram[i][i];
-        z[i] = 0.0;
+        shaker2_real side = 0.0;
         for (int k = 0; k < 6; ++k) {
-            z[i] += work.W[k][i] * work.r[k];
+            side += work.W[k][i] * work.r[k];
         }
+        z[i] = side;
     }
     const shaker2_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
-    for (int i = 0; i < 2; ++i) {
-        gram[i][i] += lambda2;
-    }
     for (int j = 0; j < 2; ++j) {
-        const shaker2_real least = 1.0e-13 * gram[j][j];  /* a pivot below this is rounding error */
+        shaker2_real pivot = gram[j][j] + lambda2;
+        const shaker2_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        shaker2_real rest = z[j];
         for (int k = 0; k < j; ++k) {
-            gram[j][j] -= gram[j][k] * gram[j][k];
+            pivot -= gram[j][k] * gram[k][j];
+            rest -= gram[k][j] * z[k];
         }
-        if (!(gram[j][j] > least)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
-        gram[j][j] = shaker2_sqrt(gram[j][j]);
+        z[j] = rest;
+        if (!(pivot > least)) { return SHAKER2_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = pivot;
         for (int i = j + 1; i < 2; ++i) {
+            shaker2_real below = gram[i][j];
             for (int k = 0; k < j; ++k) {
-                gram[i][j] -= gram[i][k] * gram[j][k];
+                below -= gram[i][k] * gram[k][j];
             }
-            gram[i][j] = gram[i][j] / gram[j][j];
+            gram[i][j] = below;
+            gram[j][i] = below / pivot;
         }
-    }
-    for (int i = 0; i < 2; ++i) {
-        for (int k = 0; k < i; ++k) {
-            z[i] -= gram[i][k] * z[k];
-        }
-        z[i] = z[i] / gram[i][i];
     }
     for (int t = 0; t < 2; ++t) {
         const int i = 1 - t;
+        shaker2_real rest = z[i] / gram[i][i];
         for (int k = i + 1; k < 2; ++k) {
-            z[i] -= gram[k][i] * z[k];
+            rest -= gram[i][k] * z[k];
         }
-        z[i] = z[i] / gram[i][i];
+        z[i] = rest;
     }
     shaker2_real answer[SHAKER2_N];
     for (int s = 0; s < SHAKER2_N; ++s) {
@@ -2671,8 +2817,12 @@ SHAKER2_CODE
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4])
 {
     if (angles == NULL || attitude == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_within(angles, 3, SHAKER2_MAX_PHASE);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < SHAKER2_MAX_PHASE * SHAKER2_MAX_PHASE)) {
+        status = shaker2_within(angles, 3, SHAKER2_MAX_PHASE);
+        if (status != SHAKER2_OK) { return status; }
+    }
     shaker2_real s_psi, c_psi;
     shaker2_sincos(0.5 * angles[0], &s_psi, &c_psi);
     shaker2_real s_theta, c_theta;
@@ -2694,8 +2844,12 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
 {
     if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
         || V_dot == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < SHAKER2_MAX_POSITION * SHAKER2_MAX_POSITION)) {
+        status = shaker2_within(position, 3, SHAKER2_MAX_POSITION);
+        if (status != SHAKER2_OK) { return status; }
+    }
     status = shaker2_within(q_dot, 6, SHAKER2_MAX_SPEED);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(q_ddot, 6, SHAKER2_MAX_ACCELERATION);
@@ -2854,10 +3008,17 @@ SHAKER2_CODE
 static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const shaker2_real zero[3],
                                             shaker2_real R[restrict 9])
 {
-    shaker2_status status = shaker2_within(axis, 3, SHAKER2_MAX_PARAMETER);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(zero, 3, SHAKER2_MAX_PARAMETER);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(axis[0] * axis[0] + axis[1] * axis[1]
+        + axis[2] * axis[2] < SHAKER2_MAX_PARAMETER * SHAKER2_MAX_PARAMETER)) {
+        status = shaker2_within(axis, 3, SHAKER2_MAX_PARAMETER);
+        if (status != SHAKER2_OK) { return status; }
+    }
+    if (!(zero[0] * zero[0] + zero[1] * zero[1]
+        + zero[2] * zero[2] < SHAKER2_MAX_PARAMETER * SHAKER2_MAX_PARAMETER)) {
+        status = shaker2_within(zero, 3, SHAKER2_MAX_PARAMETER);
+        if (status != SHAKER2_OK) { return status; }
+    }
     shaker2_real e1[3];
     shaker2_real e2[3];
     const shaker2_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
@@ -2986,8 +3147,12 @@ SHAKER2_CODE
 static shaker2_status shaker2_place_flywheel(const shaker2_flywheel *w, shaker2_real O[restrict 3],
                                              shaker2_real R[restrict 9])
 {
-    shaker2_status status = shaker2_within(w->position, 3, SHAKER2_MAX_PARAMETER);
-    if (status != SHAKER2_OK) { return status; }
+    shaker2_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < SHAKER2_MAX_PARAMETER * SHAKER2_MAX_PARAMETER)) {
+        status = shaker2_within(w->position, 3, SHAKER2_MAX_PARAMETER);
+        if (status != SHAKER2_OK) { return status; }
+    }
     status = shaker2_frame_of_axes(w->axis, w->zero, R);
     if (status != SHAKER2_OK) { return status; }
     O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
@@ -3221,9 +3386,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
 {
     if (table == NULL || mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || mount_wrench == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
-    if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
     status = shaker2_within(V_dot, 6, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
@@ -3341,7 +3504,7 @@ static shaker2_status shaker2_finish_carried(shaker2_state *restrict x, shaker2_
         carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
         x->attitude[i] = sum;
     }
-    status = shaker2_check_state(x);
+    status = shaker2_check_motion(x, x->phi_dot, SHAKER2_MAX_SPEED);
     if (status != SHAKER2_OK) { return status; }
     return SHAKER2_OK;
 }
@@ -3357,14 +3520,12 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
     if (table == NULL || x == NULL || tau == NULL || carry == NULL
         || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
     if (locked == NULL) { locked = shaker2_none_locked; }
-    shaker2_status status = shaker2_check_state(x);
+    shaker2_status status = shaker2_check_motion(x, tau, SHAKER2_MAX_WRENCH);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(tau, SHAKER2_N, SHAKER2_MAX_WRENCH);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real given[1];
-    given[0] = dt;
-    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(dt >= -SHAKER2_MAX_STEP && dt <= SHAKER2_MAX_STEP)) {
+        if (dt >= -SHAKER2_LARGEST && dt <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     status = shaker2_within(carry->rounding, 17, SHAKER2_MAX_ROUNDING);
@@ -3401,14 +3562,12 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
         || next == NULL) { return SHAKER2_BAD_ARGUMENT; }
-    shaker2_status status = shaker2_check_state(x);
+    shaker2_status status = shaker2_check_motion(x, phi_ddot, SHAKER2_MAX_ACCELERATION);
     if (status != SHAKER2_OK) { return status; }
-    status = shaker2_within(phi_ddot, SHAKER2_N, SHAKER2_MAX_ACCELERATION);
-    if (status != SHAKER2_OK) { return status; }
-    shaker2_real given[1];
-    given[0] = dt;
-    status = shaker2_within(given, 1, SHAKER2_MAX_STEP);
-    if (status != SHAKER2_OK) { return status; }
+    if (!(dt >= -SHAKER2_MAX_STEP && dt <= SHAKER2_MAX_STEP)) {
+        if (dt >= -SHAKER2_LARGEST && dt <= SHAKER2_LARGEST) { return SHAKER2_RANGE; }
+        return SHAKER2_NOT_FINITE;
+    }
     if (!(dt > 0.0)) { return SHAKER2_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return SHAKER2_BAD_ARGUMENT; }
     status = shaker2_within(carry->rounding, 17, SHAKER2_MAX_ROUNDING);
@@ -3450,10 +3609,7 @@ shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const
     shaker2_real sine[SHAKER2_N];
     shaker2_real cosine[SHAKER2_N];
     shaker2_sincos_each(x->phi, sine, cosine);
-    shaker2_start_sums(table, &sum);
-    for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    shaker2_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     shaker2_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

@@ -66,7 +66,6 @@ enum {
     SHAKER2_UNREACHABLE = 8,              /* wanted motion not reached: residual above 1e-9 of the demand */
     SHAKER2_RANK_DEFICIENT = 16,          /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SHAKER2_COARSE = 32,                  /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
-    SHAKER2_EXCESSIVE = 64,               /* more than a motor's torque or speed, or than `most` */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
     SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length */
     SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot failed */
@@ -200,21 +199,39 @@ typedef struct shaker2_encoder {
     int moved;    /* counts between the last two readings */
 } shaker2_encoder;
 
+/* A symmetric 3x3 matrix factored, L D L^T. */
+typedef struct shaker2_factors3 {
+    shaker2_real r1;   /* 1 / D, of the last D itself */
+    shaker2_real r2;
+    shaker2_real d3;
+    shaker2_real l21;  /* L below its diagonal */
+    shaker2_real l31;
+    shaker2_real l32;
+} shaker2_factors3;
+
+/* K of the carrier factored. */
+typedef struct shaker2_carrier_factor {
+    shaker2_real rho[3];  /* m; mass centre from O1, in E1 */
+    shaker2_factors3 L;   /* what is left of the inertia */
+} shaker2_carrier_factor;
+
+/* K with free flywheels eliminated, factored. */
+typedef struct shaker2_schur_factor {
+    shaker2_real A_inv[6];  /* 1/kg */
+    shaker2_real U[9];      /* m; A^-1 B^T */
+    shaker2_factors3 L;     /* D - B A^-1 B^T */
+} shaker2_schur_factor;
+
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
-                                            * by default */
-    shaker2_real limit[SHAKER2_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                            * infinity: no limit */
-    shaker2_real most[SHAKER2_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    shaker2_real motor_torque[SHAKER2_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                            * infinity: no limit */
-    shaker2_real motor_speed[SHAKER2_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                            * to 0; greater than 0; infinity: none */
-    shaker2_real near;                     /* status NEAR_SINGULAR below this fraction of the largest
-                                            * singular value, 0..1 */
-    shaker2_real damping;                  /* damping of small singular values, as a fraction of the
-                                            * largest, 0..1; 0: none */
+    shaker2_real weight[SHAKER2_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                      * default */
+    shaker2_real limit[SHAKER2_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
+                                      * no limit */
+    shaker2_real near;               /* status NEAR_SINGULAR below this fraction of the largest singular
+                                      * value, 0..1 */
+    shaker2_real damping;            /* damping of small singular values, as a fraction of the largest,
+                                      * 0..1; 0: none */
 } shaker2_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -263,7 +280,7 @@ extern const shaker2_inverse_options shaker2_default_options;     /* of inverse,
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V; may overlap any input
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1143 operations on reals, 6 of them divisions. Stack: at most 2224 bytes. */
+ * At most 1196 operations on reals, 6 of them divisions. Stack: at most 2240 bytes. */
 shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real phi_ddot[SHAKER2_N], shaker2_real V_dot[6]);
 
@@ -272,7 +289,7 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 924 operations on reals, 3 of them divisions. Stack: at most 1968 bytes. */
+ * At most 859 operations on reals, 3 of them divisions. Stack: at most 1952 bytes. */
 shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -280,7 +297,7 @@ shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1302 operations on reals, 3 of them divisions. Stack: at most 2112 bytes. */
+ * At most 1237 operations on reals, 3 of them divisions. Stack: at most 2096 bytes. */
 shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_matrices_result *out);
 
@@ -289,7 +306,7 @@ shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 784 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
+ * At most 811 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
 shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_momentum_result *out);
 
@@ -300,7 +317,7 @@ shaker2_status shaker2_momentum(const shaker2_table *table, const shaker2_state 
  *   phi_ddot[2]  rad/s2; flywheel accelerations
  *   tau[2]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 496 operations on reals, 1 of them a division. Stack: at most 1328 bytes. */
+ * At most 545 operations on reals, 1 of them a division. Stack: at most 1328 bytes. */
 shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x,
                               const shaker2_real V_dot[6], const shaker2_real phi_ddot[SHAKER2_N],
                               shaker2_real tau[SHAKER2_N]);
@@ -315,7 +332,7 @@ shaker2_status shaker2_torque(const shaker2_table *table, const shaker2_state *x
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1602 operations on reals, 7 of them divisions. Stack: at most 2768 bytes. */
+ * At most 1635 operations on reals, 7 of them divisions. Stack: at most 2912 bytes. */
 shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                shaker2_real V_dot[6], shaker2_real phi_ddot[SHAKER2_N]);
@@ -334,7 +351,7 @@ shaker2_status shaker2_coupled(const shaker2_table *table, const shaker2_state *
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 6955 operations on reals, 34 of them divisions. Stack: at most 3792 bytes. */
+ * At most 6997 operations on reals, 34 of them divisions. Stack: at most 3920 bytes. */
 shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
                             const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N], shaker2_real dt,
                             int order, shaker2_state *next);
@@ -352,7 +369,7 @@ shaker2_status shaker2_step(const shaker2_table *table, const shaker2_state *x,
  * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5119 operations on reals, 30 of them divisions. Stack: at most 3264 bytes. */
+ * At most 5241 operations on reals, 30 of them divisions. Stack: at most 3280 bytes. */
 shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt, int order,
                                    shaker2_state *next);
@@ -362,7 +379,7 @@ shaker2_status shaker2_step_driven(const shaker2_table *table, const shaker2_sta
  *   wrapped  out: rad; the same angle in [-pi, pi]
  * Error below 5e-16 rad, modulo one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 592 bytes. */
+ * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
 shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
 
 /* phase_of_counts: phase for a count of an encoder.
@@ -373,7 +390,7 @@ shaker2_status shaker2_wrap(shaker2_real phi, shaker2_real *wrapped);
  * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
  * Also returns RANGE if |zero| is more than one turn.
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 576 bytes. */
+ * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
 shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zero, shaker2_real *phi);
 
 /* speed_of_counts: mean speed of a flywheel from the counts of one interval.
@@ -383,7 +400,7 @@ shaker2_status shaker2_phase_of_counts(int count, int per_turn, shaker2_real zer
  *   phi_dot   out: rad/s; mean speed during dt
  * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 448 bytes. */
+ * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
 shaker2_status shaker2_speed_of_counts(int moved, int per_turn, shaker2_real dt, shaker2_real *phi_dot);
 
 /* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
@@ -406,7 +423,7 @@ shaker2_status shaker2_accumulate(shaker2_encoder *encoder, int counter, int bit
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 3731 operations on reals, 42 of them divisions. Stack: at most 4240 bytes. */
+ * At most 3388 operations on reals, 18 of them divisions. Stack: at most 4320 bytes. */
 shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real phi_ddot[SHAKER2_N],
                                         shaker2_forward_jacobian_result *out);
@@ -420,7 +437,7 @@ shaker2_status shaker2_forward_jacobian(const shaker2_table *table, const shaker
  * At a kink of a damping law with magnitudes, the derivative from one side is returned.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 7389 operations on reals, 56 of them divisions. Stack: at most 6448 bytes. */
+ * At most 5939 operations on reals, 23 of them divisions. Stack: at most 6768 bytes. */
 shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker2_state *x,
                                         const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                         shaker2_coupled_jacobian_result *out);
@@ -435,9 +452,9 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 26845 operations on reals, 859 of them divisions. Stack: at most 4304 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
+ * At most 26445 operations on reals, 850 of them divisions. Stack: at most 4208 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -455,7 +472,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 1834 operations on reals, 31 of them divisions. Stack: at most 3808 bytes. */
+ * At most 1739 operations on reals, 29 of them divisions. Stack: at most 3728 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -464,7 +481,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
  *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
  *   attitude[4]  out: unit quaternion, w first
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 176 operations on reals, no division. Stack: at most 1008 bytes. */
+ * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
 shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real attitude[4]);
 
 /* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
@@ -477,7 +494,7 @@ shaker2_status shaker2_quaternion(const shaker2_real angles[3], shaker2_real att
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
  * negative.
- * At most 465 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], const shaker2_real angles[3],
                                               const shaker2_real q_dot[6], const shaker2_real q_ddot[6],
                                               shaker2_state *x, shaker2_real V_dot[6]);
@@ -491,7 +508,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4238 operations on reals, 11 of them divisions. Stack: at most 4176 bytes. */
+ * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
@@ -506,7 +523,7 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2915 operations on reals, 20 of them divisions. Stack: at most 2016 bytes. */
+ * At most 2999 operations on reals, 20 of them divisions. Stack: at most 2016 bytes. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
@@ -518,7 +535,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
  *   mount_wrench[12]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
  *                     of Es at phi = 0; the fourth is tau
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 867 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 916 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_table *mounting,
                               const shaker2_state *x, const shaker2_real V_dot[6],
                               const shaker2_real phi_ddot[SHAKER2_N], shaker2_real mount_wrench[12]);
@@ -528,7 +545,7 @@ shaker2_status shaker2_mounts(const shaker2_table *table, const shaker2_mount_ta
  *   mounting    out: table for the function mounts
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 978 operations on reals, 17 of them divisions. Stack: at most 1552 bytes. */
+ * At most 1062 operations on reals, 17 of them divisions. Stack: at most 1552 bytes. */
 shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shaker2_mount_table *mounting);
 
 /* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
@@ -544,7 +561,7 @@ shaker2_status shaker2_prepare_mounts(const shaker2_parameters *parameters, shak
  * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 7169 operations on reals, 34 of them divisions. Stack: at most 3968 bytes. */
+ * At most 7211 operations on reals, 34 of them divisions. Stack: at most 4096 bytes. */
 shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                     shaker2_real dt, int order, shaker2_step_carry *carry,
@@ -563,7 +580,7 @@ shaker2_status shaker2_step_carried(const shaker2_table *table, const shaker2_st
  * zero.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
  * status is negative.
- * At most 5333 operations on reals, 30 of them divisions. Stack: at most 3440 bytes. */
+ * At most 5455 operations on reals, 30 of them divisions. Stack: at most 3456 bytes. */
 shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const shaker2_state *x,
                                            const shaker2_real phi_ddot[SHAKER2_N], shaker2_real dt,
                                            int order, shaker2_step_carry *carry, shaker2_state *next);
@@ -573,7 +590,7 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 636 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 571 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
                                                shaker2_real center_of_mass_velocity[3]);
 

@@ -8,7 +8,8 @@ import pytest
 from mahovik_bench.page import Results, figures, plots
 from mahovik_bench.page import page as rendered
 from mahovik_bench.slopes import slope
-from mahovik_bench.targets import FACTORS, INSTRUCTIONS, SLOPES, best_ratio, verdicts
+from mahovik_bench.targets import BATCHES, INSTRUCTIONS, NATIVE, SCALAR, verdicts
+from mahovik_bench.works import WORKS
 
 from bench.results import results
 from docs.pages import cells
@@ -27,32 +28,28 @@ def test_slope_is_that_of_the_line() -> None:
 
 def test_every_target_has_a_verdict() -> None:
     found = list(verdicts(results()))
-    assert len(found) == sum(len(wanted) for *_, wanted in FACTORS) + len(INSTRUCTIONS) + len(SLOPES)
+    assert len(found) == len(INSTRUCTIONS) + 3 * len(WORKS) + len(BATCHES)
     by_figure = {(v.what, v.N): v for v in found}
-    assert by_figure["`forward`, -O2", "8"].reached is True
-    assert by_figure["`forward`, -O2", "64"].reached is None
-    assert by_figure["`coupled`, -O2, ns a further flywheel", "slope"].found == "10.0"
+    assert by_figure["`forward`, -O2, instructions", "2"].reached is True
     assert by_figure["`torque`, -O2, instructions", "8"].reached is False
+    assert by_figure["`step`, -O3 native over -O2", "6"].reached is True
+    assert by_figure["`torque` over `forward`, batch native", "8"].reached is None
 
 
-def test_a_slow_build_misses_its_targets() -> None:
-    found = {(v.what, v.N): v.reached for v in verdicts(results(peer=1.5))}
-    assert found["`forward`, -O2", "2"] is False
-
-
-def test_lanes_are_asked_less_without_avx512() -> None:
+def test_a_native_build_that_is_slower_misses_its_targets() -> None:
     data = results()
-    narrow = [v.asked for v in verdicts(data) if "lanes" in v.what]
-    data["machine"]["vectors"] = "AVX-512"
-    wide = [v.asked for v in verdicts(data) if "lanes" in v.what]
-    assert (narrow[0], wide[0]) == ("2.0 x", "3.0 x")
+    data["cases"]["6"]["times"]["independent"]["coupled"][NATIVE]["ratios"][SCALAR] = 1.06
+    missed = {(v.what, v.N) for v in verdicts(data) if v.reached is False and "over" in v.what}
+    assert missed >= {("`coupled`, -O3 native over -O2", "6")}
 
 
-def test_the_best_peer_is_the_nearest() -> None:
-    table = results()["cases"]["2"]["times"]["independent"]["forward"]
-    assert best_ratio(table, "mahovik -O2") == (10.0, "casadi ldl -O2")
-    nearer = {"casadi table -O2": {"ratios": {"mahovik -O2": 2.0}}, **table}
-    assert best_ratio(nearer, "mahovik -O2") == (10.0, "casadi ldl -O2")
+def test_batches_are_compared_with_forward() -> None:
+    data = results()
+    for work, ns in (("forward", 10.0), ("coupled", 14.0), ("torque", 6.0)):
+        table = data["cases"]["8"]["times"]["independent"]
+        table[work] = {**table[work], "mahovik batch native": {"least": ns}}
+    found = {v.what: v.reached for v in verdicts(data) if "batch" in v.what}
+    assert found == {"`coupled` over `forward`, batch native": True, "`torque` over `forward`, batch native": False}
 
 
 def test_the_page_says_where_a_peer_wins() -> None:

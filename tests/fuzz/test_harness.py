@@ -32,7 +32,8 @@ class Fault:
     said: str
 
 
-CHECKED = "    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);\n"
+CHECKED = """    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
+"""
 NULL = "    if (encoder == NULL) { return DEMO3_BAD_ARGUMENT; }\n"
 LOOP = "for (int i = 0; i < count; ++i) {\n        if (!("
 RANGE = "{ return DEMO3_RANGE; }\n            return"
@@ -40,7 +41,7 @@ WITHIN = "if (!(values[i] >= -limit && values[i] <= limit))"
 DONE = "    status = demo3_finish(&y);\n"
 
 FAULTS = (
-    Fault("written before a check", CHECKED, f"    V_dot[5] = 0.0;\n{CHECKED}", "a result was written"),
+    Fault("written before a check", CHECKED, f"{CHECKED}    V_dot[5] = 0.0;\n", "a result was written"),
     Fault("not written", "  V_dot[5] = result[5];", "", "not the same bits"),
     Fault("loop one too long", LOOP, LOOP.replace("<", "<=", 1), "insufficient space|buffer-overflow"),
     Fault("NaN let through", WITHIN, "if (values[i] < -limit || values[i] > limit)", "finite"),
@@ -49,7 +50,7 @@ FAULTS = (
     Fault("status of another cause", RANGE, RANGE.replace("RANGE", "NOT_FINITE"), "every argument is finite"),
     Fault("int that overflows", "per_turn < -1073741824 || ", "", "runtime error"),
     Fault("division by zero", " || per_turn == 0) { return", ") { return", "division by zero"),
-    Fault("angle guard gone", "demo3_within(given, 1, DEMO3_MAX_PHASE)", "DEMO3_OK", "finite"),
+    Fault("angle guard gone", "!(phi >= -DEMO3_MAX_PHASE && phi <= DEMO3_MAX_PHASE)", "phi > 1.0e300", "finite"),
     Fault("state written before its last check", DONE, f"    *next = y;\n{DONE}", "a result was written"),
 )
 

@@ -25,10 +25,10 @@ FAULTS = {
     "a result not written": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
     "a result written on refusal": (
         "any_forward",
-        "    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
-        "    V_dot[0] = 0.0;\n    status = demo3_within(phi_ddot, DEMO3_N, DEMO3_MAX_ACCELERATION);",
+        "        || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    demo3_status",
+        "        || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    V_dot[0] = 0.0;\n    demo3_status",
     ),
-    "a state not checked": ("any_forward", "demo3_check_state(x)", "DEMO3_OK"),
+    "a state not checked": ("any_forward", "demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
     "a divisor that is zero": (
         "any_forward",
         "const demo3_real r1 = 1.0 / S[0]",

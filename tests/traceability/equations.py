@@ -111,7 +111,7 @@ SECOND: dict[str, tuple[Any, ...]] = {
 
 ROLES: dict[str, tuple[str, ...]] = {
     "drive torque": ("torque", "balance", "carry_twist", "mount_wrench", "mounts", "prepare_mounts"),
-    "whole system": ("coupled", "solve_coupled", "eliminate", "solve_schur", "coupled_jacobian"),
+    "whole system": ("coupled", "solve_coupled", "eliminate", "factor_schur", "solve_schur", "coupled_jacobian"),
     "motion in time": (
         *("advance", "finish", "rate", "stages", "step", "rate_driven", "stages_driven", "step_driven"),
         *("advance_carried", "finish_carried", "step_carried", "step_driven_carried"),
@@ -123,9 +123,9 @@ ROLES: dict[str, tuple[str, ...]] = {
     ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
     "own mathematics": ("sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise"),
-    "linear algebra": ("solve3", "factor", "solve_gram"),
+    "linear algebra": ("factor3", "solve3", "factor", "solve_gram"),
     "checks of inputs": (
-        "within", "check_state", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
+        "within", "check_state", "check_motion", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
         "check_parameters",
     ),
 }  # fmt: skip

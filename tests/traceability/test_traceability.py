@@ -76,11 +76,11 @@ def test_lines_are_those_of_the_definition() -> None:
 
 
 def test_mutants_differ_and_are_numbered() -> None:
-    function = generated("bench8").program.function("solve3")
+    function = generated("bench8").program.function("factor3")
     kinds = [mutant(function, number)[1] for number in range(sites(function))]
     assert {"sign of a term", "term dropped", "comparison turned round", "minus dropped"} & set(kinds)
     assert kinds.count("sign of a term") == kinds.count("term dropped") > 5
-    with pytest.raises(IndexError, match="solve3 has"):
+    with pytest.raises(IndexError, match="factor3 has"):
         mutant(function, sites(function))
 
 

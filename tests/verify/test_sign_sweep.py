@@ -7,10 +7,14 @@ import pytest
 from verify.build import caught, everything, flipped, generated, signs
 
 FUNCTIONS = (
-    "add_flywheel",
+    "sum_mass",
+    "sum_spin",
+    "sum_steady_spin",
     "momentum_screw",
     "subtract_rates",
+    "factor_carrier",
     "solve_carrier",
+    "factor3",
     "solve3",
     "rotation",
     "rotate_back",

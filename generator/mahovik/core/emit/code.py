@@ -78,7 +78,9 @@ class Code:
     def function(self, f: Function) -> dict[str, Any]:
         """Comment, prototype and body of one function, for the templates."""
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
-        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body}
+        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body} | {
+            "apart": f.apart
+        }
 
     def table(
         self, name: str, struct: Struct, value: Mapping[str, Any], labels: Mapping[str, list[str]] | None = None

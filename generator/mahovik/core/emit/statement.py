@@ -6,7 +6,20 @@ from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import WIDTH, commented, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import (
+    Block,
+    Copy,
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    When,
+)
 
 _STEP = "    "
 
@@ -125,6 +138,12 @@ class Statements:
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")
+            case Shortcut(body):
+                return [
+                    "#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */",
+                    *[f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"],
+                    "#endif",
+                ]
             case Block(body):
                 return [f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"]
             case Loop():

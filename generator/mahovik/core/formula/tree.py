@@ -59,6 +59,24 @@ def names_of(formula: Formula) -> set[str]:
     return set().union(*(names_of(part) for part in formula[1:])) if isinstance(formula, tuple) else set()
 
 
+def omitting(formula: Formula, name: str) -> Formula:
+    """The formula where that name is zero: its products are left out. 0.0 where nothing is left."""
+    if not isinstance(formula, tuple):
+        return 0.0 if formula == name else formula
+    operator, *parts = formula
+    if len(parts) == 1:
+        one = omitting(parts[0], name)
+        return 0.0 if one == 0.0 else (operator, one)
+    left, right = omitting(parts[0], name), omitting(parts[1], name)
+    if operator == "*":
+        return 0.0 if 0.0 in (left, right) else (operator, left, right)
+    if right == 0.0:
+        return left
+    if left == 0.0:
+        return right if operator == "+" else ("-", right)
+    return (operator, left, right)
+
+
 def as_json(value: Any) -> Any:
     """Formulas, matrices, tuples, dicts and records of them, as JSON has them."""
     match value:

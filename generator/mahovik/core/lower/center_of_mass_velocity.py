@@ -20,7 +20,7 @@ def center_of_mass_velocity(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, table, x)
     seen = scene(lib, body, table.place, x.place, attitude=True)
-    sum_up(lib, body, table.place, x.place, seen, None)
+    sum_up(lib, body, table.place, x.place, seen, None, mass_alone=True)
     assert seen.C is not None
     own = body.local("own_velocity", (3,), comment="in E1, from the momentum of the bodies, without the fluid's")
     moments = {"m": table.place.mass, "mu": seen.sums.mu, "mu_dot": seen.sums.mu_dot}

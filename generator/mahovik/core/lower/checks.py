@@ -1,11 +1,32 @@
-"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed."""
+"""Checks of inputs: finite, and inside the ranges of stand.md. Nothing is computed from an input before it passed.
+
+Values are looked at one by one only where a sum of their squares is not below the square of the limit. Where it is,
+each value is within: rounding keeps the order of numbers, so a rounded sum of what is not negative is no smaller than
+any rounded square in it, and where a rounded square is below another, so are the numbers: v^2 < limit^2. This holds in
+any rounding, with and without fused multiply-add. Infinities, NaN and what overflows are below nothing.
+"""
 
 from __future__ import annotations
 
-from mahovik.core.lower.library import Library
+from collections.abc import Sequence
+from dataclasses import replace
+
+from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
+from mahovik.core.program.expression import (
+    Expr,
+    Not,
+    Operand,
+    Place,
+    Status,
+    and_,
+    bits_of,
+    integer,
+    real,
+    unequal,
+    word,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -49,11 +70,12 @@ def within(lib: Library) -> Function:
             with body.when(and_(value >= -largest, value <= largest)):
                 body.ret(Status("RANGE"))
             body.ret(Status("NOT_FINITE"))
-    return body.checked(
+    function = body.checked(
         "within",
         "Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison.",
         (values, count, limit),
     )
+    return replace(function, apart=True)
 
 
 def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) -> None:
@@ -74,6 +96,15 @@ def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) 
             lib.check(body, "within", *part)
 
 
+def check_vector(lib: Library, body: Body, values: Place, limit: Expr) -> None:
+    """Returns the status of the first bad one of a few values, which are looked at if their squares are not small."""
+    total = values[0] * values[0]
+    for value in list(values)[1:]:
+        total = total + value * value
+    with body.when(Not(total < limit * limit)):
+        lib.check(body, "within", values, len(values), limit)
+
+
 def check_turns(lib: Library) -> Function:
     """Sines and cosines from encoders: finite, and of unit length within 1e-3."""
     sine, cosine = lib.given_turns()
@@ -89,12 +120,41 @@ def check_turns(lib: Library) -> Function:
     )
 
 
-def check_state(lib: Library) -> Function:
-    """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
-    x = lib.state_argument()
-    state = x.place
-    body = Body()
-    lib.begin(body)
+def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
+    """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
+    limit = {name: found.expression for name, found in lib.limits.items()}
+    with body.shortcut():
+        sums = {name: body.local(f"{name}2") for name in ("position", "velocity", "speed")}
+        most: dict[str, Expr] = {
+            "position": limit["MAX_POSITION"],
+            "velocity": limit["MAX_VELOCITY"],
+            "speed": limit["MAX_SPEED"],
+        }
+        each: list[tuple[str, Place]] = []
+        if lib.layout.flywheels:
+            for name, values, bound in [("phase", x.phi, limit["MAX_PHASE"]), *(("given", *one) for one in more)]:
+                sums[name], most[name] = body.local(f"{name}2"), bound
+                each.append((name, values))
+            each.append(("speed", x.phi_dot))
+        for total in sums.values():
+            body.set(total, real(0))
+        with body.loop("i", 3) as i:
+            for name, value in (("position", x.position[i]), ("velocity", x.V[i]), ("speed", x.V[i + integer(3)])):
+                body.add(sums[name], value * value)
+        if each:
+            with body.loop("s", lib.layout.count) as s:
+                for name, values in each:
+                    body.add(sums[name], values[s] * values[s])
+        q = x.attitude
+        fine = unit_square(body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
+        for name, total in sums.items():
+            fine = and_(fine, total < most[name] * most[name])
+        with body.when(fine):
+            body.ret(Status("OK"))
+
+
+def _look_at_each(lib: Library, body: Body, state: Place) -> None:
+    """The state number by number."""
     limit = {name: found.expression for name, found in lib.limits.items()}
     parts: list[tuple[Place, Operand, Expr]] = [
         (state.position, 3, limit["MAX_POSITION"]),
@@ -109,6 +169,32 @@ def check_state(lib: Library) -> Function:
     q = state.attitude
     norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     lib.check_unit(body, norm)
+
+
+def check_state(lib: Library) -> Function:
+    """Ranges of a whole state; the quaternion within 1e-3 of unit length. Vectors look at each number at once."""
+    x = lib.state_argument()
+    body = Body()
+    if lib.layout.lanes == 1:
+        _look_at_sums(lib, body, x.place)
+    lib.begin(body)
+    _look_at_each(lib, body, x.place)
     return body.checked(
         "check_state", "Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?", (x,)
+    )
+
+
+def check_motion(lib: Library) -> Function:
+    """A state, and what each flywheel has besides: accelerations or torques."""
+    x = lib.state_argument()
+    values, limit = Argument("values", Kind.REAL, (lib.layout.count,)), Argument("limit", Kind.REAL)
+    body = Body()
+    _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
+    lib.begin(body)
+    _look_at_each(lib, body, x.place)
+    lib.check(body, "within", values.place, lib.layout.count, limit.place)
+    return body.checked(
+        "check_motion",
+        "The same of a state, and then: are values of the flywheels within a limit?",
+        (x, values, limit),
     )

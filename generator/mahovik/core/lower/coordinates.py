@@ -6,6 +6,7 @@ from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import motion as derived_motion
 from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.generalized import angles_argument
 from mahovik.core.lower.library import Library
@@ -33,7 +34,7 @@ def state_from_coordinates(lib: Library) -> Function:
     V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
     body = Body()
     lib.begin(body)
-    lib.check(body, "within", position.place, 3, lib.limits["MAX_POSITION"].expression)
+    check_vector(lib, body, position.place, lib.limits["MAX_POSITION"].expression)
     lib.check(body, "within", q_dot.place, 6, lib.limits["MAX_SPEED"].expression)
     lib.check(body, "within", q_ddot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     attitude = body.local("attitude", (4,))

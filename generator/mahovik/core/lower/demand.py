@@ -67,19 +67,9 @@ def demand(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     moving = relative_rate(body, x.place, V_dot.place, seen.stream)
     sum_up(lib, body, table.place, x.place, seen, None)
-    if layout.flywheels:
-        column = body.local("column", (6,), comment="I_s")
-        with body.loop("s", layout.count) as s:
-            turn = let_turn(body, seen.turns, s)
-            row = row_of(lib, body, table.place, s)
-            assign(body, list(column), derived_rows.columns().I, turn | columns_of(row))
-            with body.loop("i", 6) as i:
-                body.set(w.I[i][s], column[i])
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K_rows: dict[str, Any] = carrier_binding(lib, table.place, seen.sums)
     fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
     body.note("b = F - K V*: the wrench demanded of the flywheels")
@@ -87,14 +77,19 @@ def demand(lib: Library) -> Function:
         total: Expr = F[i]
         for j in range(6):
             total = total - w.G[i][j] * moving[j]
-        body.set(w.b[i], total)
-        body.set(w.r[i], total)
+        demanded = body.let("demanded", total)
+        body.set(w.b[i], demanded)
+        body.set(w.r[i], demanded)
     lib.check(body, "factor", w)
     if layout.flywheels:
         with body.loop("s", layout.count) as s:
-            body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
+            turn = let_turn(body, seen.turns, s)
+            row = row_of(lib, body, table.place, s)
+            scale = body.let("scale", 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
+            body.set(w.scale[s], scale)
+            assign(body, [w.I[i][s] for i in range(6)], derived_rows.columns().I, turn | columns_of(row))
             with body.loop("i", 6) as i:
-                body.set(w.W[i][s], w.I[i][s] * w.scale[s])
+                body.set(w.W[i][s], w.I[i][s] * scale)
     substitute(lib, body, w)
     return body.checked(
         "demand",
@@ -110,16 +105,18 @@ def substitute(lib: Library, body: Body, w: Place) -> None:
     layout = lib.layout
     body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution" if layout.flywheels else "r = G^-1 b")
     with body.loop("i", 6) as i:
-        with body.loop("k", i) as k:
-            if layout.flywheels:
-                with body.loop("s", layout.count) as s:
-                    body.add(w.W[i][s], -(w.G[i][k] * w.W[k][s]))
-            body.add(w.r[i], -(w.G[i][k] * w.r[k]))
         inverse = body.let("inverse", 1 / w.G[i][i])
+        rest = body.local("rest")
         if layout.flywheels:
             with body.loop("s", layout.count) as s:
-                body.set(w.W[i][s], w.W[i][s] * inverse)
-        body.set(w.r[i], w.r[i] * inverse)
+                body.set(rest, w.W[i][s])
+                with body.loop("k", i) as k:
+                    body.add(rest, -(w.G[i][k] * w.W[k][s]))
+                body.set(w.W[i][s], rest * inverse)
+        body.set(rest, w.r[i])
+        with body.loop("k", i) as k:
+            body.add(rest, -(w.G[i][k] * w.r[k]))
+        body.set(w.r[i], rest * inverse)
 
 
 ANSWER_NOTE = "RANGE also where the answer is no finite number."

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from mahovik.core.lower import lanes
-from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
 from mahovik.core.lower.flywheels import AT_NOTES, places_of
 from mahovik.core.lower.forward import (
@@ -144,10 +143,8 @@ def solve_coupled(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
     sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, tuple(wrench), F)
-    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, table.place, seen.sums, K)
     solve = _solve if layout.lanes == 1 else _solve_blocks
@@ -185,7 +182,9 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
                 demand = demand + seen.own[s * integer(6) + 3]
             body.set(rate[s], demand * table.flywheel[s].spin_inv)
             body.call(lib["eliminate"], drives[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
-    lib.check(body, "solve_schur", K, F, V_dot)
+    factor = body.local("factor", (), layout.schur_factor)
+    lib.check(body, "factor_schur", K, factor)
+    body.call(lib["solve_schur"], factor, F, V_dot)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot[s], real(0))
         with body.when(equal(locked[s], integer(0))):
@@ -219,7 +218,9 @@ def _solve_blocks(
             body.set(rate[first + k], (load[first + k] - drives[b].bias[k]) * inverse[first + k])
         body.call(lib["eliminate_block"], drives[b], first, inverse, rate, parts)
     body.call(lib["take_lanes"], parts, K, F)
-    lib.check(body, "solve_schur", K, F, V_dot)
+    factor = body.local("factor", (), layout.schur_factor)
+    lib.check(body, "factor_schur", K, factor)
+    body.call(lib["solve_schur"], factor, F, V_dot)
     with lanes.blocks(lib, body) as (b, first), body.loop("k", layout.lane_count) as k:
         back = along(lanes.lane(drives[b].I, k), V_dot) * inverse[first + k]
         body.set(rate[first + k], rate[first + k] - back)
@@ -231,8 +232,7 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
     """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
     by_name = {a.name: a for a in arguments}
     wrench = tuple(a for a in arguments if a.name == "wrench")
-    check_inputs(lib, body, by_name["table"], by_name["x"], (), wrench, turns_in(arguments))
-    check_within(lib, body, (by_name["tau"].place, lib.layout.count, lib.limits["MAX_WRENCH"].expression))
+    check_inputs(lib, body, by_name["table"], by_name["x"], (), wrench, turns_in(arguments), (by_name["tau"],))
 
 
 def coupled(lib: Library, at: bool = False) -> Function:

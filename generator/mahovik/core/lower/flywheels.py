@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
+from mahovik.core.formula.tree import omitting
 from mahovik.core.lower import lanes
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import add_each, assign, translate
@@ -28,11 +29,15 @@ _COMMENTS = {
 
 
 def let_weights(body: Body, given: dict[str, Expr], names: Sequence[str]) -> dict[str, Expr]:
-    """Named temporaries c2 ... dds from c, s, phi_dot, phi_ddot in `given`; returns `given` and them."""
+    """Named temporaries c2 ... dds from c, s, phi_dot, phi_ddot in `given`; returns `given` and them.
+
+    Without phi_ddot in `given` it is 0.
+    """
     expressions = derived.weights()
     bound = dict(given)
     for name in names:
-        bound[name] = body.let(name, translate(expressions[name], bound), _COMMENTS[name])
+        value = expressions[name] if "phi_ddot" in given else omitting(expressions[name], "phi_ddot")
+        bound[name] = body.let(name, translate(value, bound), _COMMENTS[name])
     return bound
 
 
@@ -97,11 +102,7 @@ def start_sums(lib: Library) -> Function:
     table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums, (), "out")
     body = Body()
-    body.copy_array(sums.place.mu, table.place.first_moment)
-    body.copy_array(sums.place.J, table.place.inertia)
-    for name in ("mu_dot", "J_dot", "h_rel", "a_rel", "g_rel"):
-        for element in sums.place.member(name):
-            body.set(element, real(0))
+    _start(body, table.place, sums.place, ("mu", "J", "mu_dot", "J_dot", *_SPIN))
     return body.function(
         "start_sums",
         "Sums of carrier, instruments and the constant part of the flywheels.",
@@ -118,47 +119,105 @@ _NOTES = {
     "a_rel": "I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)",
 }
 
+_MASS = ("J", "J_dot", "mu", "mu_dot")
+"""Sums that K and its rate consist of. A compiler can keep their number in registers over a loop, not that of all."""
+_SPIN = ("h_rel", "g_rel", "a_rel")
+"""The other sums, of the flywheels alone."""
+_STEADY_SPIN = ("a_rel", "h_rel", "g_rel")
+"""The same at constant speeds, in the order in which compilers then need the fewest instructions."""
+_ALL = ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel")
+_USED = {_MASS: ("c2", "s2", "dc", "ds", "dc2", "ds2"), _SPIN: ("dc", "ds", "ddc", "dds")}
+"""Weights of each."""
+
 
 def _add_row(
     body: Body,
     given: dict[str, Expr],
     columns: Mapping[str, Any],
     sums: Mapping[str, list[Place]],
+    names: tuple[str, ...],
+    weights: tuple[str, ...],
     short: Place | None = None,
 ) -> None:
-    """sums += what a row of these columns gives for s, c, phi_dot, phi_ddot; `short`: the sums, for J in a loop."""
-    binding: dict[str, Any] = {**let_weights(body, given, tuple(_COMMENTS)), **columns}
+    """sums of these names += what a row of these columns gives for s, c, phi_dot, phi_ddot, by the weights.
+
+    `short`: the sums, for J in a loop. Products with a phi_ddot of 0 are left out, which leaves the sums as they are:
+    those that it enters begin with +0, and a zero of any sign added to them changes nothing.
+    """
+    binding: dict[str, Any] = {**let_weights(body, given, weights), **columns}
     parts = derived.sums()
-    for name in ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel"):
+    for name in names:
         if name in _NOTES and not (short is not None and name == "J_dot"):
             body.note(_NOTES[name])
         if short is not None and name in ("J", "J_dot"):
             if name == "J":
                 add_each(body, {short.J: parts.J, short.J_dot: parts.J_dot}, binding)
             continue
-        assign(body, sums[name], getattr(parts, name), binding, add=True)
+        values = getattr(parts, name)
+        if "phi_ddot" not in given:
+            values = [omitting(value, "phi_ddot") for value in values]
+        assign(body, sums[name], values, binding, add=True)
 
 
-def add_flywheel(lib: Library) -> Function:
-    """One row at its phase."""
-    row = Argument("row", lib.layout.row)
-    sine = Argument("s", Kind.REAL, purpose="sin phi")
-    cosine = Argument("c", Kind.REAL, purpose="cos phi")
-    phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
+def _start(body: Body, table: Place, sums: Place, names: tuple[str, ...]) -> None:
+    """Sums of carrier, instruments and the constant part of the flywheels."""
+    constant = {"mu": table.first_moment, "J": table.inertia}
+    for name in names:
+        if name in constant:
+            body.copy_array(sums.member(name), constant[name])
+        else:
+            for element in sums.member(name):
+                body.set(element, real(0))
+
+
+def _sums_of(lib: Library, sums: Place) -> dict[str, list[Place]]:
+    """The elements of each sum."""
+    return {f.name: list(sums.member(f.name)) for f in lib.layout.sums.fields}
+
+
+def sum_mass(lib: Library) -> Function:
+    """First moment and inertia of all bodies, and their rates: row by row, in a loop of its own."""
+    table, turns = lib.table_argument(), lib.turn_arguments()
+    phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
     sums = Argument("sum", lib.layout.sums, (), "inout")
     body = Body()
-    given: dict[str, Expr] = {"s": sine.place, "c": cosine.place}
-    given |= {"phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
-    targets = {f.name: list(sums.place.member(f.name)) for f in lib.layout.sums.fields}
+    _start(body, table.place, sums.place, _MASS)
     # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
     short = sums.place if lib.layout.precision is FLOAT else None
-    _add_row(body, given, columns_of(row.place), targets, short)
+    with body.loop("k", lib.layout.count) as k:
+        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
+        given["phi_dot"] = body.let("w", phi_dot.place[k])
+        row = columns_of(table.place.flywheel[k])
+        _add_row(body, given, row, _sums_of(lib, sums.place), _MASS, _USED[_MASS], short)
     return body.function(
-        "add_flywheel",
-        "Adds the terms of one flywheel, at its phase, to the sums.",
-        (row, sine, cosine, phi_dot, phi_ddot, sums),
-        equation="(2), (5), (6)",
+        "sum_mass",
+        "First moment and inertia of all bodies, and their rates in E1; w = phi'.",
+        (table, *turns, phi_dot, sums),
+        equation="(2), (6)",
+    )
+
+
+def sum_spin(lib: Library, steady: bool = False) -> Function:
+    """Terms of the flywheels' turning; `steady`: sum_steady_spin, at constant speeds."""
+    table, turns = lib.table_argument(), lib.turn_arguments()
+    phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
+    phi_ddot = () if steady else (Argument("phi_ddot", Kind.REAL, (lib.layout.count,), unit="rad/s2"),)
+    sums = Argument("sum", lib.layout.sums, (), "inout")
+    body = Body()
+    _start(body, table.place, sums.place, _SPIN)
+    with body.loop("k", lib.layout.count) as k:
+        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
+        given["phi_dot"] = body.let("w", phi_dot.place[k])
+        for acceleration in phi_ddot:
+            given["phi_ddot"] = body.let("a", acceleration.place[k])
+        row = columns_of(table.place.flywheel[k])
+        _add_row(body, given, row, _sums_of(lib, sums.place), _STEADY_SPIN if steady else _SPIN, _USED[_SPIN])
+    return body.function(
+        "sum_steady_spin" if steady else "sum_spin",
+        "Terms of the flywheels' turning in momentum and forces; w = phi'"
+        + (" is constant." if steady else ", a = phi''."),
+        (table, *turns, phi_dot, *phi_ddot, sums),
+        equation="(2), (5)",
     )
 
 
@@ -179,7 +238,7 @@ def add_block(lib: Library) -> Function:
         s, c, w, a = (body.let(n, x.place[first.place + k]) for n, x in zip(names, inputs, strict=True))
         targets = {f.name: lanes.lane(sums.place.member(f.name), k) for f in lib.layout.sums.fields}
         given: dict[str, Expr] = {"s": s, "c": c, "phi_dot": w, "phi_ddot": a}
-        _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets)
+        _add_row(body, given, lanes.lane_columns(block.place, k, COLUMNS), targets, _ALL, tuple(_COMMENTS))
     return body.function(
         "add_block",
         "Adds the terms of a block of flywheels, each to the sums of its lane; w = phi', a = phi''.",
@@ -188,17 +247,29 @@ def add_block(lib: Library) -> Function:
     )
 
 
-def sum_up(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
-    """Sums over all bodies; without phi_ddot those of constant speeds."""
+def sum_up(
+    lib: Library,
+    body: Body,
+    table: Place,
+    x: Place,
+    turns: Turns,
+    sums: Place,
+    phi_ddot: Place | None,
+    mass_alone: bool = False,
+) -> None:
+    """Sums over all bodies; without phi_ddot those of constant speeds. `mass_alone`: what K and K_dot need."""
     layout = lib.layout
+    if layout.flywheels and layout.lanes == 1:
+        body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)
+        if mass_alone:
+            return
+        if phi_ddot is None:
+            body.call(lib["sum_steady_spin"], table, *turns, x.phi_dot, sums)
+        else:
+            body.call(lib["sum_spin"], table, *turns, x.phi_dot, phi_ddot, sums)
+        return
     body.call(lib["start_sums"], table, sums)
     if not layout.flywheels:
-        return
-    if layout.lanes == 1:
-        with body.loop("s", layout.count) as s:
-            acceleration: Expr = real(0) if phi_ddot is None else phi_ddot[s]
-            turn = turn_of(turns, s)
-            body.call(lib["add_flywheel"], table.flywheel[s], turn["s"], turn["c"], x.phi_dot[s], acceleration, sums)
         return
     speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
     if phi_ddot is None:

@@ -12,7 +12,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, real
+from mahovik.core.program.expression import Expr, Operand, Place, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -44,18 +44,28 @@ def check_inputs(
     phi_ddot: tuple[Argument, ...] = (),
     wrench: tuple[Argument, ...] = (),
     turns: tuple[Argument, ...] = (),
+    tau: tuple[Argument, ...] = (),
 ) -> None:
-    """Checks of state, sines, stream, accelerations, run-time wrenches: before anything is computed or written."""
+    """Checks of state, sines, stream, accelerations, run-time wrenches, torques: before anything is computed.
+
+    Accelerations or torques are looked at together with the state, where nothing has its turn between them.
+    """
     lib.begin(body)
-    lib.check(body, "check_state", x.place)
+    limit = {name: found.expression for name, found in lib.limits.items()}
+    rest: list[tuple[Place, Operand, Expr]] = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
+    rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
+    rest += [(a.place, lib.layout.count, limit["MAX_WRENCH"]) for a in tau]
+    if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not turns and not lib.layout.stream:
+        values, _, most = rest.pop(0)
+        lib.check(body, "check_motion", x.place, values, most)
+    else:
+        lib.check(body, "check_state", x.place)
     if turns:
         lib.check(body, "check_turns", *(a.place for a in turns))
     if lib.layout.stream:
-        lib.check(body, "within", table.place.stream, 3, lib.limits["MAX_VELOCITY"].expression)
-    for argument in phi_ddot:
-        check_within(lib, body, (argument.place, lib.layout.count, lib.limits["MAX_ACCELERATION"].expression))
-    for argument in wrench:
-        lib.check(body, "within", argument.place, len(argument.place), lib.limits["MAX_WRENCH"].expression)
+        lib.check(body, "within", table.place.stream, 3, limit["MAX_VELOCITY"])
+    for part in rest:
+        check_within(lib, body, part)
 
 
 def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
@@ -86,9 +96,11 @@ def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = Fal
     return Scene(C, V, stream, g, sums, own, turns or turns_of(lib, body, x))
 
 
-def sum_up(lib: Library, body: Body, table: Place, x: Place, seen: Scene, phi_ddot: Place | None) -> None:
-    """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds."""
-    flywheels.sum_up(lib, body, table, x, seen.turns, seen.sums, phi_ddot)
+def sum_up(
+    lib: Library, body: Body, table: Place, x: Place, seen: Scene, phi_ddot: Place | None, mass_alone: bool = False
+) -> None:
+    """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds. `mass_alone`: for K and K_dot."""
+    flywheels.sum_up(lib, body, table, x, seen.turns, seen.sums, phi_ddot, mass_alone)
 
 
 def external_wrench(
@@ -144,11 +156,11 @@ def accelerate(lib: Library) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
     F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-    Z = body.local("Z", (6,), comment="momentum screw (2)")
+    K = body.local("K", (), lib.layout.carrier_factor)
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    lib.check(body, "solve_carrier", table.place, seen.sums, F, V_dot.place)
+    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
+    lib.check(body, "factor_carrier", table.place, seen.sums, K)
+    body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
     from_stream(body, x.place, seen, V_dot.place)
     return body.checked(
         "accelerate",
@@ -201,7 +213,7 @@ def wrench_function(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, table, x, (), wrench)
     seen = scene(lib, body, table.place, x.place)
-    sum_up(lib, body, table.place, x.place, seen, None)
+    sum_up(lib, body, table.place, x.place, seen, None, mass_alone=True)
     result = body.local("result", (6,))
     external_wrench(lib, body, table.place, x.place, seen, wrench, result)
     body.copy_array(F.place, result)

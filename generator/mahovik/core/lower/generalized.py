@@ -7,6 +7,7 @@ from typing import Any
 from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
+from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.flywheels import sine_and_cosine
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
@@ -34,7 +35,7 @@ def quaternion(lib: Library) -> Function:
     attitude = Argument("attitude", Kind.REAL, (4,), "out", purpose="unit quaternion, w first")
     body = Body()
     lib.begin(body)
-    lib.check(body, "within", angles.place, 3, lib.limits["MAX_PHASE"].expression)
+    check_vector(lib, body, angles.place, lib.limits["MAX_PHASE"].expression)
     binding: dict[str, Expr] = {}
     for i, name in enumerate(_NAMES):
         s = body.local(f"s_{name}")

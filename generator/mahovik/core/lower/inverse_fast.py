@@ -10,7 +10,7 @@ from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, integer, real
 from mahovik.core.program.function import Function
@@ -45,35 +45,37 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     trace = body.local("trace")
     body.set(trace, real(0))
     if wide:
-        weighed = body.local("weighed", (layout.count,), comment="a row of W Omega^-1")
+        body.note("I has had its use: W Omega^-1 takes its place")
+        with body.loop("s", layout.count) as s:
+            give = body.let("give", 1 / p.weight[s])
+            with body.loop("i", 6) as i:
+                body.set(work.I[i][s], work.W[i][s] * give)
     with body.loop("i", size) as i:
-        if wide:
-            with body.loop("s", layout.count) as s:
-                body.set(weighed[s], work.W[i][s] / p.weight[s])
         with body.loop("j", i + 1) as j:
-            body.set(gram[i][j], real(0))
+            total = body.local("total")
+            body.set(total, real(0))
             with body.loop("k", layout.count if wide else 6) as k:
-                one, two = (weighed[k], work.W[j][k]) if wide else (work.W[k][i], work.W[k][j])
-                body.add(gram[i][j], one * two)
+                one, two = (work.I[i][k], work.W[j][k]) if wide else (work.W[k][i], work.W[k][j])
+                body.add(total, one * two)
+            body.set(gram[i][j], total)
         body.add(trace, gram[i][i])
         if wide:
             body.set(z[i], work.r[i])
         else:
-            body.set(z[i], real(0))
+            side = body.local("side")
+            body.set(side, real(0))
             with body.loop("k", 6) as k:
-                body.add(z[i], work.W[k][i] * work.r[k])
+                body.add(side, work.W[k][i] * work.r[k])
+            body.set(z[i], side)
     share = body.let("lambda2", p.damping * p.damping * trace, "square of the damping")
-    with body.loop("i", size) as i:
-        body.add(gram[i][i], share)
-    _solve_gram(lib, body, gram, z, size)
+    _solve_gram(lib, body, gram, z, share, size)
     answer = body.local("answer", (layout.count,))
     with body.loop("s", layout.count) as s:
         y = body.local("y")
         body.set(y, real(0) if wide else z[s])
         if wide:
             with body.loop("k", 6) as k:
-                body.add(y, work.W[k][s] * z[k])
-            body.set(y, y / p.weight[s])
+                body.add(y, work.I[k][s] * z[k])
         body.set(answer[s], y * work.scale[s])
     check_answer(lib, body, answer, layout.count)
     with body.loop("s", layout.count) as s:
@@ -95,24 +97,35 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     )
 
 
-def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, size: int) -> None:
-    """z = gram^-1 z by a Cholesky factor in the lower triangle, in place."""
+def _solve_gram(lib: Library, body: Body, gram: Place, z: Place, share: Place, size: int) -> None:
+    """z = (gram + share E)^-1 z by gram + share E = L D L^T, in place, without a square root.
+
+    Of gram the lower triangle is given; then L D is on and below the diagonal, L^T above it. Pivots divide: where they
+    are tiny their inverses overflow, their quotients do not.
+    """
     with body.loop("j", size) as j:
-        least = body.let("least", lib.thresholds.gram_pivot * gram[j][j], "a pivot below this is rounding error")
+        pivot = body.local("pivot")
+        body.set(pivot, gram[j][j] + share)
+        least = body.let("least", lib.thresholds.gram_pivot * pivot, "a pivot below this is rounding error")
+        rest = body.local("rest")
+        body.set(rest, z[j])
         with body.loop("k", j) as k:
-            body.add(gram[j][j], -(gram[j][k] * gram[j][k]))
-        lib.guard(body, Not(gram[j][j] > least), "NOT_POSITIVE_DEFINITE")
-        body.set(gram[j][j], call(lib["sqrt"], gram[j][j]))
+            body.add(pivot, -(gram[j][k] * gram[k][j]))
+            body.add(rest, -(gram[k][j] * z[k]))
+        body.set(z[j], rest)
+        lib.guard(body, Not(pivot > least), "NOT_POSITIVE_DEFINITE")
+        body.set(gram[j][j], pivot)
         with body.loop("i", size, start=j + 1) as i:
+            below = body.local("below")
+            body.set(below, gram[i][j])
             with body.loop("k", j) as k:
-                body.add(gram[i][j], -(gram[i][k] * gram[j][k]))
-            body.set(gram[i][j], gram[i][j] / gram[j][j])
-    with body.loop("i", size) as i:
-        with body.loop("k", i) as k:
-            body.add(z[i], -(gram[i][k] * z[k]))
-        body.set(z[i], z[i] / gram[i][i])
+                body.add(below, -(gram[i][k] * gram[k][j]))
+            body.set(gram[i][j], below)
+            body.set(gram[j][i], below / pivot)
     with body.loop("t", size) as t:
         i_ = body.let("i", integer(size - 1) - t)
+        rest = body.local("rest")
+        body.set(rest, z[i_] / gram[i_][i_])
         with body.loop("k", size, start=i_ + 1) as k:
-            body.add(z[i_], -(gram[k][i_] * z[k]))
-        body.set(z[i_], z[i_] / gram[i_][i_])
+            body.add(rest, -(gram[i_][k] * z[k]))
+        body.set(z[i_], rest)

@@ -117,12 +117,14 @@ def forward_jacobian(lib: Library) -> Function:
     y = body.local("y", (6,))
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
-    lib.check(body, "solve_carrier", table.place, seen.sums, F, motion)
+    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
+    K = body.local("K", (), layout.carrier_factor)
+    lib.check(body, "factor_carrier", table.place, seen.sums, K)
+    body.call(lib["solve_carrier"], table.place, K, F, motion)
     slope, _ = _slopes(lib, body, table.place, x.place, seen, wrench, Z)
 
     def solve() -> None:
-        body.call(lib["solve_carrier"], table.place, seen.sums, rhs, y)
+        body.call(lib["solve_carrier"], table.place, K, rhs, y)
 
     with body.loop("j", 6) as j:
         with body.loop("i", 6) as i:
@@ -187,7 +189,7 @@ def coupled_jacobian(lib: Library) -> Function:
     inputs = [a.place for a in (tau, locked, *wrench)]
     lib.check(body, "solve_coupled", table.place, x.place, *turns, *inputs, motion, spins)
     seen = scene(lib, body, table.place, x.place, turns=turns)
-    sum_up(lib, body, table.place, x.place, seen, spins)
+    sum_up(lib, body, table.place, x.place, seen, None)
     if seen.stream is not None:
         drift = drift_of(body, x.place, seen.stream)
         for i in range(3):
@@ -199,11 +201,13 @@ def coupled_jacobian(lib: Library) -> Function:
     alike = carried(lib, body, seen)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, table.place, seen.sums, K)
-    work = _Work(lib, body, table.place, locked.place, drives, K)
+    factor = body.local("factor", (), layout.schur_factor)
+    work = _Work(lib, body, table.place, locked.place, drives, factor)
     with body.loop("s", layout.count) as s:
         couple_flywheel(lib, body, table.place, s, seen, alike, drives[s])
         with body.when(equal(locked.place[s], integer(0))):
             body.call(lib["eliminate"], drives[s].I, entry(lib, table.place, s, "spin_inv"), real(0), K, work.rhs)
+    lib.check(body, "factor_schur", K, factor)
     _by_twist(lib, work, o, x.place, seen, slope, axial)
     _drift(body, o.V_dot_V, seen.stream)
     changes = body.local("change", (len(WEIGHTS),), comment="changes of the harmonic weights of a flywheel")
@@ -221,11 +225,13 @@ def coupled_jacobian(lib: Library) -> Function:
                     )
                 if about is not None:
                     body.add(work.twist[s], about[0])
+                work.reduce_all()
                 work.solve(o, name, s)
         for element in work.rhs:
             body.set(element, real(0))
         work.clear()
         body.set(work.twist[s], real(1))
+        work.reduce(s)
         work.solve(o, "tau", s)
     return body.checked(
         "coupled_jacobian",
@@ -240,9 +246,9 @@ def coupled_jacobian(lib: Library) -> Function:
 class _Work:
     """Right-hand sides of the coupled equations and their solution: rhs (6) of the carrier, twist (N) of the drives."""
 
-    def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, K: Place) -> None:
+    def __init__(self, lib: Library, body: Body, table: Place, locked: Place, drives: Place, factor: Place) -> None:
         self._lib, self._body, self._table, self._locked = lib, body, table, locked
-        self._drives, self._K = drives, K
+        self._drives, self._factor = drives, factor
         self.rhs = body.local("rhs", (6,), comment="right-hand side of the carrier")
         self.twist = body.local("drive_rhs", (lib.layout.count,), comment="right-hand sides of the drives")
         self._y = body.local("y", (6,))
@@ -254,14 +260,23 @@ class _Work:
         with self._body.loop("t", self._lib.layout.count) as t:
             self._body.set(self.twist[t], real(0))
 
-    def solve(self, o: Place, name: str, column: Place) -> None:
-        """V* and phi'' of these right-hand sides into a column of the derivatives by `name`."""
-        body, count = self._body, self._lib.layout.count
-        with body.loop("t", count) as t, body.when(equal(self._locked[t], integer(0))):
+    def reduce(self, t: Place) -> None:
+        """Take the share of flywheel t, unless it is locked, from the carrier's right-hand side."""
+        body = self._body
+        with body.when(equal(self._locked[t], integer(0))):
             share = body.let("share", self.twist[t] * entry(self._lib, self._table, t, "spin_inv"))
             with body.loop("i", 6) as i:
                 body.add(self.rhs[i], -(self._drives[t].I[i] * share))
-        body.call(self._lib["solve_schur"], self._K, self.rhs, self._y)
+
+    def reduce_all(self) -> None:
+        """Take the shares of all flywheels."""
+        with self._body.loop("t", self._lib.layout.count) as t:
+            self.reduce(t)
+
+    def solve(self, o: Place, name: str, column: Place) -> None:
+        """V* and phi'' of the reduced right-hand sides into a column of the derivatives by `name`."""
+        body, count = self._body, self._lib.layout.count
+        body.call(self._lib["solve_schur"], self._factor, self.rhs, self._y)
         with body.loop("i", 6) as i:
             body.set(o.member(f"V_dot_{name}")[i][column], self._y[i])
         with body.loop("t", count) as t:
@@ -297,6 +312,7 @@ def _by_twist(lib: Library, work: _Work, o: Place, x: Place, seen: Scene, slope:
             if layout.own_turning:
                 change = axial[s * integer(6) + j] - slopes_by_V[s][j]
             body.set(work.twist[s], change)
+        work.reduce_all()
         work.solve(o, "V", j)
 
 

@@ -80,6 +80,31 @@ class Layout(Tables):
         return Struct("mount_table", "Second table, which the function mounts needs. Made by prepare_mounts.", fields)
 
     @cached_property
+    def factors3(self) -> Struct:
+        fields = [Field(name, REAL, (), "", "") for name in ("r1", "r2", "d3", "l21", "l31", "l32")]
+        fields[0] = Field("r1", REAL, (), "", "1 / D, of the last D itself")
+        fields[3] = Field("l21", REAL, (), "", "L below its diagonal")
+        return Struct("factors3", "A symmetric 3x3 matrix factored, L D L^T.", tuple(fields))
+
+    @cached_property
+    def carrier_factor(self) -> Struct:
+        if self.added_mass:
+            field = Field("U", REAL, (9,), "m", "A^-1 B^T")
+        else:
+            field = Field("rho", REAL, (3,), "m", "mass centre from O1, in E1")
+        fields = (field, Field("L", self.factors3, (), "", "what is left of the inertia"))
+        return Struct("carrier_factor", "K of the carrier factored.", fields)
+
+    @cached_property
+    def schur_factor(self) -> Struct:
+        fields = (
+            Field("A_inv", REAL, (6,), "1/kg", ""),
+            Field("U", REAL, (9,), "m", "A^-1 B^T"),
+            Field("L", self.factors3, (), "", "D - B A^-1 B^T"),
+        )
+        return Struct("schur_factor", "K with free flywheels eliminated, factored.", fields)
+
+    @cached_property
     def schur(self) -> Struct:
         fields = (
             Field("A", REAL, (6,), "kg", "force by v*: 11 22 33 12 13 23"),

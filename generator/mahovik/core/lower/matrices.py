@@ -48,7 +48,7 @@ def matrices(lib: Library) -> Function:
     body = Body()
     check_inputs(lib, body, table, x, (), wrench)
     seen = scene(lib, body, table.place, x.place)
-    sum_up(lib, body, table.place, x.place, seen, None)
+    sum_up(lib, body, table.place, x.place, seen, None, mass_alone=True)
     F = body.local("F", (6,))
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
     body.copy_array(out.place.F, F)

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrier as derived_carrier
+from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body, call
@@ -179,7 +180,7 @@ def check_parameters(lib: Library) -> Function:
         with body.loop("k", layout.instruments) as k:
             q = p.instrument[k]
             lib.check(body, "check_body", q.body)
-            lib.check(body, "within", q.position, 3, bound)
+            check_vector(lib, body, q.position, bound)
             lib.check(body, "frame_of_axes", q.axis, q.zero, R)
             body.add(total, q.body.mass)
             body.add(size, _trace(q.body.inertia) + q.body.mass * _square(q.position))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.formula.derived import wrench as derived_wrench
+from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body, call
@@ -20,8 +21,8 @@ def frame_of_axes(lib: Library) -> Function:
     body = Body()
     lib.begin(body)
     bound = lib.limits["MAX_PARAMETER"].expression
-    lib.check(body, "within", axis.place, 3, bound)
-    lib.check(body, "within", zero.place, 3, bound)
+    check_vector(lib, body, axis.place, bound)
+    check_vector(lib, body, zero.place, bound)
     e1 = body.local("e1", (3,))
     e2 = body.local("e2", (3,))
     least = real(lib.thresholds.small_square)
@@ -74,7 +75,7 @@ def _placed(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
     R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
     body = Body()
     lib.begin(body)
-    lib.check(body, "within", w.place.position, 3, lib.limits["MAX_PARAMETER"].expression)
+    check_vector(lib, body, w.place.position, lib.limits["MAX_PARAMETER"].expression)
     lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
     body.copy_array(O.place, w.place.position)
     count = lib.layout.instruments

@@ -68,6 +68,8 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
+    if layout.lanes == 1 and layout.flywheels:
+        lib.add(checks.check_motion(lib))
     if layout.sine_input:
         lib.add(checks.check_turns(lib))
     lib.add(rotation.rotation())
@@ -79,7 +81,9 @@ def lower_layout(layout: Layout) -> Program:
     _add_wrenches(lib)
     lib.add(solve.momentum_screw(lib))
     lib.add(solve.subtract_rates(lib))
+    lib.add(solve.factor3(lib))
     lib.add(solve.solve3(lib))
+    lib.add(solve.factor_carrier(lib))
     lib.add(solve.solve_carrier(lib))
     lib.add(forward.accelerate(lib))
     lib.add(forward.forward(lib))
@@ -101,6 +105,7 @@ def lower_layout(layout: Layout) -> Program:
         if layout.sine_input:
             lib.add(drive.torque(lib, at=True))
         lib.add(drive.torque(lib))
+        lib.add(schur.factor_schur(lib))
         lib.add(schur.solve_schur(lib))
         lib.add(drive.solve_coupled(lib))
         lib.add(drive.coupled(lib))
@@ -177,7 +182,9 @@ def _add_others(lib: Library) -> None:
 def _add_rows(lib: Library) -> None:
     """Add the loops over flywheels: one by one, or by blocks."""
     if lib.layout.lanes == 1:
-        lib.add(flywheels.add_flywheel(lib))
+        lib.add(flywheels.sum_mass(lib))
+        lib.add(flywheels.sum_spin(lib, steady=True))
+        lib.add(flywheels.sum_spin(lib))
         return
     lib.add(lanes.take_row(lib))
     lib.add(lanes.put_row(lib))
@@ -247,7 +254,8 @@ def _structs(layout: Layout) -> tuple[Struct, ...]:
         *((layout.encoder,) if layout.flywheels else ()),
         *((layout.row, layout.lane_sums, layout.lane_coupling, layout.lane_schur) if layout.lanes > 1 else ()),
         layout.sums,
-        *((layout.coupling, layout.schur) if layout.flywheels else ()),
+        layout.carrier_factor,
+        *((layout.coupling, layout.schur, layout.schur_factor) if layout.flywheels else ()),
         layout.inverse_work,
         *((layout.inverse_options,) if layout.flywheels else ()),
         layout.inverse_result,

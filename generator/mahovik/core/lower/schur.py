@@ -84,7 +84,7 @@ def take_lanes(lib: Library) -> Function:
     return body.function("take_lanes", purpose, (parts, schur, F))
 
 
-def invert_block(lib: Library, body: Body, K: Place) -> Place:
+def invert_block(lib: Library, body: Body, K: Place, inverse: Place) -> None:
     """A^-1 (6: 11 22 33 12 13 23) of a mass matrix by blocks; NOT_POSITIVE_DEFINITE where it is singular."""
     adjugate, determinant = derived_carrier.inverse_of_symmetric()
     names = ("11", "22", "33", "12", "13", "23")
@@ -93,41 +93,49 @@ def invert_block(lib: Library, body: Body, K: Place) -> Place:
     whole = and_(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
     lib.guard(body, Not(and_(and_(K.A[0] > 0, cofactor[2] > 0), whole)), "NOT_POSITIVE_DEFINITE")
     r = body.let("r", 1 / d)
-    inverse = body.local("A_inv", (6,))
     for k in range(6):
         body.set(inverse[k], cofactor[k] * r)
-    return inverse
+
+
+def factor_schur(lib: Library) -> Function:
+    """K factored by blocks of 3x3."""
+    schur = Argument("K", lib.layout.schur)
+    out = Argument("factor", lib.layout.schur_factor, (), "out")
+    body = Body()
+    lib.begin(body)
+    K, f = schur.place, out.place
+    invert_block(lib, body, K, f.A_inv)
+    S = body.local("S", (6,), comment="D - B A^-1 B^T")
+    binding = {"A_inv": f.A_inv, "B": K.B, "U": f.U, "J": K.D}
+    assign(body, list(f.U), derived_carrier.schur_coupling(True), binding)
+    assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
+    lib.check(body, "factor3", S, f.L)
+    return body.checked(
+        "factor_schur",
+        "Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3.",
+        (schur, out),
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
 
 
 def solve_schur(lib: Library) -> Function:
-    """6x6 solve by blocks of 3x3."""
-    schur = Argument("K", lib.layout.schur)
+    """6x6 solve by the factors."""
+    factor = Argument("factor", lib.layout.schur_factor)
     F = Argument("F", Kind.REAL, (6,))
     y = Argument("y", Kind.REAL, (6,), "out", purpose="must not overlap F")
+    f = factor.place
     body = Body()
-    lib.begin(body)
-    K = schur.place
-    inverse = invert_block(lib, body, K)
-    U = body.local("U", (9,), comment="A^-1 B^T")
-    S = body.local("S", (6,), comment="D - B A^-1 B^T")
     n = body.local("moment", (3,), comment="n - B A^-1 f")
     omega_dot = body.local("omega_dot", (3,))
     six = list(F.place)
-    binding = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
-    assign(body, list(U), derived_carrier.schur_coupling(True), binding)
-    assign(body, list(S), derived_carrier.reduced_inertia(True), binding)
+    binding = {"A_inv": f.A_inv, "U": f.U, "f": six[:3], "n": six[3:], "omega_dot": omega_dot}
     assign(body, list(n), derived_carrier.reduced_moment(True), binding)
-    lib.check(body, "solve3", S, n, omega_dot)
+    body.call(lib["solve3"], f.L, n, omega_dot)
     out = list(y.place)
     assign(body, out[:3], derived_carrier.linear_part(True), binding)
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    return body.checked(
-        "solve_schur",
-        "Solves [A B^T; B D] y = F, symmetric positive definite, by blocks of 3x3.",
-        (schur, F, y),
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
+    return body.function("solve_schur", "Solves [A B^T; B D] y = F by the factors.", (factor, F, y))
 
 
 def start_schur(lib: Library, body: Body, table: Place, sums: Place, K: Place) -> None:

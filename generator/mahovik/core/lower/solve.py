@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.core.formula.derived import carrier as derived
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
+from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Not, Place, real
@@ -46,30 +46,31 @@ def momentum_screw(lib: Library) -> Function:
 
 
 def subtract_rates(lib: Library) -> Function:
-    """F becomes F - Phi Z - K_dot V - (a_rel, g_rel)."""
+    """F becomes F - Phi Z - K_dot V - (a_rel, g_rel), with Z = K V + sum I phi'."""
+    table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums)
     V = Argument("V", Kind.REAL, (6,))
-    Z = Argument("Z", Kind.REAL, (6,))
     F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in: wrench (7); out: right-hand side of (8)")
     body = Body()
-    z = list(Z.place)
-    binding: dict[str, Any] = {f.name: sums.place.member(f.name) for f in lib.layout.sums.fields}
-    binding |= parts_of_twist(V.place) | {"p": z[:3], "h": z[3:], "F": F.place}
+    binding = carrier_binding(lib, table.place, sums.place) | parts_of_twist(V.place)
+    body.note("momentum screw Z = K V + sum I phi'")
+    momentum = derived.momentum(lib.layout.added_mass)
+    Z = [body.let(f"Z{k + 1}", translate(value, binding)) for k, value in enumerate(momentum)]
+    binding |= {"p": Z[:3], "h": Z[3:], "F": F.place}
     assign(body, list(F.place), derived.remainder(), binding)
     return body.function(
         "subtract_rates",
         "Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms",
-        (sums, V, Z, F),
-        equation="(4), (5)",
+        (table, sums, V, F),
+        equation="(2), (4), (5)",
     )
 
 
-def solve3(lib: Library) -> Function:
-    """Symmetric positive definite 3x3 system by L D L^T: nothing is cubed, so that no size of stand overflows."""
+def factor3(lib: Library) -> Function:
+    """L D L^T of a symmetric positive definite 3x3 matrix: nothing is cubed, so that no size of stand overflows."""
     S = Argument("S", Kind.REAL, (6,), purpose="11 22 33 12 13 23")
-    b = Argument("b", Kind.REAL, (3,))
-    y = Argument("y", Kind.REAL, (3,), "out", purpose="must not overlap b")
-    m, x = S.place, b.place
+    out = Argument("L", lib.layout.factors3, (), "out")
+    m, f = S.place, out.place
     least = real(lib.layout.precision.smallest)
     body = Body()
     lib.guard(body, Not(m[0] >= least), "NOT_POSITIVE_DEFINITE")
@@ -83,58 +84,82 @@ def solve3(lib: Library) -> Function:
     l32 = body.let("l32", rest * r2)
     d3 = body.let("d3", m[2] - l31 * m[4] - l32 * rest)
     lib.guard(body, Not(d3 >= least), "NOT_POSITIVE_DEFINITE")
-    body.note("L z = b, then L^T y = D^-1 z")
-    z2 = body.let("z2", x[1] - l21 * x[0])
-    y3 = body.let("y3", (x[2] - l31 * x[0] - l32 * z2) / d3)
-    y2 = body.let("y2", z2 * r2 - l32 * y3)
-    body.set(y.place[0], x[0] * r1 - l21 * y2 - l31 * y3)
-    body.set(y.place[1], y2)
-    body.set(y.place[2], y3)
+    for name, value in (("r1", r1), ("r2", r2), ("d3", d3), ("l21", l21), ("l31", l31), ("l32", l32)):
+        body.set(f.member(name), value)
     return body.checked(
-        "solve3",
-        "Solves S y = b for a symmetric positive definite 3x3 matrix, by L D L^T.",
-        (S, b, y),
+        "factor3",
+        "Factors a symmetric positive definite 3x3 matrix: S = L D L^T.",
+        (S, out),
         statuses=("OK", "NOT_POSITIVE_DEFINITE"),
     )
 
 
-def solve_carrier(lib: Library) -> Function:
-    """K y = (f, n): the translational block is eliminated with its constant inverse."""
+def solve3(lib: Library) -> Function:
+    """S y = b by the factors of S."""
+    factor = Argument("L", lib.layout.factors3)
+    b = Argument("b", Kind.REAL, (3,))
+    y = Argument("y", Kind.REAL, (3,), "out", purpose="must not overlap b")
+    f, x = factor.place, b.place
+    body = Body()
+    body.note("L z = b, then L^T y = D^-1 z")
+    z2 = body.let("z2", x[1] - f.l21 * x[0])
+    y3 = body.let("y3", (x[2] - f.l31 * x[0] - f.l32 * z2) / f.d3)
+    y2 = body.let("y2", z2 * f.r2 - f.l32 * y3)
+    body.set(y.place[0], x[0] * f.r1 - f.l21 * y2 - f.l31 * y3)
+    body.set(y.place[1], y2)
+    body.set(y.place[2], y3)
+    return body.function("solve3", "Solves S y = b by S = L D L^T.", (factor, b, y))
+
+
+def factor_carrier(lib: Library) -> Function:
+    """K with its translational block eliminated by its constant inverse: a 3x3 matrix is left, factored."""
     table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums)
-    F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
-    y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
+    out = Argument("K", lib.layout.carrier_factor, (), "out")
     added = lib.layout.added_mass
     body = Body()
     lib.begin(body)
     binding = carrier_binding(lib, table.place, sums.place)
     if added:
         B = body.local("B", (9,), comment="<mu> + Lambda_21: lower left block of K")
-        U = body.local("U", (9,), comment="A^-1 B^T")
         assign(body, list(B), derived.coupling_block(True), binding)
-        binding |= {"B": B, "U": U}
-        assign(body, list(U), derived.schur_coupling(True), binding)
+        binding |= {"B": B, "U": out.place.U}
+        assign(body, list(out.place.U), derived.schur_coupling(True), binding)
     else:
-        rho = body.local("rho", (3,), comment="mass centre from O1, in E1")
-        assign(body, list(rho), derived.centre_offset(), binding)
-        binding["rho"] = rho
-    six = list(F.place)
-    binding |= {"f": six[:3], "n": six[3:]}
+        assign(body, list(out.place.rho), derived.centre_offset(), binding)
+        binding["rho"] = out.place.rho
     S = body.local("S", (6,), comment="J - B A^-1 B^T" if added else "inertia about the mass centre")
+    assign(body, list(S), derived.reduced_inertia(added), binding)
+    lib.check(body, "factor3", S, out.place.L)
+    return body.checked(
+        "factor_carrier",
+        "Factors K: its translational block is constant, so that a 3x3 matrix is left.",
+        (table, sums, out),
+        equation="(8)",
+        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
+    )
+
+
+def solve_carrier(lib: Library) -> Function:
+    """K y = (f, n) by the factors of K."""
+    table = lib.table_argument()
+    factor = Argument("K", lib.layout.carrier_factor)
+    F = Argument("F", Kind.REAL, (6,), "in", "N, N m")
+    y = Argument("y", Kind.REAL, (6,), "out", "m/s2, rad/s2", "must not overlap F")
+    added = lib.layout.added_mass
+    body = Body()
+    six = list(F.place)
     n = body.local("moment", (3,), comment="about the mass centre" if not added else "n - B A^-1 f")
     omega_dot = body.local("omega_dot", (3,))
-    assign(body, list(S), derived.reduced_inertia(added), binding)
+    binding: dict[str, Any] = {"f": six[:3], "n": six[3:], "omega_dot": omega_dot}
+    if added:
+        binding |= {"A_inv": table.place.A_inv, "U": factor.place.U}
+    else:
+        binding |= {"m_inverse": table.place.mass_inverse, "rho": factor.place.rho}
     assign(body, list(n), derived.reduced_moment(added), binding)
-    lib.check(body, "solve3", S, n, omega_dot)
-    binding["omega_dot"] = omega_dot
+    body.call(lib["solve3"], factor.place.L, n, omega_dot)
     out = list(y.place)
     assign(body, out[:3], derived.linear_part(added), binding)
     for target, value in zip(out[3:], omega_dot, strict=True):
         body.set(target, value)
-    return body.checked(
-        "solve_carrier",
-        "Solves K y = F: the translational block of K is constant, so that one 3x3 solve remains.",
-        (table, sums, F, y),
-        equation="(8)",
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
+    return body.function("solve_carrier", "Solves K y = F by the factors of K.", (table, factor, F, y), equation="(8)")

@@ -106,7 +106,7 @@ def _finish(lib: Library) -> Function:
     inverse = body.let("inverse", 1 / call(lib["sqrt"], square))
     for i in range(4):
         body.set(q[i], q[i] * inverse)
-    lib.check(body, "check_state", x.place)
+    check_again(lib, body, x.place)
     if lib.layout.flywheels:
         with body.loop("s", lib.layout.count) as s:
             body.set(x.place.phi[s], call(lib["wrapped"], x.place.phi[s]))
@@ -116,6 +116,14 @@ def _finish(lib: Library) -> Function:
         (x,),
         statuses=STATE_STATUSES,
     )
+
+
+def check_again(lib: Library, body: Body, x: Place) -> None:
+    """Check of a state in a step, by a function that the step needs anyway: speeds are looked at twice."""
+    if "check_motion" in lib and not lib.layout.stream and not lib.layout.inputs:
+        lib.check(body, "check_motion", x, x.phi_dot, lib.limits["MAX_SPEED"].expression)
+    else:
+        lib.check(body, "check_state", x)
 
 
 def _stages(lib: Library, torques: bool) -> Function:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.step import (
+    check_again,
     check_step,
     fastest,
     finish_step,
@@ -107,7 +108,7 @@ def _finish(lib: Library) -> Function:
         total, lost = _sum(body, q[i], step, "sum")
         body.set(kept, lost)
         body.set(q[i], total)
-    lib.check(body, "check_state", x.place)
+    check_again(lib, body, x.place)
     return body.checked(
         "finish_carried",
         "Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range.",

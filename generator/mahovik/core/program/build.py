@@ -8,7 +8,20 @@ from contextlib import contextmanager
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import (
+    Block,
+    Copy,
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    When,
+)
 from mahovik.core.program.types import Kind, NamedCount, Struct
 
 CHECKED = ("OK", "NOT_FINITE", "RANGE")
@@ -122,6 +135,14 @@ class Body:
         yield
         body = tuple(self._blocks.pop())
         self._add(Block(body))
+
+    @contextmanager
+    def shortcut(self) -> Iterator[None]:
+        """A block that may return early what would be returned anyway."""
+        self._blocks.append([])
+        yield
+        body = tuple(self._blocks.pop())
+        self._add(Shortcut(body))
 
     @contextmanager
     def when(self, condition: Expr, comment: str = "") -> Iterator[None]:

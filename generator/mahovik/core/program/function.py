@@ -14,7 +14,7 @@ class Function:
     """A function of the program.
 
     `equation` are numbers of the paper, "(8)"; `returns` None, REAL or STATUS; `statuses` those it can return;
-    `notes` further lines of the contract; `public` functions stand in the header.
+    `notes` further lines of the contract; `public` functions stand in the header; `apart`: not copied into its callers.
     """
 
     name: str
@@ -26,6 +26,7 @@ class Function:
     statuses: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     public: bool = False
+    apart: bool = False
 
     @property
     def signature(self) -> Signature:

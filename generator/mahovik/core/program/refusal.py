@@ -18,7 +18,19 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Declare, Do, Let, Loop, Note, Return, Set, Statement, Statements, When
+from mahovik.core.program.statement import (
+    Declare,
+    Do,
+    Let,
+    Loop,
+    Note,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    Statements,
+    When,
+)
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import called, with_blocks
 
@@ -49,8 +61,12 @@ def _probe_name(function: Function | Signature) -> str:
 
 
 def _checks(body: Statements) -> Iterator[tuple[Call | None, Statement]]:
-    """Statements one by one; `status = f(..); if (status != OK) return ..;` comes as the call and the return."""
+    """Statements one by one; `status = f(..); if (status != OK) return ..;` comes as the call and the return.
+
+    Shortcuts are left out: without them all is the same, and a probe is one itself.
+    """
     position = 0
+    body = tuple(s for s in body if not isinstance(s, Shortcut))
     while position < len(body):
         s = body[position]
         following = body[position + 1] if position + 1 < len(body) else None

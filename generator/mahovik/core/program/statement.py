@@ -95,6 +95,14 @@ class Block:
     body: Statements
 
 
+@dataclass(frozen=True, eq=False)
+class Shortcut(Block):
+    """A quick way to return what the statements after it would return as well.
+
+    Proofs by intervals cannot follow it, and states side by side do not need it: both leave it out.
+    """
+
+
 Statement = Block | Let | Declare | Set | Copy | Do | Loop | When | Return | Note
 Statements = tuple[Statement, ...]
 """Statements of a function or a block."""

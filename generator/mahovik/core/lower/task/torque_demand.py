@@ -46,10 +46,8 @@ def torque_demand(lib: Library, turning: bool) -> Function:
     seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
     sum_up(lib, body, table.place, x.place, seen, None)
     F = body.local("F", (6,), comment="wrench (7); then F_c")
-    Z = body.local("Z", (6,), comment="momentum screw (2)")
     external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["momentum_screw"], table.place, seen.sums, seen.V, Z)
-    body.call(lib["subtract_rates"], seen.sums, seen.V, Z, F)
+    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
     K = body.local("K", (), layout.schur, "mass matrix with free flywheels eliminated")
     start_schur(lib, body, table.place, seen.sums, K)
     alike = carried(lib, body, seen)
@@ -109,7 +107,8 @@ def _whole(lib: Library, body: Body, w: Place, K: Place, F: Place, moving: Place
 
 def _turning_part(lib: Library, body: Body, table: Place, w: Place, K: Place, F: Place) -> None:
     """C, x, X of the last three components: what eliminating v* leaves of them. A stream moves v* alone."""
-    inverse = invert_block(lib, body, K)
+    inverse = body.local("A_inv", (6,))
+    invert_block(lib, body, K, inverse)
     U = body.local("U", (9,), comment="A^-1 B^T")
     S = body.local("S", (6,), comment="D - B A^-1 B^T")
     binding: dict[str, Any] = {"A_inv": inverse, "B": K.B, "U": U, "J": K.D}
