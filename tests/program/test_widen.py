@@ -58,7 +58,7 @@ def kinked() -> Function:
 def widened(narrow: Sequence[Function], varying: Sequence[str], precision: Precision = DOUBLE) -> tuple[Any, ...]:
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
-    inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
+    inliner = Inliner(without_returns(tuple(narrow), precision), RESERVED)
     widener = Widener(wide, inliner.__getitem__)
     made = widener.function(inliner[narrow[-1].name], varying)
     found = program(*widener.functions, precision=precision)
@@ -167,7 +167,7 @@ def test_a_status_must_be_returned_at_once() -> None:
         body.set(status, call(check, x, COUNT, real(1)))
 
     with pytest.raises(TypeError, match="the status of within is not returned at once"):
-        without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)))
+        without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)), DOUBLE)
 
 
 def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, bits_of, real, unequal, word
+from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, beyond, real, unequal, word
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -16,19 +16,13 @@ def _arguments() -> tuple[Argument, Argument, Argument]:
 
 
 def excess(lib: Library) -> Function:
-    """Top bit set where an element is above a limit in magnitude, infinite or NaN.
-
-    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
-    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
-    """
+    """Top bit set where an element is above a limit in magnitude, infinite or NaN; see `beyond`."""
     values, count, limit = _arguments()
-    top = 1 << (lib.layout.precision.width - 1)
     body = Body()
-    largest = body.let("largest", bits_of(limit.place))
     over = body.local("over", (), Kind.WORD)
     body.set(over, word(0))
     with body.loop("i", count.place) as i:
-        body.set(over, over | (largest - (bits_of(values.place[i]) & word(top - 1))))
+        body.set(over, over | beyond(values.place[i], limit.place, lib.layout.precision.width))
     body.ret(over)
     return body.function(
         "excess",

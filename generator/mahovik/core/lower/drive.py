@@ -177,14 +177,17 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
     alike = carried(lib, body, seen)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table, s, seen, alike, drives[s])
-        body.set(rate[s], real(0))
         with body.when(equal(locked[s], integer(0))):
+            couple_flywheel(lib, body, table, s, seen, alike, drives[s])
             demand = tau[s] - drives[s].bias
             if seen.own is not None:
                 demand = demand + seen.own[s * integer(6) + 3]
             body.set(rate[s], demand * table.flywheel[s].spin_inv)
             body.call(lib["eliminate"], drives[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
+        with body.otherwise():
+            for element in drives[s].I:
+                body.set(element, real(0))
+            body.set(rate[s], real(0))
     lib.check(body, "solve_schur", K, F, V_dot)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot[s], real(0))
