@@ -25,10 +25,14 @@ INDENT = "    "
 
 
 class Code:
-    """A program with the names and literals that it has in C; `word`: the name of its type of bits."""
+    """A program with the names and literals that it has in C.
 
-    def __init__(self, program: Program, identities: Identities, word: str = "word") -> None:
+    `word`: the name of its type of bits; `inline`: ask compilers to copy internal functions into those that call them.
+    """
+
+    def __init__(self, program: Program, identities: Identities, word: str = "word", inline: bool = False) -> None:
         self.program, self.precision, self.names = program, program.precision, Names(program.name, word)
+        self._inline = inline
         self.public = [f for f in program.functions if f.public]
         self._statements = Statements(self.names, Expressions(self.names, self.precision))
         self._facts = {
@@ -78,7 +82,11 @@ class Code:
     def function(self, f: Function) -> dict[str, Any]:
         """The same of one function."""
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
-        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body}
+        return {
+            "comment": summary(f),
+            "prototype": prototype(f, self.names, self._restrictable, self._inline),
+            "body": body,
+        }
 
     def table(
         self, name: str, struct: Struct, value: Mapping[str, Any], labels: Mapping[str, list[str]] | None = None

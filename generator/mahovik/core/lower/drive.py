@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from mahovik.core.lower import lanes
 from mahovik.core.lower.checks import check_within
-from mahovik.core.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
+from mahovik.core.lower.coupling import (
+    Carried,
+    along,
+    balance_blocks,
+    carried,
+    couple_blocks,
+    couple_flywheel,
+)
 from mahovik.core.lower.flywheels import AT_NOTES, places_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
@@ -105,14 +112,9 @@ def _balance_blocks(
 ) -> None:
     """tau of all flywheels, block by block."""
     layout = lib.layout
-    coupling = body.local("drive", (), layout.lane_coupling)
     accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
     total = body.local("total", (layout.room,))
-    with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, table, b, first, seen, alike, coupling)
-        with body.loop("k", layout.lane_count) as k:
-            spin = table.block[b].spin[k] * accelerations[first + k]
-            body.set(total[first + k], along(lanes.lane(coupling.I, k), V_dot) + spin + coupling.bias[k])
+    balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, total)
     with body.loop("s", layout.count) as s:
         body.set(tau[s], total[s] if seen.own is None else total[s] - seen.own[s * integer(6) + 3])
 

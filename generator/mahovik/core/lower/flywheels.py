@@ -191,7 +191,8 @@ def add_block(lib: Library) -> Function:
 def sum_up(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, phi_ddot: Place | None) -> None:
     """Sums over all bodies; without phi_ddot those of constant speeds."""
     layout = lib.layout
-    body.call(lib["start_sums"], table, sums)
+    if layout.lanes == 1:
+        body.call(lib["start_sums"], table, sums)
     if not layout.flywheels:
         return
     if layout.lanes == 1:
@@ -211,4 +212,4 @@ def sum_up(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums:
     body.call(lib["clear_lanes"], parts)
     with lanes.blocks(lib, body) as (b, first):
         body.call(lib["add_block"], table.block[b], first, *turns, speeds, accelerations, parts)
-    body.call(lib["add_lanes"], parts, sums)
+    body.call(lib["add_lanes"], table, parts, sums)

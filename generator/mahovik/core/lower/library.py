@@ -117,8 +117,7 @@ class Library:
 
     def check_unit(self, body: Body, square: Expr) -> None:
         """Returns RANGE where a length, given as its square, is not within 1e-3 of 1."""
-        unit = and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))
-        self.guard(body, Not(unit), "RANGE")
+        self.guard(body, Not(unit_square(square)), "RANGE")
 
     def check(self, body: Body, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns that status where it is not OK."""
@@ -130,3 +129,8 @@ class Library:
         """Calls a function that returns a status, and returns `status` in its place where it is not OK."""
         body.set(self._status, call(self[function], *arguments))
         self.guard(body, unequal(self._status, Status("OK")), status)
+
+
+def unit_square(square: Expr) -> Expr:
+    """Is a length, given as its square, within 1e-3 of 1?"""
+    return and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))
