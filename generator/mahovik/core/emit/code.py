@@ -13,7 +13,7 @@ from mahovik.core.emit.literal import hex_literal, real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
-from mahovik.core.program.expression import BitCast
+from mahovik.core.program.expression import BitCast, Choice
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
@@ -102,6 +102,11 @@ class Code:
         """Kinds that bits are cast to."""
         found = (e for f in self.program.functions for e in expressions(f.body))
         return {e.kind for e in found if isinstance(e, BitCast)}
+
+    @cached_property
+    def chooses(self) -> bool:
+        """Is a real chosen by its bits?"""
+        return any(isinstance(e, Choice) for f in self.program.functions for e in expressions(f.body))
 
     @property
     def words(self) -> bool:

@@ -188,7 +188,7 @@ def balance_blocks(
 
 
 def _passed(table: Place, b: Place, first: Expr, seen: Scene, by: Carried) -> dict[str, Any]:
-    """What a block needs, by name."""
+    """Arguments of the functions of a block, by name."""
     sine, cosine = seen.turns
     named: dict[str, Any] = {"block": table.block[b], "first": first, "sine": sine, "cosine": cosine}
     return named | {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g}

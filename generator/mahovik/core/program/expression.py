@@ -277,7 +277,13 @@ class Select(Expr):
         return (self.condition, self.yes, self.no)
 
     def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
-        return Select(part(self.condition), part(self.yes), part(self.no))
+        return type(self)(part(self.condition), part(self.yes), part(self.no))
+
+
+class Choice(Select):
+    """The same of reals, where both are computed: C takes it from their bits, without a branch."""
+
+    __slots__ = ()
 
 
 def as_expr(value: Operand, kind: Kind) -> Expr:
