@@ -107,16 +107,16 @@ def rotation_vector(lib: Library) -> Function:
         "side", select(w < 0, real(-1), real(1)), "q and -q are the same rotation: take the one of the smaller angle"
     )
     square = body.let("square", u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
-    body.note("rotation angle divided by the length of the vector part")
-    dividend, divisor = body.local("dividend"), body.local("divisor")
+    ratio = body.local("ratio", comment="rotation angle, then divided by the length of the vector part")
+    divisor = body.local("divisor")
     with body.when(square > lib.thresholds.small_square):
         body.set(divisor, call(lib["sqrt"], square))
-        body.set(dividend, 2 * call(lib["atan2"], divisor, side * w))
+        body.set(ratio, 2 * call(lib["atan2"], divisor, side * w))
     with body.otherwise():
         body.note("|w| is near 1 here; the test only prevents a division by zero for other q")
         body.set(divisor, select(side * w > 0.5, side * w, real(1)))
-        body.set(dividend, real(2))
-    ratio = body.let("ratio", dividend / divisor)
+        body.set(ratio, real(2))
+    body.set(ratio, ratio / divisor)
     for target, component in zip(r.place, u, strict=True):
         body.set(target, side * ratio * component)
     return Function(
