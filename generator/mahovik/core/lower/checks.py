@@ -7,7 +7,19 @@ from collections.abc import Mapping, Sequence
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, beyond, equal, real, unequal, word
+from mahovik.core.program.expression import (
+    Expr,
+    Not,
+    Operand,
+    Place,
+    Status,
+    and_,
+    equal,
+    excess_bits,
+    real,
+    unequal,
+    word,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -18,13 +30,13 @@ def _arguments() -> tuple[Argument, Argument, Argument]:
 
 
 def excess(lib: Library) -> Function:
-    """Top bit set where an element is above a limit in magnitude, infinite or NaN; see `beyond`."""
+    """Top bit set where an element is above a limit in magnitude, infinite or NaN; see `excess_bits`."""
     values, count, limit = _arguments()
     body = Body()
     over = body.local("over", (), Kind.WORD)
     body.set(over, word(0))
     with body.loop("i", count.place) as i:
-        body.set(over, over | beyond(values.place[i], limit.place, lib.layout.precision.width))
+        body.set(over, over | excess_bits(values.place[i], limit.place, lib.layout.precision.width))
     body.ret(over)
     return body.function(
         "excess",
@@ -103,8 +115,8 @@ def _within_at_once(lib: Library, body: Body, state: Place, limit: Mapping[str, 
     over = body.local("over", (), Kind.WORD, "top bit set: a phase or a speed is too large, or no number")
     body.set(over, word(0))
     with body.loop("s", lib.layout.count) as s:
-        phase = beyond(state.phi[s], limit["MAX_PHASE"], width)
-        body.set(over, over | phase | beyond(state.phi_dot[s], limit["MAX_SPEED"], width))
+        phase = excess_bits(state.phi[s], limit["MAX_PHASE"], width)
+        body.set(over, over | phase | excess_bits(state.phi_dot[s], limit["MAX_SPEED"], width))
     V = list(state.V)
     fine = equal(over >> (width - 1), word(0))
     for name, values, most in (

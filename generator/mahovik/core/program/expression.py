@@ -375,7 +375,7 @@ def magnitude(value: Expr) -> Expr:
     return Select(Compare("<", value, Const(0, Kind.REAL)), Negate(value), value)
 
 
-def beyond(value: Expr, limit: Expr, width: int) -> Expr:
+def excess_bits(value: Expr, limit: Expr, width: int) -> Expr:
     """A word of `width` bits whose top bit is set where a real is above a limit in magnitude, infinite or NaN.
 
     Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two

@@ -31,7 +31,7 @@ class _Element:
 
 
 @dataclass(eq=False)
-class _Known:
+class _Elements:
     """The elements that a loop's body uses."""
 
     elements: dict[Key, _Element] = field(default_factory=dict)
@@ -45,7 +45,7 @@ class _Known:
             return None
         return self.elements.setdefault(key, _Element(place))
 
-    def kept(self) -> dict[Key, _Element]:
+    def scalars(self) -> dict[Key, _Element]:
         """Elements that are set first and read again, and that no other place may meet."""
         return {
             key: one
@@ -61,13 +61,16 @@ def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) 
     """The body of a loop over `lane` with stores of what it reads again at its end; `name`: makes a new name."""
     if not all(isinstance(s, Let | Set | Note) or not own(s) for s in body):
         return tuple(body)
-    kept = _seen(body, lane).kept()
-    return (*_scalars(body, kept, name), *(Set(e.place, e.value.place) for e in kept.values() if e.value is not None))
+    found = _elements(body, lane).scalars()
+    return (
+        *_scalars(body, found, name),
+        *(Set(e.place, e.value.place) for e in found.values() if e.value is not None),
+    )
 
 
-def _seen(body: Sequence[Statement], lane: Variable) -> _Known:
-    """What a body does with elements of arrays of lanes, in its order."""
-    known = _Known()
+def _elements(body: Sequence[Statement], lane: Variable) -> _Elements:
+    """Elements of arrays of lanes that a body uses, in its order."""
+    known = _Elements()
     for s in body:
         target = s.place if isinstance(s, Set) else None
         for place in _places(s, target):
@@ -92,11 +95,11 @@ def _places(s: Statement, target: Place | None) -> Iterator[Place]:
                 yield x
 
 
-def _scalars(body: Sequence[Statement], kept: dict[Key, _Element], name: Callable[[str], str]) -> Iterator[Statement]:
-    """The statements with scalars in place of the elements that are kept."""
+def _scalars(body: Sequence[Statement], found: dict[Key, _Element], name: Callable[[str], str]) -> Iterator[Statement]:
+    """The statements with scalars in place of such elements."""
 
     def leaf(place: Place) -> Expr:
-        element = kept.get(_key(place) or ())
+        element = found.get(_key(place) or ())
         return place if element is None or element.value is None else element.value.place
 
     for s in body:
@@ -105,7 +108,7 @@ def _scalars(body: Sequence[Statement], kept: dict[Key, _Element], name: Callabl
                 yield replace(s, value=rebuilt(value, leaf))
             case Set(place, value):
                 new = rebuilt(value, leaf)
-                element = kept.get(_key(place) or ())
+                element = found.get(_key(place) or ())
                 if element is None:
                     yield replace(s, value=new)
                     continue

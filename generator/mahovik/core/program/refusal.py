@@ -26,8 +26,8 @@ from mahovik.core.program.expression import (
     Place,
     Status,
     Variable,
-    beyond,
     equal,
+    excess_bits,
     select,
     unequal,
     word,
@@ -218,7 +218,7 @@ class _Probing:
         outside = _outside(condition)
         if outside is None:
             return select(condition, word(1 << (self._width - 1)), word(0))
-        return beyond(*outside, self._width)
+        return excess_bits(*outside, self._width)
 
 
 def _outside(condition: Expr) -> tuple[Expr, Expr] | None:
