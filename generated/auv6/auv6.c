@@ -1160,11 +1160,14 @@ static auv6_status auv6_solve_coupled(const auv6_table *table, const auv6_state 
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     auv6_real rate[AUV6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < AUV6_N; ++s) {
-        auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            auv6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             auv6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     auv6_schur_factor factor;

@@ -564,16 +564,17 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real r[restric
     /* q and -q are the same rotation: take the one of the smaller angle */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const bench8_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    bench8_real ratio = 2.0;  /* rotation angle divided by the length of the vector part */
+    bench8_real ratio;  /* rotation angle, then divided by the length of the vector part */
+    bench8_real divisor;
     if (square > 1.0e-30) {
-        const bench8_real length = bench8_sqrt(square);
-        ratio = 2.0 * bench8_atan2(length, side * q[0]) / length;
+        divisor = bench8_sqrt(square);
+        ratio = 2.0 * bench8_atan2(divisor, side * q[0]);
     } else {
         /* |w| is near 1 here; the test only prevents a division by zero for other q */
-        if (side * q[0] > 0.5) {
-            ratio = 2.0 / (side * q[0]);
-        }
+        divisor = (side * q[0] > 0.5) ? side * q[0] : 1.0;
+        ratio = 2.0;
     }
+    ratio = ratio / divisor;
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
 
@@ -1178,11 +1179,14 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_real rate[BENCH8_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < BENCH8_N; ++s) {
-        bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     bench8_schur_factor factor;

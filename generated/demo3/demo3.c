@@ -1013,11 +1013,14 @@ static demo3_status demo3_solve_coupled(const demo3_table *table, const demo3_st
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     demo3_real rate[DEMO3_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            demo3_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             demo3_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     demo3_schur_factor factor;

@@ -1166,11 +1166,14 @@ static remus6_status remus6_solve_coupled(const remus6_table *table, const remus
     spun[3] = -V[3] * V[4];          spun[4] = -V[3] * V[5];          spun[5] = -V[4] * V[5];
     remus6_real rate[REMUS6_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < REMUS6_N; ++s) {
-        remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            remus6_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             remus6_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     remus6_schur_factor factor;

@@ -1009,11 +1009,14 @@ static sat4_status sat4_solve_coupled(const sat4_table *table, const sat4_state 
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     sat4_real rate[SAT4_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             sat4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     sat4_schur_factor factor;

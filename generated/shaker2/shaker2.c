@@ -566,16 +566,17 @@ static void shaker2_rotation_vector(const shaker2_real q[4], shaker2_real r[rest
     /* q and -q are the same rotation: take the one of the smaller angle */
     const shaker2_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const shaker2_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    shaker2_real ratio = 2.0;  /* rotation angle divided by the length of the vector part */
+    shaker2_real ratio;  /* rotation angle, then divided by the length of the vector part */
+    shaker2_real divisor;
     if (square > 1.0e-30) {
-        const shaker2_real length = shaker2_sqrt(square);
-        ratio = 2.0 * shaker2_atan2(length, side * q[0]) / length;
+        divisor = shaker2_sqrt(square);
+        ratio = 2.0 * shaker2_atan2(divisor, side * q[0]);
     } else {
         /* |w| is near 1 here; the test only prevents a division by zero for other q */
-        if (side * q[0] > 0.5) {
-            ratio = 2.0 / (side * q[0]);
-        }
+        divisor = (side * q[0] > 0.5) ? side * q[0] : 1.0;
+        ratio = 2.0;
     }
+    ratio = ratio / divisor;
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
 
@@ -1185,11 +1186,14 @@ static shaker2_status shaker2_solve_coupled(const shaker2_table *table, const sh
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     shaker2_real rate[SHAKER2_N];  /* accelerations at V* = 0 */
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-        rate[s] = 0.0;
         if (locked[s] == 0) {
+            shaker2_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
             rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
             shaker2_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
         }
     }
     shaker2_schur_factor factor;

@@ -12,8 +12,11 @@ import pytest
 from numpy.typing import NDArray
 
 from emit.batches import OPTIONS, Arrays, Batched, Numbers, aligned
+from emit.stands import stand, write
+from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.batch import Batch
-from toolchain.tools import require
+from toolchain.tools import compile_c, require, run
 
 KINDS = ("bench8", "demo3", "remus6", "auv6", "shaker2", "everything0", "everything1", "wet7")
 LENGTHS = (1, 7, 8, 9, 41)
@@ -208,3 +211,19 @@ def test_other_builds(name: str, real: str, compiler: str, flags: tuple[str, ...
     inputs = spoilt(built.inputs(np.random.default_rng(7), 41))
     for batch in built.batches:
         check(built, batch, inputs, 41)
+
+
+def test_gcc_makes_vectors_of_a_suspension(tmp_path: Path) -> None:
+    """Its angle is an arc tangent with many choices: a branch among them would leave all of it to single numbers."""
+    gcc, objdump = require("gcc", "gcc"), require("objdump", "binutils")
+    if run(gcc, "-dumpmachine").split("-")[0] != "x86_64":
+        pytest.skip("gcc here is not for x86-64: its vectors have other names")
+    given = stand("shaker2")
+    generated = generate_all(given, "double", only=("forward", "coupled", "torque"))
+    write({**generated.files, **batch_files(given, generated)}, tmp_path)
+    source, made = tmp_path / "shaker2_batch.c", tmp_path / "o"
+    compile_c(gcc, source, "-O3", "-march=x86-64-v3", "-ffp-contract=off", "-c", "-o", made)
+    text = run(objdump, "-d", "--no-show-raw-insn", made)
+    packed, single = (len(re.findall(rf"\bv(?:mul|add|sub|div){kind} ", text)) for kind in ("pd", "sd"))
+    assert packed > 1000
+    assert single < 20

@@ -58,7 +58,7 @@ def kinked() -> Function:
 def widened(narrow: Sequence[Function], varying: Sequence[str], precision: Precision = DOUBLE) -> tuple[Any, ...]:
     """Program of the wide form of the last of some functions, and its lanes."""
     wide = Wide(precision)
-    inliner = Inliner(without_returns(tuple(narrow)), RESERVED)
+    inliner = Inliner(without_returns(tuple(narrow), precision), RESERVED)
     widener = Widener(wide, inliner.__getitem__)
     made = widener.function(inliner[narrow[-1].name], varying)
     found = program(*widener.functions, precision=precision)
@@ -167,7 +167,7 @@ def test_a_status_must_be_returned_at_once() -> None:
         body.set(status, call(check, x, COUNT, real(1)))
 
     with pytest.raises(TypeError, match="the status of within is not returned at once"):
-        without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)))
+        without_returns((check, status_function("careless", [argument("x", shape=(COUNT,))], write)), DOUBLE)
 
 
 def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set() -> None:
@@ -186,3 +186,27 @@ def test_a_variable_that_both_branches_set_is_never_read_before_it_is_set() -> N
     (loop,) = wide.body
     first = next(s for s in loop.body if isinstance(s, Set))
     assert not isinstance(first.value, Select)
+
+
+def test_what_is_read_again_is_stored_at_the_end_of_the_loop() -> None:
+    """Two results for each turn: the second is made of the first, which stays a scalar until both are stored."""
+
+    def write(body: Body, x: Place, one: Place, two: Place) -> None:
+        with body.loop("i", COUNT) as i:
+            body.set(one[i], x[i] * x[i])
+            body.add(one[i], real(3))
+            body.set(two[i], one[i] - x[i])
+
+    results = [argument(name, shape=(COUNT,), direction="out") for name in ("one", "two")]
+    narrow = function("twice", [argument("x", shape=(COUNT,)), *results], write, public=False)
+    made, wide, count = widened([narrow], ["x"])
+    (loop,) = wide.body
+    assert isinstance(loop, Loop)
+    (inner,) = loop.body
+    assert isinstance(inner, Loop)
+    assert [type(s).__name__ for s in inner.body] == ["Let", "Let", "Set", "Set"]
+    rows = [[0.3 * i - 0.7 * k for k in range(count)] for i in range(int(COUNT))]
+    _, out = Interpreter(made).run(wide.name, {"x": lanes(rows)})
+    for i, row in enumerate(rows):
+        assert out["one"][i]["at"] == [x * x + 3 for x in row]
+        assert out["two"][i]["at"] == [x * x + 3 - x for x in row]

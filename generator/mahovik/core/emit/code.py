@@ -13,7 +13,7 @@ from mahovik.core.emit.literal import hex_literal, real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
-from mahovik.core.program.expression import BitCast
+from mahovik.core.program.expression import BitCast, Choice
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
@@ -25,10 +25,14 @@ INDENT = "    "
 
 
 class Code:
-    """A program with the names and literals that it has in C; `word`: the name of its type of bits."""
+    """A program with the names and literals that it has in C.
 
-    def __init__(self, program: Program, identities: Identities, word: str = "word") -> None:
+    `word`: the name of its type of bits; `inline`: ask compilers to copy internal functions into those that call them.
+    """
+
+    def __init__(self, program: Program, identities: Identities, word: str = "word", inline: bool = False) -> None:
         self.program, self.precision, self.names = program, program.precision, Names(program.name, word)
+        self._inline = inline
         self.public = [f for f in program.functions if f.public]
         self._statements = Statements(self.names, Expressions(self.names, self.precision))
         self._facts = {
@@ -78,8 +82,11 @@ class Code:
     def function(self, f: Function) -> dict[str, Any]:
         """Comment, prototype and body of one function, for the templates."""
         body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
-        return {"comment": summary(f), "prototype": prototype(f, self.names, self._restrictable), "body": body} | {
-            "apart": f.apart
+        return {
+            "comment": summary(f),
+            "prototype": prototype(f, self.names, self._restrictable, self._inline),
+            "body": body,
+            "apart": f.apart,
         }
 
     def table(
@@ -96,6 +103,11 @@ class Code:
         """Kinds that bits are cast to."""
         found = (e for f in self.program.functions for e in expressions(f.body))
         return {e.kind for e in found if isinstance(e, BitCast)}
+
+    @cached_property
+    def chooses(self) -> bool:
+        """Is a real chosen by its bits?"""
+        return any(isinstance(e, Choice) for f in self.program.functions for e in expressions(f.body))
 
     @property
     def words(self) -> bool:

@@ -30,13 +30,17 @@ def struct_lines(struct: Struct, names: Names) -> list[str]:
     return [*head, *lines, f"}} {names.type(struct)};"]
 
 
-def prototype(function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset()) -> str:
+def prototype(
+    function: Function, names: Names, restrictable: frozenset[tuple[str, str]] = frozenset(), inline: bool = False
+) -> str:
     """Storage, return type, name and arguments, wrapped under the opening parenthesis.
 
     `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
+    `inline`: internal functions are.
     """
+    storage = "" if function.public else "static inline " if inline else "static "
     returns = names.type(function.returns) if function.returns is not None else "void"
-    head = f"{'' if function.public else 'static '}{returns} {names.function(function.name)}("
+    head = f"{storage}{returns} {names.function(function.name)}("
     arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]
     return "\n".join(hanging(head, arguments))
 

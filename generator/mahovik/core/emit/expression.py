@@ -8,6 +8,7 @@ from mahovik.core.program.call import Call
 from mahovik.core.program.expression import (
     Binary,
     BitCast,
+    Choice,
     Compare,
     Const,
     Convert,
@@ -91,6 +92,9 @@ class Expressions:
             case Compare():
                 left, right = (self._inside(side, 61) for side in (e.left, e.right))
                 return f"{left} {e.operator} {right}", _COMPARE
+            case Choice():
+                operands = ", ".join(self.text(x) for x in e.operands)
+                return f"{self._names.function('chosen')}({operands})", _PRIMARY
             case Select():
                 condition = f"({self.text(e.condition)})"
                 return f"{condition} ? {self._inside(e.yes, 61)} : {self._inside(e.no, 61)}", _SELECT

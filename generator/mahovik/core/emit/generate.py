@@ -78,7 +78,8 @@ def generate_all(
     values = Values(stand, layout, program)
     if only:
         program = restricted(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
-    printer = _Printer(stand, layout, values, Code(program, identities(stand)), fast)
+    code = Code(program, identities(stand), inline=layout.lanes > 1)
+    printer = _Printer(stand, layout, values, code, fast)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
     return Generated(layout, program, values, files, fast, only)
 
@@ -134,7 +135,10 @@ class _Printer:
             word=self._code.words,
             internal=self._code.structs(s for s in self._program.structs if internal(self._layout, s)),
             functions=[self._function(f) for f in self._program.functions],
-            tables=[self._code.table(name, struct, value, labels) for name, struct, value, _ in self._constants()],
+            tables=[
+                self._code.table(name, struct, value, labels) | {"blocks": struct is self._layout.table}
+                for name, struct, value, _ in self._constants()
+            ],
         )
 
     def _limits(self) -> list[tuple[str, str, str]]:

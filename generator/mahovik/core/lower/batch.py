@@ -40,7 +40,8 @@ def batches(program: Program) -> Batches:
     """Wide forms of the functions of a program that have a batch."""
     entries = [f for f in program.functions if f.public and f.name in BATCHED]
     needed = reachable(tuple(replace(f, public=f in entries) for f in program.functions))
-    inliner = Inliner(without_returns(tuple(program.function(f.name) for f in needed)), RESERVED)
+    refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
+    inliner = Inliner(refusing, RESERVED)
     widener = Widener(Wide(program.precision), inliner.__getitem__)
     found = []
     for each in (False, True):

@@ -8,7 +8,7 @@ any rounding, with and without fused multiply-add. Infinities, NaN and what over
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from mahovik.core.lower.library import Library, unit_square
@@ -21,7 +21,8 @@ from mahovik.core.program.expression import (
     Place,
     Status,
     and_,
-    bits_of,
+    equal,
+    excess_bits,
     integer,
     real,
     unequal,
@@ -37,19 +38,13 @@ def _arguments() -> tuple[Argument, Argument, Argument]:
 
 
 def excess(lib: Library) -> Function:
-    """Top bit set where an element is above a limit in magnitude, infinite or NaN.
-
-    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
-    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
-    """
+    """Top bit set where an element is above a limit in magnitude, infinite or NaN; see `excess_bits`."""
     values, count, limit = _arguments()
-    top = 1 << (lib.layout.precision.width - 1)
     body = Body()
-    largest = body.let("largest", bits_of(limit.place))
     over = body.local("over", (), Kind.WORD)
     body.set(over, word(0))
     with body.loop("i", count.place) as i:
-        body.set(over, over | (largest - (bits_of(values.place[i]) & word(top - 1))))
+        body.set(over, over | excess_bits(values.place[i], limit.place, lib.layout.precision.width))
     body.ret(over)
     return body.function(
         "excess",
@@ -120,6 +115,37 @@ def check_turns(lib: Library) -> Function:
     )
 
 
+def _squares(values: Sequence[Expr]) -> Expr:
+    """The sum of the squares."""
+    total = values[0] * values[0]
+    for value in values[1:]:
+        total = total + value * value
+    return total
+
+
+def _within_at_once(lib: Library, body: Body, state: Place, limit: Mapping[str, Expr]) -> Expr:
+    """Is a state, but for its quaternion, in its ranges? Without a branch, for lanes; where this says no, it may be.
+
+    A rounded sum of squares is no smaller than any rounded square in it, and rounding keeps the order of numbers: where
+    the sum is below the square of the limit, all numbers are below the limit. (One of unit length needs no other look.)
+    """
+    width = lib.layout.precision.width
+    over = body.local("over", (), Kind.WORD, "top bit set: a phase or a speed is too large, or no number")
+    body.set(over, word(0))
+    with body.loop("s", lib.layout.count) as s:
+        phase = excess_bits(state.phi[s], limit["MAX_PHASE"], width)
+        body.set(over, over | phase | excess_bits(state.phi_dot[s], limit["MAX_SPEED"], width))
+    V = list(state.V)
+    fine = equal(over >> (width - 1), word(0))
+    for name, values, most in (
+        ("position2", list(state.position), limit["MAX_POSITION"]),
+        ("velocity2", V[:3], limit["MAX_VELOCITY"]),
+        ("omega2", V[3:], limit["MAX_SPEED"]),
+    ):
+        fine = and_(fine, body.let(name, _squares(values)) < most * most)
+    return fine
+
+
 def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
     """OK where squares are small and the quaternion is of unit length; `more`: values of the flywheels with a limit."""
     limit = {name: found.expression for name, found in lib.limits.items()}
@@ -146,7 +172,7 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
                 for name, values in each:
                     body.add(sums[name], values[s] * values[s])
         q = x.attitude
-        fine = unit_square(body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
+        fine = unit_square(body.let("norm2", _squares(list(q))))
         for name, total in sums.items():
             fine = and_(fine, total < most[name] * most[name])
         with body.when(fine):
@@ -165,10 +191,15 @@ def _look_at_each(lib: Library, body: Body, state: Place) -> None:
     if lib.layout.flywheels:
         parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
         parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
-    check_within(lib, body, *parts)
-    q = state.attitude
-    norm = body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
-    lib.check_unit(body, norm)
+    if lib.layout.lanes == 1:
+        check_within(lib, body, *parts)
+        lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
+        return
+    norm = body.let("norm2", _squares(list(state.attitude)))
+    with body.when(Not(and_(unit_square(norm), _within_at_once(lib, body, state, limit))), "which one, and why"):
+        for part in parts:
+            lib.check(body, "within", *part)
+        lib.check_unit(body, norm)
 
 
 def check_state(lib: Library) -> Function:

@@ -84,25 +84,55 @@ def couple(lib: Library) -> Function:
 
 def couple_block(lib: Library) -> Function:
     """I_s and the bias torques of a block."""
-    block, first = Argument("block", lib.layout.block), lanes.first_argument()
-    sine, cosine = lanes.room_argument(lib, "sine", "of the phases"), lanes.room_argument(lib, "cosine")
-    alike = _alike_arguments()
     out = Argument("out", lib.layout.lane_coupling, (), "out")
+    shared = _block_arguments(lib)
     body = Body()
     with body.loop("k", lib.layout.lane_count) as k:
-        turn: dict[str, Expr] = {
-            "s": body.let("s", sine.place[first.place + k]),
-            "c": body.let("c", cosine.place[first.place + k]),
-        }
-        columns = lanes.lane_columns(block.place, k, _columns(lib))
-        bound = {a.name: a.place for a in alike}
-        _couple(lib, body, turn, columns, bound, lanes.lane(out.place.I, k), out.place.bias[k])
+        _couple_lane(lib, body, shared, k, lanes.lane(out.place.I, k), out.place.bias[k])
     return body.function(
         "couple_block",
         f"Columns of I of a block of flywheels, and of each {_PURPOSE}",
-        (block, first, sine, cosine, *alike, out),
+        (*shared, out),
         equation="(9)",
     )
+
+
+def balance_block(lib: Library) -> Function:
+    """The drive torques of a block."""
+    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2")
+    phi_ddot = lanes.room_argument(lib, "phi_ddot", unit="rad/s2")
+    total = lanes.room_argument(lib, "total", direction="out", unit="N m")
+    shared = _block_arguments(lib)
+    block, first = shared[0].place, shared[1].place
+    body = Body()
+    with body.loop("k", lib.layout.lane_count) as k:
+        column, bias = body.local("column", (6,), comment="of I"), body.local("bias")
+        _couple_lane(lib, body, shared, k, list(column), bias)
+        spin = block.spin[k] * phi_ddot.place[first + k]
+        body.set(total.place[first + k], along(list(column), V_dot.place) + spin + bias)
+    return body.function(
+        "balance_block",
+        "Drive torques of a block of flywheels: I . V* + Theta_ff phi'' + bias.",
+        (*shared, V_dot, phi_ddot, total),
+    )
+
+
+def _block_arguments(lib: Library) -> tuple[Argument, ...]:
+    """Block, its first flywheel, sines and cosines, and what is common to all flywheels."""
+    turns = lanes.room_argument(lib, "sine", "of the phases"), lanes.room_argument(lib, "cosine")
+    return Argument("block", lib.layout.block), lanes.first_argument(), *turns, *_alike_arguments()
+
+
+def _couple_lane(
+    lib: Library, body: Body, shared: tuple[Argument, ...], k: Expr, column: Sequence[Place], bias: Place
+) -> None:
+    """I_s and the bias torque of lane k, for arguments of `_block_arguments`."""
+    given = {a.name: a.place for a in shared}
+    turn: dict[str, Expr] = {
+        "s": body.let("s", given["sine"][given["first"] + k]),
+        "c": body.let("c", given["cosine"][given["first"] + k]),
+    }
+    _couple(lib, body, turn, lanes.lane_columns(given["block"], k, _columns(lib)), given, column, bias)
 
 
 @dataclass(frozen=True)
@@ -145,10 +175,23 @@ def couple_blocks(
     lib: Library, body: Body, table: Place, b: Place, first: Expr, seen: Scene, by: Carried, out: Place
 ) -> None:
     """Couplings of block b."""
+    body.call(lib["couple_block"], *lib.passed("couple_block", out=out, **_passed(table, b, first, seen, by)))
+
+
+def balance_blocks(
+    lib: Library, body: Body, table: Place, seen: Scene, by: Carried, V_dot: Place, phi_ddot: Place, total: Place
+) -> None:
+    """Drive torques of all blocks, without those of the fluid."""
+    with lanes.blocks(lib, body) as (b, first):
+        named = {"V_dot": V_dot, "phi_ddot": phi_ddot, "total": total, **_passed(table, b, first, seen, by)}
+        body.call(lib["balance_block"], *lib.passed("balance_block", **named))
+
+
+def _passed(table: Place, b: Place, first: Expr, seen: Scene, by: Carried) -> dict[str, Any]:
+    """Arguments of the functions of a block, by name."""
     sine, cosine = seen.turns
     named: dict[str, Any] = {"block": table.block[b], "first": first, "sine": sine, "cosine": cosine}
-    named |= {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g, "out": out}
-    body.call(lib["couple_block"], *lib.passed("couple_block", **named))
+    return named | {"origin_acceleration": by.origin_acceleration, "spun": by.spun, "g": seen.g}
 
 
 def along(column: Sequence[Expr], V_dot: Place) -> Expr:

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from mahovik.core.lower import lanes
-from mahovik.core.lower.coupling import Carried, along, carried, couple_blocks, couple_flywheel
+from mahovik.core.lower.coupling import (
+    Carried,
+    along,
+    balance_blocks,
+    carried,
+    couple_blocks,
+    couple_flywheel,
+)
 from mahovik.core.lower.flywheels import AT_NOTES, places_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
@@ -104,14 +111,9 @@ def _balance_blocks(
 ) -> None:
     """tau of all flywheels, block by block."""
     layout = lib.layout
-    coupling = body.local("drive", (), layout.lane_coupling)
     accelerations = lanes.roomy(lib, body, phi_ddot, "accelerations")
     total = body.local("total", (layout.room,))
-    with lanes.blocks(lib, body) as (b, first):
-        couple_blocks(lib, body, table, b, first, seen, alike, coupling)
-        with body.loop("k", layout.lane_count) as k:
-            spin = table.block[b].spin[k] * accelerations[first + k]
-            body.set(total[first + k], along(lanes.lane(coupling.I, k), V_dot) + spin + coupling.bias[k])
+    balance_blocks(lib, body, table, seen, alike, V_dot, accelerations, total)
     with body.loop("s", layout.count) as s:
         body.set(tau[s], total[s] if seen.own is None else total[s] - seen.own[s * integer(6) + 3])
 
@@ -174,14 +176,17 @@ def _solve(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, sys
     alike = carried(lib, body, seen)
     rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
     with body.loop("s", layout.count) as s:
-        couple_flywheel(lib, body, table, s, seen, alike, drives[s])
-        body.set(rate[s], real(0))
         with body.when(equal(locked[s], integer(0))):
+            couple_flywheel(lib, body, table, s, seen, alike, drives[s])
             demand = tau[s] - drives[s].bias
             if seen.own is not None:
                 demand = demand + seen.own[s * integer(6) + 3]
             body.set(rate[s], demand * table.flywheel[s].spin_inv)
             body.call(lib["eliminate"], drives[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
+        with body.otherwise():
+            for element in drives[s].I:
+                body.set(element, real(0))
+            body.set(rate[s], real(0))
     factor = body.local("factor", (), layout.schur_factor)
     lib.check(body, "factor_schur", K, factor)
     body.call(lib["solve_schur"], factor, F, V_dot)

@@ -259,7 +259,10 @@ def sum_up(
 ) -> None:
     """Sums over all bodies; without phi_ddot those of constant speeds. `mass_alone`: what K and K_dot need."""
     layout = lib.layout
-    if layout.flywheels and layout.lanes == 1:
+    if not layout.flywheels:
+        body.call(lib["start_sums"], table, sums)
+        return
+    if layout.lanes == 1:
         body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)
         if mass_alone:
             return
@@ -267,9 +270,6 @@ def sum_up(
             body.call(lib["sum_steady_spin"], table, *turns, x.phi_dot, sums)
         else:
             body.call(lib["sum_spin"], table, *turns, x.phi_dot, phi_ddot, sums)
-        return
-    body.call(lib["start_sums"], table, sums)
-    if not layout.flywheels:
         return
     speeds = lanes.roomy(lib, body, x.phi_dot, "speeds")
     if phi_ddot is None:
@@ -282,4 +282,4 @@ def sum_up(
     body.call(lib["clear_lanes"], parts)
     with lanes.blocks(lib, body) as (b, first):
         body.call(lib["add_block"], table.block[b], first, *turns, speeds, accelerations, parts)
-    body.call(lib["add_lanes"], parts, sums)
+    body.call(lib["add_lanes"], table, parts, sums)

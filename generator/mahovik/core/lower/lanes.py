@@ -63,15 +63,30 @@ def tree(parts: Sequence[Expr]) -> Expr:
 
 
 def add_lanes(lib: Library) -> Function:
-    """Sums of the lanes added to those of the fixed bodies."""
+    """Sums over all bodies: those of the fixed ones, and those of the lanes."""
     layout = lib.layout
-    parts = Argument("lane", layout.lane_sums)
-    sums = Argument("sum", layout.sums, (), "inout")
+    table, parts = lib.table_argument(), Argument("lane", layout.lane_sums)
+    sums = Argument("sum", layout.sums, (), "out")
+    starts = {"mu": table.place.first_moment, "J": table.place.inertia}
     body = Body()
-    for field in layout.sums.fields:
-        with body.loop("i", field.shape[0]) as i:
-            body.add(sums.place.member(field.name)[i], tree(list(parts.place.member(field.name)[i])))
-    return body.function("add_lanes", "Adds the sums of the lanes, in a fixed tree.", (parts, sums))
+    totals = {f.name: halves(body, f"half_{f.name}", parts.place.member(f.name)) for f in layout.sums.fields}
+    for name, total in totals.items():
+        with body.loop("i", len(total)) as i:
+            start = starts[name][i] if name in starts else real(0)
+            body.set(sums.place.member(name)[i], start + tree(list(total[i])))
+    purpose = "Sums of carrier, instruments and the constant part of the flywheels, and of the lanes, in a fixed tree."
+    return body.function("add_lanes", purpose, (table, parts, sums), equation="(2)")
+
+
+def halves(body: Body, name: str, parts: Place) -> Place:
+    """The first step of the tree, for all rows at once: as vectors of half the lanes."""
+    half = len(parts[0]) // 2
+    if half <= 2:
+        return parts
+    sums = body.local(name, (len(parts), half))
+    with body.loop("i", len(parts)) as i, body.loop("k", half) as k:
+        body.set(sums[i][k], parts[i][k] + parts[i][k + half])
+    return sums
 
 
 def spread(lib: Library) -> Function:

@@ -99,6 +99,7 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(schur.eliminate(lib))
         if layout.lanes > 1:
             lib.add(coupling.couple_block(lib))
+            lib.add(coupling.balance_block(lib))
             lib.add(schur.eliminate_block(lib))
             lib.add(schur.take_lanes(lib))
         lib.add(drive.balance(lib))

@@ -76,10 +76,12 @@ def take_lanes(lib: Library) -> Function:
     schur = Argument("K", lib.layout.schur, (), "inout")
     F = Argument("F", Kind.REAL, (6,), "inout")
     body = Body()
-    for field in lib.layout.lane_schur.fields:
-        target = F.place if field.name == "F" else schur.place.member(field.name)
-        with body.loop("i", field.shape[0]) as i:
-            body.add(target[i], -lanes.tree(list(parts.place.member(field.name)[i])))
+    fields = lib.layout.lane_schur.fields
+    totals = {f.name: lanes.halves(body, f"half_{f.name}", parts.place.member(f.name)) for f in fields}
+    for name, total in totals.items():
+        target = F.place if name == "F" else schur.place.member(name)
+        with body.loop("i", len(total)) as i:
+            body.add(target[i], -lanes.tree(list(total[i])))
     purpose = "Takes the sums of the lanes, added in a fixed tree, from K and F."
     return body.function("take_lanes", purpose, (parts, schur, F))
 

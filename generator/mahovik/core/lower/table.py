@@ -188,8 +188,12 @@ class Tables(Features):
 
     @cached_property
     def table(self) -> Struct:
-        """The prepared stand: constants of the equations, then the laws of the wrenches."""
-        fields = [
+        """The prepared stand: constants of the equations, then the laws of the wrenches.
+
+        Blocks come first: where the table is aligned, so are their vectors.
+        """
+        fields = [] if self.lanes == 1 else [Field("block", self.block, (self.blocks,))]
+        fields += [
             Field("mass", REAL, (), "kg", "mass of all bodies"),
             Field("mass_inverse", REAL, (), "1/kg", ""),
             Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
@@ -212,11 +216,8 @@ class Tables(Features):
                 Field("weight_mass", REAL, (), "kg", "mass minus displaced mass"),
                 Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
             ]
-        if self.flywheels:
-            if self.lanes == 1:
-                fields.append(Field("flywheel", self.row, (self.count,)))
-            else:
-                fields.append(Field("block", self.block, (self.blocks,)))
+        if self.flywheels and self.lanes == 1:
+            fields.append(Field("flywheel", self.row, (self.count,)))
         if self.own:
             fields.append(Field("frame", self.frame, (len(self.own),)))
         if self.sensors:

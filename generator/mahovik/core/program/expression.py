@@ -277,7 +277,13 @@ class Select(Expr):
         return (self.condition, self.yes, self.no)
 
     def with_operands(self, part: Callable[[Expr], Expr]) -> Expr:
-        return Select(part(self.condition), part(self.yes), part(self.no))
+        return type(self)(part(self.condition), part(self.yes), part(self.no))
+
+
+class Choice(Select):
+    """The same of reals, where both are computed: C takes it from their bits, without a branch."""
+
+    __slots__ = ()
 
 
 def as_expr(value: Operand, kind: Kind) -> Expr:
@@ -367,3 +373,12 @@ def real_of_bits(value: Expr) -> Expr:
 def magnitude(value: Expr) -> Expr:
     """|a| of a real, without libm."""
     return Select(Compare("<", value, Const(0, Kind.REAL)), Negate(value), value)
+
+
+def excess_bits(value: Expr, limit: Expr, width: int) -> Expr:
+    """A word of `width` bits whose top bit is set where a real is above a limit in magnitude, infinite or NaN.
+
+    Without their signs, bits of reals are in the order of the reals, infinity and NaN last; so the difference of two
+    is negative where the first is smaller. No branch and no comparison: loops over it vectorise.
+    """
+    return bits_of(limit) - (bits_of(value) & word((1 << (width - 1)) - 1))

@@ -6,7 +6,7 @@ numbers without meaning are computed, which nobody reads; bounds of loops and in
 status refuses nothing: it is returned last, after the results are written.
 
 Checks that only look at inputs are done twice. First a `probe`: is anything wrong, in any order? It costs less, and
-mostly all is well; only where not the check itself says what.
+mostly all is well; only where not the check itself says what. It gathers words: of `suspect` the top bit counts.
 """
 
 from __future__ import annotations
@@ -16,7 +16,22 @@ from dataclasses import replace
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
-from mahovik.core.program.expression import Compare, Expr, Place, Status, Variable, equal, select, unequal, word
+from mahovik.core.program.expression import (
+    Compare,
+    Const,
+    Expr,
+    Logic,
+    Negate,
+    Not,
+    Place,
+    Status,
+    Variable,
+    equal,
+    excess_bits,
+    select,
+    unequal,
+    word,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Declare,
@@ -31,7 +46,7 @@ from mahovik.core.program.statement import (
     Statements,
     When,
 )
-from mahovik.core.program.types import Kind
+from mahovik.core.program.types import Kind, Precision
 from mahovik.core.program.walk import called, with_blocks
 
 REFUSED = "refused"
@@ -41,13 +56,14 @@ POSITIVE = 256
 """Codes: the negative of a negative status; this number and a positive status."""
 
 
-def without_returns(functions: tuple[Function, ...]) -> dict[str, Function]:
+def without_returns(functions: tuple[Function, ...], precision: Precision) -> dict[str, Function]:
     """Functions, each after those it calls, by name: those of a status with `refused`, the others as they are."""
     done: dict[str, Function] = {}
     for function in functions:
-        done[function.name] = _Refusing(done).function(function) if function.returns is Kind.STATUS else function
+        refusing = function.returns is Kind.STATUS
+        done[function.name] = _Refusing(done, precision.width).function(function) if refusing else function
         if _only_looks(function):
-            done[_probe_name(function)] = _Probing(done).function(function)
+            done[_probe_name(function)] = _Probing(done, precision.width).function(function)
     return done
 
 
@@ -99,8 +115,10 @@ def _code(status: Status) -> int:
 class _Refusing:
     """Makes the function with `refused`."""
 
-    def __init__(self, done: dict[str, Function]) -> None:
+    def __init__(self, done: dict[str, Function], width: int) -> None:
+        """`width`: bits of a word."""
         self._done = done
+        self._width = width
         self._refused = Argument(REFUSED, Kind.WORD, (), "inout", "", "0, or the negative of the status")
 
     def function(self, function: Function) -> Function:
@@ -147,11 +165,12 @@ class _Refusing:
         if not looks:
             return
         suspect = Variable("suspect", Kind.WORD, written=True)
-        yield Declare(suspect, "not 0: something is wrong with the inputs")
+        yield Declare(suspect, "top bit set: something is wrong with the inputs")
         yield Set(suspect.place, word(0))
         for call in looks:
             yield Do(Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, suspect.place)))
-        yield When(unequal(suspect.place, word(0)), tuple(self._do(call) for call in looks))
+        wrong = unequal(suspect.place >> (self._width - 1), word(0))
+        yield When(wrong, tuple(self._do(call) for call in looks))
 
     def _statement(self, s: Statement) -> Iterator[Statement]:
         match s:
@@ -169,10 +188,12 @@ class _Refusing:
 
 
 class _Probing:
-    """Makes the probe of a function that only looks: `suspect` becomes 1 where it would not return OK."""
+    """Makes the probe of a function that only looks: `suspect` gets its top bit set where it would not return OK."""
 
-    def __init__(self, done: dict[str, Function]) -> None:
+    def __init__(self, done: dict[str, Function], width: int) -> None:
+        """`width`: bits of a word."""
         self._done = done
+        self._width = width
         self._suspect = Argument("suspect", Kind.WORD, (), "inout")
 
     def function(self, function: Function) -> Function:
@@ -200,7 +221,7 @@ class _Probing:
                 case Return(value) if isinstance(value, Status) and value.name == "OK":
                     pass
                 case When(condition, inner, ()) if isinstance(inner[-1], Return):
-                    yield Set(self._suspect.place, self._suspect.place | _bit(condition))
+                    yield Set(self._suspect.place, self._suspect.place | self._doubt(condition))
                 case Loop():
                     yield replace(s, body=tuple(self._body(s.body)))
                 case Let() | Note():
@@ -208,6 +229,30 @@ class _Probing:
                 case _:
                     raise TypeError(f"a check that only looks has no {type(s).__name__}: {sorted(called(body))}")
 
+    def _doubt(self, condition: Expr) -> Expr:
+        """A word whose top bit is set where a condition holds; of limits without a comparison."""
+        outside = _outside(condition)
+        if outside is None:
+            return select(condition, word(1 << (self._width - 1)), word(0))
+        return excess_bits(*outside, self._width)
 
-def _bit(condition: Expr) -> Expr:
-    return select(condition, word(1), word(0))
+
+def _outside(condition: Expr) -> tuple[Expr, Expr] | None:
+    """Value and limit of `!(value >= -limit && value <= limit)`; None of another condition."""
+    match condition:
+        case Not(
+            operand=Logic(
+                operator="&&",
+                left=Compare(operator=">=", left=Place() as value, right=Negate(operand=below)),
+                right=Compare(operator="<=", left=same, right=limit),
+            )
+        ) if value is same and _alike(below, limit):
+            return value, limit
+    return None
+
+
+def _alike(a: Expr, b: Expr) -> bool:
+    """Are two limits one argument or one literal?"""
+    if isinstance(a, Place) and isinstance(b, Place):
+        return a.root is b.root and not a.path and not b.path
+    return isinstance(a, Const) and isinstance(b, Const) and (a.value, a.name) == (b.value, b.name)

@@ -6,7 +6,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Binary, Expr, Logic, Place, Variable
+from mahovik.core.program.expression import Binary, Choice, Expr, Logic, Negate, Place, Select, Variable
+from mahovik.core.program.types import Kind
 
 Leaf = Callable[[Place], Expr]
 
@@ -25,10 +26,20 @@ def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> 
 
 
 def unbranched(e: Expr) -> Expr:
-    """The same value where `&&` and `||` become `&` and `|`: both sides are computed, so a loop has no branch."""
+    """The same value where both sides of `&&`, `||` and of a choice of reals are computed: no loop has a branch."""
     if isinstance(e, Logic):
         return Binary(e.operator[0], unbranched(e.left), unbranched(e.right))
+    if isinstance(e, Select) and e.kind is Kind.REAL and not _is_magnitude(e):
+        return Choice(unbranched(e.condition), unbranched(e.yes), unbranched(e.no))
     return e.with_operands(unbranched)
+
+
+def _is_magnitude(e: Select) -> bool:
+    """Is a choice one between an element of an array and its negative, of which compilers make no branch?"""
+    number = e.yes.operand if isinstance(e.yes, Negate) else None
+    if not isinstance(number, Place) or not isinstance(e.no, Place):
+        return False
+    return bool(number.path) and number.root is e.no.root and repr(number) == repr(e.no)
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:

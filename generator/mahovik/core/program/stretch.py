@@ -12,7 +12,8 @@ from dataclasses import dataclass, field, replace
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
-from mahovik.core.program.rewrite import rebuilt, unbranched
+from mahovik.core.program.late import late
+from mahovik.core.program.rewrite import FreshNames, rebuilt, unbranched
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.varying import Varying
@@ -48,9 +49,15 @@ class Stretches:
     """The body of one function in lanes."""
 
     def __init__(
-        self, wide: Wide, varying: Varying, arguments: dict[int, Variable], callee: Callable[[Call], Function]
+        self,
+        wide: Wide,
+        varying: Varying,
+        arguments: dict[int, Variable],
+        callee: Callable[[Call], Function],
+        fresh: FreshNames,
     ) -> None:
         """`arguments`: wide forms of the arguments by `id`; `callee`: the wide form of a function that is called."""
+        self._fresh = fresh
         self._wide = wide
         self._varying = varying
         self._variables = dict(arguments)
@@ -161,7 +168,7 @@ class Stretches:
             yield from inner
         else:
             first, last = lane_bounds(self._wide)
-            yield Loop(index, first, last, tuple(inner))
+            yield Loop(index, first, last, late(inner, index, self._fresh))
         yield from stretch.after
 
     def _widened(self, variable: Variable) -> Variable:

@@ -76,7 +76,7 @@ class _Widening:
             arguments.append(argument)
             variables[id(a.variable)] = argument.variable
         plain = self._chosen(self._narrow.body, None)
-        body = Stretches(wide, self._varying, variables, self._calls).body(tuple(plain))
+        body = Stretches(wide, self._varying, variables, self._calls, self._fresh).body(tuple(plain))
         return replace(self._narrow, arguments=tuple(arguments), body=body)
 
     def _calls(self, call: Call) -> Function:

@@ -107,15 +107,16 @@ def rotation_vector(lib: Library) -> Function:
         "side", select(w < 0, real(-1), real(1)), "q and -q are the same rotation: take the one of the smaller angle"
     )
     square = body.let("square", u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
-    ratio = body.local("ratio", comment="rotation angle divided by the length of the vector part")
-    body.set(ratio, real(2))
+    ratio = body.local("ratio", comment="rotation angle, then divided by the length of the vector part")
+    divisor = body.local("divisor")
     with body.when(square > lib.thresholds.small_square):
-        length = body.let("length", call(lib["sqrt"], square))
-        body.set(ratio, 2 * call(lib["atan2"], length, side * w) / length)
+        body.set(divisor, call(lib["sqrt"], square))
+        body.set(ratio, 2 * call(lib["atan2"], divisor, side * w))
     with body.otherwise():
         body.note("|w| is near 1 here; the test only prevents a division by zero for other q")
-        with body.when(side * w > 0.5):
-            body.set(ratio, 2 / (side * w))
+        body.set(divisor, select(side * w > 0.5, side * w, real(1)))
+        body.set(ratio, real(2))
+    body.set(ratio, ratio / divisor)
     for target, component in zip(r.place, u, strict=True):
         body.set(target, side * ratio * component)
     return Function(
