@@ -39,7 +39,6 @@ def campaign_stand(seed: int, N: int, unbalance: float = 1.0) -> Stand:
             **_body("carrier", 12.0, rng.normal(size=3) * 0.005, carrier_inertia, "center_of_mass"), added_mass=None
         ),
         instruments=(),
-        tasks=(),
         flywheels=wheels,
         points=(),
         laws=(

@@ -37,7 +37,6 @@ def satellite(seed: int, N: int, suspended: float | None = None) -> Stand:
         carrier=Carrier("carrier", mass, _vec(rng.normal(size=3) * 0.01), _mat(inertia), "center_of_mass", False, None),
         laws=() if suspended is None else (_suspension(suspended),),
         instruments=(),
-        tasks=(),
         flywheels=wheels,
         points=(Point("bench", "carrier", _vec(place), _vec(rng.uniform(-1.0, 1.0, 3))),),
     )
