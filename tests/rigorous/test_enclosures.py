@@ -172,7 +172,7 @@ def test_a_singular_mass_matrix_and_a_leg_without_length_are_refused() -> None:
     stand = random_stand(np.random.default_rng(1), 2, EVERYTHING)
     state = random_state(stand, np.random.default_rng(2))
     bare = replace(stand.carrier, mass=0.0, inertia=((0.0,) * 3,) * 3, added_mass=None, laws=())
-    empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), laws=())
+    empty = replace(stand, carrier=bare, instruments=(), flywheels=(), points=(), tasks=(), laws=())
     still = replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench={})
     with pytest.raises(StateError, match="singular"):
         rigorous.evaluate(rigorous.pieces_at(empty, still), still, "forward")

@@ -78,6 +78,7 @@ def everything() -> Stand:
         instruments=tuple(replace(plain(p), angles=(0.0, 0.0, 0.0), added_mass=None) for p in stand.instruments),
         flywheels=tuple(replace(plain(s), mounting=MountingAxes(direction(), direction())) for s in stand.flywheels),
         points=(),
+        tasks=(),
     )
 
 
