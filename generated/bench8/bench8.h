@@ -66,6 +66,7 @@ enum {
     BENCH8_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
     BENCH8_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     BENCH8_COARSE = 32,                   /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
+    BENCH8_EXCESSIVE = 64,                /* more than a motor's torque or speed, or than `most` */
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
     BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length */
     BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
@@ -224,14 +225,19 @@ typedef struct bench8_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                    * default */
-    bench8_real limit[BENCH8_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
-                                    * limit */
-    bench8_real near;              /* status NEAR_SINGULAR below this fraction of the largest singular
-                                    * value, 0..1 */
-    bench8_real damping;           /* damping of small singular values, as a fraction of the largest, 0..1;
-                                    * 0: none */
+    bench8_real weight[BENCH8_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                          * default */
+    bench8_real limit[BENCH8_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                          * infinity: no limit */
+    bench8_real most[BENCH8_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    bench8_real motor_torque[BENCH8_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                          * infinity: no limit */
+    bench8_real motor_speed[BENCH8_N];   /* rad/s; no-load speed, where the torque that drives has fallen
+                                          * to 0; greater than 0; infinity: none */
+    bench8_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
+                                          * singular value, 0..1 */
+    bench8_real damping;                 /* damping of small singular values, as a fraction of the largest,
+                                          * 0..1; 0: none */
 } bench8_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -448,9 +454,9 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 52731 operations on reals, 1396 of them divisions. Stack: at most 5456 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 53830 operations on reals, 1411 of them divisions. Stack: at most 5568 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 

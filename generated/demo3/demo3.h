@@ -66,6 +66,7 @@ enum {
     DEMO3_UNREACHABLE = 8,                /* wanted motion not reached: residual above 1e-9 of the demand */
     DEMO3_RANK_DEFICIENT = 16,            /* fewer than min(6, N) singular values above 1e-9 of the largest */
     DEMO3_COARSE = 32,                    /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
+    DEMO3_EXCESSIVE = 64,                 /* more than a motor's torque or speed, or than `most` */
     DEMO3_NOT_FINITE = -1,                /* an input is NaN or infinite */
     DEMO3_RANGE = -2,                     /* out of range, quaternion off unit length */
     DEMO3_NOT_POSITIVE_DEFINITE = -3,     /* no mass, no spin inertia, or a pivot failed */
@@ -213,13 +214,19 @@ typedef struct demo3_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
-    demo3_real limit[DEMO3_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
-                                  * limit */
-    demo3_real near;             /* status NEAR_SINGULAR below this fraction of the largest singular value,
-                                  * 0..1 */
-    demo3_real damping;          /* damping of small singular values, as a fraction of the largest, 0..1;
-                                  * 0: none */
+    demo3_real weight[DEMO3_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                        * default */
+    demo3_real limit[DEMO3_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                        * infinity: no limit */
+    demo3_real most[DEMO3_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    demo3_real motor_torque[DEMO3_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                        * infinity: no limit */
+    demo3_real motor_speed[DEMO3_N];   /* rad/s; no-load speed, where the torque that drives has fallen to
+                                        * 0; greater than 0; infinity: none */
+    demo3_real near;                   /* status NEAR_SINGULAR below this fraction of the largest singular
+                                        * value, 0..1 */
+    demo3_real damping;                /* damping of small singular values, as a fraction of the largest,
+                                        * 0..1; 0: none */
 } demo3_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -426,9 +433,9 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 29740 operations on reals, 918 of them divisions. Stack: at most 4416 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 30154 operations on reals, 927 of them divisions. Stack: at most 4512 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 

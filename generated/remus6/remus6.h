@@ -66,6 +66,7 @@ enum {
     REMUS6_UNREACHABLE = 8,               /* wanted motion not reached: residual above 1e-9 of the demand */
     REMUS6_RANK_DEFICIENT = 16,           /* fewer than min(6, N) singular values above 1e-9 of the largest */
     REMUS6_COARSE = 32,                   /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
+    REMUS6_EXCESSIVE = 64,                /* more than a motor's torque or speed, or than `most` */
     REMUS6_NOT_FINITE = -1,               /* an input is NaN or infinite */
     REMUS6_RANGE = -2,                    /* out of range, quaternion off unit length */
     REMUS6_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
@@ -287,14 +288,19 @@ typedef struct remus6_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct remus6_inverse_options {
-    remus6_real weight[REMUS6_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                    * default */
-    remus6_real limit[REMUS6_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
-                                    * limit */
-    remus6_real near;              /* status NEAR_SINGULAR below this fraction of the largest singular
-                                    * value, 0..1 */
-    remus6_real damping;           /* damping of small singular values, as a fraction of the largest, 0..1;
-                                    * 0: none */
+    remus6_real weight[REMUS6_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                          * default */
+    remus6_real limit[REMUS6_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                          * infinity: no limit */
+    remus6_real most[REMUS6_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    remus6_real motor_torque[REMUS6_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                          * infinity: no limit */
+    remus6_real motor_speed[REMUS6_N];   /* rad/s; no-load speed, where the torque that drives has fallen
+                                          * to 0; greater than 0; infinity: none */
+    remus6_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
+                                          * singular value, 0..1 */
+    remus6_real damping;                 /* damping of small singular values, as a fraction of the largest,
+                                          * 0..1; 0: none */
 } remus6_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -511,9 +517,9 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 42672 operations on reals, 1180 of them divisions. Stack: at most 5040 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 43553 operations on reals, 1193 of them divisions. Stack: at most 5136 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 

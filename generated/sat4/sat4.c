@@ -2612,16 +2612,12 @@ static sat4_status sat4_demand_turning(const sat4_table *table, const sat4_state
                                        sat4_inverse_work *restrict work)
 {
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real F[6];  /* wrench (7); then b = F - M V_r - J phi' */
-    sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_subtract_rates(table, &sum, x->V, F);
     sat4_real rho[3];  /* mass centre from O1, in E1 */
     rho[0] = table->mass_inverse * sum.mu[0];
     rho[1] = table->mass_inverse * sum.mu[1];
@@ -3392,16 +3388,12 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
                                               sat4_real tau_0[restrict SAT4_N])
 {
     sat4_sums sum;
-    sat4_start_sums(table, &sum);
-    for (int s = 0; s < SAT4_N; ++s) {
-        sat4_add_flywheel(&table->flywheel[s], sine[s], cosine[s], x->phi_dot[s], 0.0, &sum);
-    }
+    sat4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    sat4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     sat4_real F[6];  /* wrench (7); then F_c */
-    sat4_real Z[6];  /* momentum screw (2) */
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
-    sat4_momentum_screw(table, &sum, x->V, Z);
-    sat4_subtract_rates(&sum, x->V, Z, F);
+    sat4_subtract_rates(table, &sum, x->V, F);
     sat4_schur K;  /* mass matrix with free flywheels eliminated */
     K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
     K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
@@ -3433,6 +3425,7 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
             work->I_[i][s] = (locked[s] == 0) ? drive.I_[i] : 0.0;
         }
     }
+    sat4_real A_inv[6];
     const sat4_real c11 = K.A[1] * K.A[2] - K.A[5] * K.A[5];
     const sat4_real c22 = K.A[0] * K.A[2] - K.A[4] * K.A[4];
     const sat4_real c33 = K.A[0] * K.A[1] - K.A[3] * K.A[3];
@@ -3443,7 +3436,6 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
     if (!(K.A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
         && det <= SAT4_LARGEST))) { return SAT4_NOT_POSITIVE_DEFINITE; }
     const sat4_real r = 1.0 / det;
-    sat4_real A_inv[6];
     A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
     A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
     sat4_real U[9];  /* A^-1 B^T */
@@ -3912,16 +3904,18 @@ sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *
     status = sat4_within(options->target_speed, SAT4_N, SAT4_MAX_SPEED);
     if (status != SAT4_OK) { return status; }
     {
-        sat4_real given[1];
-        given[0] = options->target_rate;
-        status = sat4_within(given, 1, SAT4_MAX_SPEED);
-        if (status != SAT4_OK) { return status; }
+        if (!(options->target_rate >= -SAT4_MAX_SPEED && options->target_rate <= SAT4_MAX_SPEED)) {
+            if (options->target_rate >= -SAT4_LARGEST
+                && options->target_rate <= SAT4_LARGEST) { return SAT4_RANGE; }
+            return SAT4_NOT_FINITE;
+        }
     }
     {
-        sat4_real given[1];
-        given[0] = options->avoid_speed;
-        status = sat4_within(given, 1, SAT4_MAX_SPEED);
-        if (status != SAT4_OK) { return status; }
+        if (!(options->avoid_speed >= -SAT4_MAX_SPEED && options->avoid_speed <= SAT4_MAX_SPEED)) {
+            if (options->avoid_speed >= -SAT4_LARGEST
+                && options->avoid_speed <= SAT4_LARGEST) { return SAT4_RANGE; }
+            return SAT4_NOT_FINITE;
+        }
     }
     if (options->target_rate < 0.0 || options->avoid_speed < 0.0) { return SAT4_BAD_ARGUMENT; }
     sat4_real preferred[SAT4_N];  /* accelerations towards the wanted speeds */

@@ -1,5 +1,5 @@
 /* sat4.h: motion of the stand "sat4": carrier, 0 instruments, 4 flywheels.
- * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
  * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
@@ -27,8 +27,8 @@
 extern "C" {
 #endif
 
-#define SAT4_STRUCTURE 0x60e5c883u  /* hash of the stand's names, counts and kinds of wrench */
-#define SAT4_PHYSICS   0x347c0b3bu  /* hash of its structure and all numbers */
+#define SAT4_STRUCTURE 0xf28a1ef8u  /* hash of the stand's names, counts and kinds of wrench */
+#define SAT4_PHYSICS   0xe77ec5a4u  /* hash of its structure and all numbers */
 #define SAT4_TABLE_HASH 0xca9f3637u /* FNV-1a of all numbers of the default table but its stream */
 #define SAT4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SAT4_REAL_BYTES 8           /* bytes of a sat4_real */
@@ -66,6 +66,7 @@ enum {
     SAT4_UNREACHABLE = 8,                 /* wanted motion not reached: residual above 1e-9 of the demand */
     SAT4_RANK_DEFICIENT = 16,             /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SAT4_COARSE = 32,                     /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
+    SAT4_EXCESSIVE = 64,                  /* more than a motor's torque or speed, or than `most` */
     SAT4_NOT_FINITE = -1,                 /* an input is NaN or infinite */
     SAT4_RANGE = -2,                      /* out of range, quaternion off unit length */
     SAT4_NOT_POSITIVE_DEFINITE = -3,      /* no mass, no spin inertia, or a pivot failed */
@@ -241,13 +242,28 @@ typedef struct sat4_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by default */
-    sat4_real limit[SAT4_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity: no
-                                * limit */
-    sat4_real near;            /* status NEAR_SINGULAR below this fraction of the largest singular value,
-                                * 0..1 */
-    sat4_real damping;         /* damping of small singular values, as a fraction of the largest, 0..1; 0:
-                                * none */
+    sat4_real weight[SAT4_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                      * default */
+    sat4_real limit[SAT4_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
+                                      * no limit */
+    sat4_real most[SAT4_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    sat4_real motor_torque[SAT4_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                      * infinity: no limit */
+    sat4_real motor_speed[SAT4_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
+                                      * greater than 0; infinity: none */
+    sat4_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
+                                      * value, 0..1 */
+    sat4_real damping;               /* damping of small singular values, as a fraction of the largest,
+                                      * 0..1; 0: none */
+    int use_pointing[3];             /* rows of the task pointing: 0: free */
+    sat4_real motor_power[SAT4_N];   /* W; most that torque_for drives with; infinity: no limit */
+    sat4_real target_speed[SAT4_N];  /* rad/s; speed that torque_for approaches with what the demand leaves
+                                      * free */
+    sat4_real target_rate;           /* 1/s; part of what is missing to it, wanted a second; 0: least
+                                      * torque */
+    sat4_real avoid_speed;           /* rad/s; no wanted speed lies nearer to 0 than this; 0: none is
+                                      * avoided */
+    int keep_direction;              /* 1: a demand out of reach is made smaller, 0: least error */
 } sat4_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -261,6 +277,29 @@ typedef struct sat4_inverse_result {
     sat4_real hardest[6];        /* the unreachable wrench, or the one hardest to reach; a unit vector in
                                   * the norm of K^-1 */
 } sat4_inverse_result;
+
+/* Result of inverse_pointing and its quality. */
+typedef struct sat4_inverse_pointing_result {
+    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations */
+    sat4_real V_dot[6];          /* m/s2, rad/s2; motion of the carrier that results */
+    sat4_real residual[3];       /* m/s2, rad/s2; demand minus reached; 0 of a free row */
+    sat4_real sigma[3];          /* singular values of (S K^-1 S^T)^-1/2 S K^-1 I Theta_ff^-1/2, descending */
+    int rank;                    /* number of singular values above the rank threshold */
+    sat4_real damped_by;         /* largest damping lambda applied, in units of sigma; 0: none */
+    int limited[SAT4_N];         /* 1 if the flywheel reached its limit */
+    sat4_real hardest[3];        /* m/s2, rad/s2; the unreachable part of the demand, or the one hardest to
+                                  * reach; a unit in its norm */
+} sat4_inverse_pointing_result;
+
+/* Result of torque_for_pointing and its quality. */
+typedef struct sat4_torque_for_pointing_result {
+    sat4_real tau[SAT4_N];       /* N m; drive torques */
+    sat4_real phi_ddot[SAT4_N];  /* rad/s2; flywheel accelerations that result */
+    sat4_real V_dot[6];          /* m/s2, rad/s2; motion of the carrier that results */
+    sat4_real residual[3];       /* m/s2, rad/s2; demand minus reached; 0 of a free row */
+    sat4_real share;             /* part of the demand that is met, with keep_direction; else 1 */
+    int limited[SAT4_N];         /* 1 if the torque is at its limit */
+} sat4_torque_for_pointing_result;
 
 /* Derivatives of coupled. */
 typedef struct sat4_coupled_jacobian_result {
@@ -452,9 +491,9 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 33692 operations on reals, 997 of them divisions. Stack: at most 4624 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 34230 operations on reals, 1007 of them divisions. Stack: at most 4720 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -474,6 +513,64 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * At most 2191 operations on reals, 35 of them divisions. Stack: at most 3712 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
+
+/* inverse_pointing: flywheel accelerations for the task pointing: what no row names is free, found by the
+ * dynamics. Least error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi''.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   demand[3]  m/s2, rad/s2; wanted: wx, wy, wz
+ *   options    weights, limits, damping, rows; default_options holds those of the stand file
+ *   out        out: phi_ddot, the motion and its quality
+ * Positive statuses are bits and may be combined.
+ * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
+ * RANGE also where the answer is no finite number.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 11750 operations on reals, 413 of them divisions. Stack: at most 4368 bytes. */
+sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
+                                  const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
+
+/* inverse_fast_pointing: flywheel accelerations for the task pointing, without diagnostics: normal
+ * equations.
+ *   table        the prepared table
+ *   x            state; its attitude within 1e-3 of unit length
+ *   demand[3]    m/s2, rad/s2; wanted: wx, wy, wz
+ *   options      weights, limits, damping, rows; default_options holds those of the stand file
+ *   phi_ddot[4]  out: rad/s2; flywheel accelerations
+ * Squares the condition number: as accurate as inverse_pointing if singular values differ by a factor of
+ * at most some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
+ * Damping is relative to the norm of W.
+ * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
+ * RANGE also where the answer is no finite number.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 2114 operations on reals, 50 of them divisions. Stack: at most 4048 bytes. */
+sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
+                                       const sat4_real demand[3], const sat4_inverse_options *options,
+                                       sat4_real phi_ddot[SAT4_N]);
+
+/* torque_for_pointing: drive torques for the task pointing, within what the motors have. Least error in
+ * the norm of (S K_c^-1 S^T)^-1, K_c = K - sum I I^T / Theta_ff of the free flywheels; then torques
+ * nearest to those of the preferred accelerations.
+ *   table      the prepared table
+ *   x          state; its attitude within 1e-3 of unit length
+ *   demand[3]  m/s2, rad/s2; wanted: wx, wy, wz
+ *   options    weights, limits, damping, rows; default_options holds those of the stand file
+ *   locked[4]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   out        out: tau, the motion and its quality
+ * With keep_direction a demand out of reach is made smaller, not turned: share is the part that is met.
+ * A flywheel whose lock or failure is known goes into `locked`: the others do its part.
+ * Directions in which torques move the carrier 1e-06 times less than in the strongest are given up in
+ * part.
+ * Positive statuses are bits and may be combined.
+ * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
+ * RANGE also where the answer is no finite number.
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
+ * written when the status is negative.
+ * At most 48285 operations on reals, 6729 of them divisions. Stack: at most 5056 bytes. */
+sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
+                                     const sat4_inverse_options *options, const int locked[SAT4_N],
+                                     sat4_torque_for_pointing_result *out);
 
 /* points: readings of an accelerometer and a gyro at each instrument and point.
  *   table     the prepared table
@@ -612,11 +709,11 @@ sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_sta
 #define SAT4_LINK_CHECKED
 #if __SIZEOF_POINTER__ == 8
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
+        ".quad sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
         ".popsection\n");
 #elif __SIZEOF_POINTER__ == 4
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long sat4_link_double_lanes1_v0_1_0_347c0b3b\n"
+        ".long sat4_link_double_lanes1_v0_1_0_e77ec5a4\n"
         ".popsection\n");
 #endif
 #endif

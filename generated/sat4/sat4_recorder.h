@@ -1,6 +1,6 @@
 /* sat4_recorder.h: flight recorder of the stand "sat4". It logs the raw inputs of every step, so that
  * `mahovik replay` repeats the run on the desk bit for bit.
- * mahovik 0.1.0; structure 60e5c883, physics 347c0b3b. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure f28a1ef8, physics e77ec5a4. Generated: change the stand file instead.
  *
  * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
  *
@@ -37,11 +37,7 @@ extern "C" {
 #endif
 
 #define SAT4_RECORDER_FORMAT 2u           /* version of the log format */
-<<<<<<< HEAD
-#define SAT4_RECORDER_SOURCE 0x23a803c5u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
-=======
-#define SAT4_RECORDER_SOURCE 0xd3c16413u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
->>>>>>> wide
+#define SAT4_RECORDER_SOURCE 0x22b68b30u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
 #define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

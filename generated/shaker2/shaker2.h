@@ -66,6 +66,7 @@ enum {
     SHAKER2_UNREACHABLE = 8,              /* wanted motion not reached: residual above 1e-9 of the demand */
     SHAKER2_RANK_DEFICIENT = 16,          /* fewer than min(6, N) singular values above 1e-9 of the largest */
     SHAKER2_COARSE = 32,                  /* step too long: more than MAX_TURN_4 or MAX_TURN_2 turned in it */
+    SHAKER2_EXCESSIVE = 64,               /* more than a motor's torque or speed, or than `most` */
     SHAKER2_NOT_FINITE = -1,              /* an input is NaN or infinite */
     SHAKER2_RANGE = -2,                   /* out of range, quaternion off unit length */
     SHAKER2_NOT_POSITIVE_DEFINITE = -3,   /* no mass, no spin inertia, or a pivot failed */
@@ -224,14 +225,19 @@ typedef struct shaker2_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];  /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                      * default */
-    shaker2_real limit[SHAKER2_N];   /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
-                                      * no limit */
-    shaker2_real near;               /* status NEAR_SINGULAR below this fraction of the largest singular
-                                      * value, 0..1 */
-    shaker2_real damping;            /* damping of small singular values, as a fraction of the largest,
-                                      * 0..1; 0: none */
+    shaker2_real weight[SHAKER2_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
+                                            * by default */
+    shaker2_real limit[SHAKER2_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                            * infinity: no limit */
+    shaker2_real most[SHAKER2_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    shaker2_real motor_torque[SHAKER2_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                            * infinity: no limit */
+    shaker2_real motor_speed[SHAKER2_N];   /* rad/s; no-load speed, where the torque that drives has fallen
+                                            * to 0; greater than 0; infinity: none */
+    shaker2_real near;                     /* status NEAR_SINGULAR below this fraction of the largest
+                                            * singular value, 0..1 */
+    shaker2_real damping;                  /* damping of small singular values, as a fraction of the
+                                            * largest, 0..1; 0: none */
 } shaker2_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -452,9 +458,9 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
- * UNREACHABLE, RANK_DEFICIENT. Nothing is written when the status is negative.
- * At most 26445 operations on reals, 850 of them divisions. Stack: at most 4208 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
+ * At most 26800 operations on reals, 859 of them divisions. Stack: at most 4304 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);

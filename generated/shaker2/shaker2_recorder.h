@@ -37,11 +37,7 @@ extern "C" {
 #endif
 
 #define SHAKER2_RECORDER_FORMAT 2u           /* version of the log format */
-<<<<<<< HEAD
-#define SHAKER2_RECORDER_SOURCE 0x0d7326e6u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
-=======
-#define SHAKER2_RECORDER_SOURCE 0xf491ba9bu  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
->>>>>>> wide
+#define SHAKER2_RECORDER_SOURCE 0x14feb0feu  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
 #define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */

@@ -133,5 +133,5 @@ def test_states_side_by_side_have_no_shortcut() -> None:
     """Their probes look at all numbers at once."""
     functions = backend("double").program.functions
     assert any(isinstance(s, Shortcut) for f in functions for s in statements(f.body))
-    wide = without_returns(tuple(f for f in functions if f.name in ("within", "check_state")))
+    wide = without_returns(tuple(f for f in functions if f.name in ("within", "check_state")), DOUBLE)
     assert not any(isinstance(s, Shortcut) for f in wide.values() for s in statements(f.body))
