@@ -149,7 +149,7 @@ def test_what_cannot_be_written_is_told_before_anything_is_computed(
     def never(*given: object, **more: object) -> None:
         pytest.fail("computed")
 
-    monkeypatch.setattr("mahovik.use.study.response.sweep.sweep", never)
+    monkeypatch.setattr("mahovik.out.functions.vibration.sweep_speeds", never)
     if lacking == "matplotlib":
         monkeypatch.setitem(sys.modules, "matplotlib", None)
         assert "plot needs matplotlib: pip install" in refused("response", *SWEEP, "-o", "r.png")

@@ -184,7 +184,7 @@ def test_axes_are_directions_down_to_a_small_length(key: str) -> None:
 
 @pytest.mark.parametrize(("moments", "expected"), [(2.5, "RANGE"), (3.5, "OK")])
 def test_each_moment_of_inertia_counts_towards_the_largest_sum(moments: float, expected: str) -> None:
-    """A flywheel far away leaves room for so many of the equal moments of the carrier; float alone gets so far."""
+    """A flywheel far away leaves room for this number of the carrier's equal moments; only float gets so far."""
     c = compiled_float("bare5")
     moment, distance = 9e14, 2.0**16
     parameters = copy.deepcopy(c.values.parameters)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 REASONS: dict[tuple[str, str], str] = {
-    ("sincos_each", "number times 1.5: const _real r_tail"): "the third part of pi/2 acts below what these tests "
-    "resolve; `sincos`, the same text, is held to 0.9 ulp in `tests/routines/test_sincos.py`",
     (
         "external",
         "loop one turn short: for (int i = 0; i < 18",
@@ -16,10 +14,7 @@ REASONS: dict[tuple[str, str], str] = {
     "orthogonal to rounding before it",
     ("translation_block", "and / or exchanged: if (!(A[0] > 0.0"): "a second fence: added masses that are not positive "
     "semidefinite have been refused by `check_added_mass` before",
-    ("check_parameters", "term dropped: size = parameters"): "the size only scales a tolerance",
     ("allocate", "number times 1.5: share[s] = 1.0"): "no change: all shares get the same factor, which cancels",
-    ("frame_of_axes", "number times 1.5: if (!(zero2 > 1.0e-30)"): "it separates axes without a direction from those "
-    "with one: tests give length 0 and lengths of about 1",
 }
 """Reasons by function and the beginning of the mutant's description."""
 
