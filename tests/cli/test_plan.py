@@ -120,3 +120,20 @@ def test_fewer_than_were_to_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     found = json.loads(result.stdout)
     assert (found["status"], [Path(each["file"]).name for each in found["programmes"]]) == ("OK", ["p.json"])
     assert load_programme(folder / "p.json").motion == programme.motion
+
+
+def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
+    """Planned, verified, exported with as many nodes as it needs; refused in one line."""
+    motion, programme = tmp_path / "turn.json", tmp_path / "p.json"
+    keys = {"schema": 1, "type": "slew", "name": "turn", "task": "pointing", "end": {"angles": [0.3, 0, 0]}}
+    motion.write_text(json.dumps(keys | {"duration": 6}), encoding="utf-8")
+    sat4 = str(stand_path("sat4"))
+    told = run("plan", sat4, "--motion", str(motion), "-o", str(programme))
+    assert told.exit_code == 0 and "quietest slew, 6 s" in told.stdout and "\nOK\n" in told.stdout
+    assert load_programme(programme).carrier is not None
+    judged = run("verify-programme", sat4, "--motion", str(motion), "--programme", str(programme), "--json")
+    names = {each["name"] for each in json.loads(judged.stdout)["findings"] if each["passed"]}
+    assert judged.exit_code == 0 and names >= {"slew start", "slew end", "slew path", "slew rest", "motor torque"}
+    motion.write_text(json.dumps(keys | {"duration": 1}), encoding="utf-8")
+    short = run("plan", sat4, "--motion", str(motion), "-o", str(tmp_path / "q.json"))
+    assert short.exit_code == 1 and "BOUND_REACH" in short.stdout and not (tmp_path / "q.json").exists()
