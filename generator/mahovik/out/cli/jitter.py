@@ -35,6 +35,9 @@ SUFFIXES = (".csv", ".json", *PICTURES)
 RPM = 9.549296585513721
 """1 rad/s in rpm."""
 
+FAR_OFF = 0.01
+"""Difference of the RMS to first order from that of the full equations above which a sweep warns."""
+
 SHOWN = 12
 """Lines in the table."""
 
@@ -234,6 +237,8 @@ def _remarks(found: Jitter) -> None:
             f"first order; at {len(study.checks)} speeds the full equations give the same RMS within {worst.off:.1e}, "
             f"the most at {RPM * study.value[worst.step]:.6g} rpm"
         )
+        if worst.off > FAR_OFF:
+            click.echo("warning: first order is too coarse for these unbalances; use --exact", err=True)
     elif np.isfinite(study.left_out).any():
         click.echo(
             f"harmonic balance of order {max(study.order)}; accelerations left out: at most "
