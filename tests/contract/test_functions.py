@@ -52,7 +52,7 @@ def test_functions_of_tasks_have_the_rows_of_their_forms() -> None:
     rows = tuple(Task(name, (TaskRow("", "wz"),)) for name in ("pointing", "at_fast", "inverse"))
     stand = replace(load(path("sat4")), tasks=rows, phase_input="sincos")
     found = {f.name: f for f in lower(stand, DOUBLE).functions if f.public and f.name not in FUNCTIONS}
-    forms = ("inverse_{}", "inverse_fast_{}", "inverse_fast_{}_at")
+    forms = ("inverse_{}", "inverse_fast_{}", "inverse_fast_{}_at", "torque_for_{}")
     assert set(found) == {form.format(task.name) for form in forms for task in rows}
     for name, f in found.items():
         taken = [a.name for a in f.arguments if a.direction != "out"]

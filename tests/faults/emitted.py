@@ -131,7 +131,7 @@ class Planted(ProgramBackend):
         table = self.library.default("default")
         given = {"parameters": self.library.default("default_parameters")}
         mounting = run("prepare_mounts", given)[1]["mounting"]
-        super().__init__("c", self.generated.layout, program, table, mounting, run)
+        super().__init__("c", self.generated.layout, program, table, mounting, run, self.generated.values.options)
 
     def interpreter_evaluate(self, state: State, want: Any) -> dict[str, Any]:
         """Results of the interpreter."""

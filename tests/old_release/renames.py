@@ -7,8 +7,8 @@ import re
 FUNCTIONS = {"measure": "points", "target": "state_from_coordinates", "attitude": "generalized"}
 """Public functions, old name to new, without the name of the stand."""
 
-NEW_STATUSES = {"step": ("COARSE",), "step_driven": ("COARSE",)}
-"""Positive statuses that a function did not have then: what returns them returned OK, with the same results."""
+NEW_STATUSES = {"step": ("COARSE",), "step_driven": ("COARSE",), "inverse": ("EXCESSIVE",)}
+"""Positive statuses that a function did not have then: it returned the same without these bits, with equal results."""
 
 STRUCTS = {
     "equations": "matrices_result",
@@ -42,14 +42,14 @@ def _pointer(name: str, old: str, new: str, header: str) -> str:
 
 
 def _without(name: str, function: str, statuses: tuple[str, ...], header: str) -> str:
-    """A function that says OK where the one of today returns a status that is new, and takes its place by a macro."""
+    """A function that leaves the bits of new statuses out of what the one of today returns, and takes its place."""
     arguments = _arguments(name, function, header)
     given = ", ".join(re.findall(r"(\w+)(?:\[\w*\])?\s*(?:,|$)", arguments))
-    new = " || ".join(f"status == {name.upper()}_{status}" for status in statuses)
+    new = " | ".join(f"{name.upper()}_{status}" for status in statuses)
     return (
         f"static {name}_status old_{function}({arguments})\n"
         f"{{\n    const {name}_status status = {name}_{function}({given});\n"
-        f"    return ({new}) ? {name.upper()}_OK : status;\n}}\n"
+        f"    return (status > 0) ? ({name}_status)(status & ~({new})) : status;\n}}\n"
         f"#define {name}_{function} old_{function}"
     )
 

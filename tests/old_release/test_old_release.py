@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import mahovik
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.workload import LONG_CALL
 from mahovik.proof.verify.selftest_log import read_log
 from old_release.renames import FUNCTIONS, shim
@@ -21,7 +25,7 @@ NAMES = sorted(path.name.removesuffix("_selftest.c") for path in FOLDER.glob("*_
 
 def run_old_selftest(name: str, source: Path, folder: Path) -> set[str]:
     """Names of the functions whose golden vectors fail: the old self-test with this C and the header beside it."""
-    header = GENERATED / name / f"{name}.h"
+    header = source.parent / f"{name}.h"
     (folder / "shim.h").write_text(shim(name, header.read_text(encoding="utf-8")), encoding="utf-8")
     program, new = folder / "selftest", folder / "new.o"
     compile_c("gcc", source, f"-I{header.parent}", "-O1", "-c", "-o", new)
@@ -46,7 +50,13 @@ ROUNDED_OTHERWISE = {"inverse_fast"}
 @pytest.mark.parametrize("name", NAMES)
 def test_golden_vectors_of_the_old_release_pass(name: str, tmp_path: Path) -> None:
     """Same bits, whatever things are called now."""
-    assert run_old_selftest(name, GENERATED / name / f"{name}.c", tmp_path) <= ROUNDED_OTHERWISE
+    source = GENERATED / name / f"{name}.c"
+    stand = mahovik.example(name)
+    if stand.tasks:  # which the stands of then did not have
+        for file, text in generate_all(replace(stand, tasks=())).files.items():
+            (tmp_path / file).write_text(text, encoding="ascii")
+        source = tmp_path / source.name
+    assert run_old_selftest(name, source, tmp_path) <= ROUNDED_OTHERWISE
 
 
 def test_another_rounding_is_noticed(tmp_path: Path) -> None:
@@ -57,16 +67,18 @@ def test_another_rounding_is_noticed(tmp_path: Path) -> None:
     assert right in text
     source = tmp_path / "bench8.c"
     source.write_text(text.replace(right, wrong), encoding="utf-8")
+    shutil.copy(GENERATED / "bench8" / "bench8.h", tmp_path)
     assert {"step_driven", "forward_jacobian"} <= run_old_selftest("bench8", source, tmp_path)
 
 
 RAISED = {
     "step": 0.02, "step(order=2)": 0.02, "step_driven": 0.02, "step_driven(order=2)": 0.02,
-    "coupled": 0.002, "inverse": 0.02, "inverse_fast": 0.04,
+    "coupled": 0.002, "inverse": 0.03, "inverse_fast": 0.04,
 }  # fmt: skip
 """Functions that may cost more than then, and by how much: steps see how far a flywheel or the carrier turns in them,
 and share their stages with the steps with a carry, which is a call; `locked` may be null; no answer of `inverse`
-exceeds its limit; that of `inverse` and `inverse_fast` is looked at before it is written."""
+exceeds its limit; that of `inverse` and `inverse_fast` is looked at before it is written; that of
+`inverse` is compared with what the motors have."""
 
 STATUS = 5
 """Instructions by which any function may differ: a status is an int, where a compiler took a byte for the enum."""

@@ -26,11 +26,6 @@ FAULTS = {
         r"most\[s\] = \(speed > 0\.0\) \? driving : whole",
         "most[s] = driving",
     ),
-    "a locked flywheel takes part": (
-        "torque_demand_turning",
-        r"\(locked\[s\] == 0\) \? drive\.I_\[i\] : 0\.0",
-        "drive.I_[i]",
-    ),
     "no bias in the torques": ("torque_demand_turning", r" \+ drive\.bias", ""),
     "the whole demand in the place of the share": (
         "torque_for_pointing",
@@ -42,7 +37,7 @@ FAULTS = {
         r"options->target_rate \* \(target - speed\)",
         "options->target_rate * target",
     ),
-    "a bound is released though it holds": ("bounded_least_squares_3", r"inward > ", "-inward > "),
+    "a bound stops nobody": ("bounded_least_squares_3", r"part < length", "part < 0.0"),
     "the pivot's row is not divided": (
         "largest_share_3",
         r"tableau\[leave\]\[j\] / unit",

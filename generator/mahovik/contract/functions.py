@@ -32,7 +32,7 @@ class PublicFunction:
     takes     arguments in order; those that a stand does not need are left out
     gives     results, by name
     want      whether `eval` answers it, by the name of the function
-    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), or nothing
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "wrenches" (any), "tasks", or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
     batched   whether it has a batch, many states in a register; others run state by state
@@ -196,7 +196,7 @@ _ROWS = (
         (*_STATE, "demand", "options", "locked", "wrench"),
         ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
         ("allocation",),
-        needs="flywheels",
+        needs="tasks",
         tasks=True,
         unread="infinity, which is no limit at all",
         ignores=("near", "limit", "most", "damping"),
@@ -316,8 +316,11 @@ def _forms() -> Iterator[PublicFunction]:
             )
 
 
-FUNCTIONS = {row.name: row for row in _forms()}
-"""All rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
+FUNCTIONS = {row.name: row for row in _forms() if row.needs != "tasks"}
+"""Rows by name, forms of given sines and cosines included; a program contains those that its stand needs."""
+
+OF_TASKS = {row.name: row for row in _ROWS if row.needs == "tasks"}
+"""Rows of functions that tasks alone have."""
 
 WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
 """Every want of `eval`, in the order of the evaluation contract."""
@@ -374,7 +377,8 @@ def row_of(function: str) -> PublicFunction:
     task = task_of(function)
     if not task:
         return FUNCTIONS[function]
-    row = FUNCTIONS[function.replace(f"_{task}", "", 1)]
+    name = function.replace(f"_{task}", "", 1)
+    row = OF_TASKS[name] if name in OF_TASKS else FUNCTIONS[name]
     gives = ("phi_ddot", "V_dot", *row.gives[1:]) if row.want else row.gives
     return replace(
         row,
