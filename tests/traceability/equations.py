@@ -123,7 +123,9 @@ ROLES: dict[str, tuple[str, ...]] = {
         "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
     ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
-    "own mathematics": ("sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise", "orthogonalise_*"),
+    "own mathematics": (
+        "sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise", "orthogonalise_*",
+    ),
     "tasks": ("scale_turning", "project_*", "inverse_*", "torque_demand*", "torque_for_*"),
     "linear algebra": (
         "factor3", "solve3", "factor", "solve_gram", "solve_gram_*", "bounded_least_squares_*", "largest_share_*",
