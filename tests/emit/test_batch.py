@@ -214,7 +214,7 @@ def test_other_builds(name: str, real: str, compiler: str, flags: tuple[str, ...
 
 
 def test_gcc_makes_vectors_of_a_suspension(tmp_path: Path) -> None:
-    """Its angle is an arc tangent with many choices: a branch among them would leave all of it to single numbers."""
+    """The angle is an arc tangent with many choices: a branch among them would leave all of it to single numbers."""
     gcc, objdump = require("gcc", "gcc"), require("objdump", "binutils")
     if run(gcc, "-dumpmachine").split("-")[0] != "x86_64":
         pytest.skip("gcc here is not for x86-64: its vectors have other names")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import inspect
 import re
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
@@ -122,14 +123,19 @@ ROLES: dict[str, tuple[str, ...]] = {
         "rotation", "rotate_back", "rotation_vector", "quaternion", "frame_of_axes", "place_flywheel",
     ),
     "phases and encoders": ("wrap", "phase_of_counts", "speed_of_counts", "accumulate"),
-    "own mathematics": ("sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise"),
-    "linear algebra": ("factor3", "solve3", "factor", "solve_gram"),
+    "own mathematics": (
+        "sincos", "sincos_each", "sqrt", "atan2", "unwound", "wrapped", "orthogonalise", "orthogonalise_*",
+    ),
+    "tasks": ("scale_turning", "project_*", "inverse_*", "torque_demand*", "torque_for_*"),
+    "linear algebra": (
+        "factor3", "solve3", "factor", "solve_gram", "solve_gram_*", "bounded_least_squares_*", "largest_share_*",
+    ),
     "checks of inputs": (
         "within", "check_state", "check_motion", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
-        "check_parameters",
+        "check_parameters", "excessive",
     ),
 }  # fmt: skip
-"""Purposes of functions without an equation of the paper."""
+"""Purposes of functions without an equation of the paper; `*`: any name of a task, or number of rows."""
 
 
 def subjects(function: Function) -> list[str]:
@@ -139,7 +145,7 @@ def subjects(function: Function) -> list[str]:
     """
     found = numbers(function.equation)
     if not found:
-        found = [role for role, names in ROLES.items() if function.name in names]
+        found = [role for role, names in ROLES.items() if any(fnmatchcase(function.name, name) for name in names)]
     if not found:
         raise LookupError(f"{function.name}: names no equation, and ROLES does not say what it is for")
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fnmatch
 import inspect
 import re
 
@@ -35,16 +36,17 @@ def test_who_derives_an_equation_says_so() -> None:
 
 
 def test_every_function_of_a_stand_has_an_equation_or_a_purpose() -> None:
-    for function in generated("bench8").program.functions:
-        assert subjects(function)
-        assert function.purpose
+    for name in ("bench8", "sat4"):
+        for function in generated(name).program.functions:
+            assert subjects(function)
+            assert function.purpose
 
 
 @pytest.mark.slow
 def test_every_function_of_every_stand_has_been_examined() -> None:
     names = set(functions())
     assert {name for of in functions().values() for name in subjects(of)} >= set(EQUATIONS) - {"(13)"}
-    assert {name for listed in ROLES.values() for name in listed} - {"balance"} <= names
+    assert all(fnmatch.filter(names, name) for listed in ROLES.values() for name in listed if name != "balance")
     assert set(written.CAMPAIGN.figures()["functions"]) == names
     for name, found in written.CAMPAIGN.figures()["functions"].items():
         assert found["subjects"] == subjects(functions()[name])
@@ -79,7 +81,7 @@ def test_mutants_differ_and_are_numbered() -> None:
     function = generated("bench8").program.function("factor3")
     kinds = [mutant(function, number)[1] for number in range(sites(function))]
     assert {"sign of a term", "term dropped", "comparison turned round", "minus dropped"} & set(kinds)
-    assert kinds.count("sign of a term") == kinds.count("term dropped") > 5
+    assert kinds.count("sign of a term") == kinds.count("term dropped") == 4  # differences: d2, p32, two of d3
     with pytest.raises(IndexError, match="factor3 has"):
         mutant(function, sites(function))
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from mahovik import stands
+from mahovik.core.motion.course import Followed
 from mahovik.core.motion.programme import Programme, Samples, programme_text, read_programme
 from mahovik.core.motion.required import Slew, read_motion, read_required
-from mahovik.core.motion.required.course import Followed
 from mahovik.core.stand import Stand, load
 from mahovik.errors import MotionError, ProgrammeError
 

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mahovik.core.motion.course import Followed
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Slew, read_required
-from mahovik.core.motion.required.course import Followed
 from mahovik.core.motion.required.slew_read import resolved
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme

@@ -124,7 +124,7 @@ _MASS = ("J", "J_dot", "mu", "mu_dot")
 _SPIN = ("h_rel", "g_rel", "a_rel")
 """The other sums, of the flywheels alone."""
 _STEADY_SPIN = ("a_rel", "h_rel", "g_rel")
-"""The same at constant speeds, in the order in which compilers then need the fewest instructions."""
+"""The sums of the flywheels alone at constant speeds, in the order in which compilers need the fewest instructions."""
 _ALL = ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel")
 _USED = {_MASS: ("c2", "s2", "dc", "ds", "dc2", "ds2"), _SPIN: ("dc", "ds", "ddc", "dds")}
 """Weights of each."""

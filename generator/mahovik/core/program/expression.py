@@ -281,7 +281,7 @@ class Select(Expr):
 
 
 class Choice(Select):
-    """The same of reals, where both are computed: C takes it from their bits, without a branch."""
+    """condition ? a : b of reals, where both are computed: C takes it from their bits, without a branch."""
 
     __slots__ = ()
 

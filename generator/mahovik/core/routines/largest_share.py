@@ -219,7 +219,7 @@ def _exchange(
 
 
 def _answer(body: Body, tableau: Place, at_upper: Place, basis: Place, bounds: tuple[Place, Place], y: Place) -> None:
-    """y of the basis, inside its bounds in spite of rounding."""
+    """y of the basis, inside its bounds despite rounding."""
     low, high = bounds
     n = len(low)
     with body.loop("j", n) as j:

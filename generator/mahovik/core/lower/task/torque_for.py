@@ -139,7 +139,7 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
 
 
 def _check_options(lib: Library, body: Body, p: Place) -> None:
-    """What the options say of motors and wanted speeds."""
+    """Refuses options of motors and wanted speeds that are no numbers, negative or out of range."""
     speed = lib.limits["MAX_SPEED"].expression
     with body.loop("s", lib.layout.count) as s:
         check_abilities(lib, body, p, s)

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.core.motion.course import Followed
 from mahovik.core.motion.programme.course import Angles, Array, Fourier, Samples
-from mahovik.core.motion.required.course import Followed
 
 
 @dataclass(frozen=True, eq=False)

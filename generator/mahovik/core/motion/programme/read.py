@@ -8,11 +8,11 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
+from mahovik.core.motion.course import Followed
 from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, listed, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
-from mahovik.core.motion.required.course import Followed
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.problems import Problems

@@ -1,6 +1,6 @@
 """Required motions of the carrier, q(t): the motion file, the motion with its derivatives, bounds and objective."""
 
-from mahovik.core.motion.required.course import Course
+from mahovik.core.motion.course import Course
 from mahovik.core.motion.required.limits import with_winding
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.motion.required.read import load_motion, load_required, read_motion, read_required

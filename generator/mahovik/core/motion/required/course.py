@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from mahovik.core.motion.course import Array, Course
 
 _PRESENT = 1e-9
 """Smallest harmonic of a spline that counts, as a part of the largest."""
-
-
-class Course(NamedTuple):
-    """q and its derivatives, each (M, 6): O1 in E0 (m), then psi, theta, phi (rad) in the stand's sequence."""
-
-    q: Array
-    q_dot: Array
-    q_ddot: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,36 +83,6 @@ class Sampled:
         for kind in (amplitudes[:, :3], amplitudes[:, 3:]):
             there |= np.any(kind > _PRESENT * kind.max(), axis=1) if kind.any() else False
         return tuple((np.flatnonzero(there) + 1).tolist())
-
-
-@dataclass(frozen=True, eq=False)
-class Followed:
-    """A course that a planner found, as a programme keeps it: q, q', q'' (M, 6 each) at t (M, s), which rise from 0.
-
-    Quintic Hermite between; the first and the last row hold beyond the table.
-    """
-
-    t: Array
-    q: Array
-    q_dot: Array
-    q_ddot: Array
-
-    @cached_property
-    def _pieces(self) -> tuple[Any, Any, Any]:
-        from scipy.interpolate import BPoly
-
-        piece = BPoly.from_derivatives(self.t, np.stack([self.q, self.q_dot, self.q_ddot], axis=1))
-        return piece, piece.derivative(1), piece.derivative(2)
-
-    def at(self, t: Array) -> Course:
-        """q, q', q'' (M, 6 each) at the times t (M, s)."""
-        inside = np.clip(t, self.t[0], self.t[-1])
-        return Course(*(piece(inside) for piece in self._pieces))
-
-    @property
-    def harmonics(self) -> tuple[int, ...]:
-        """None: the course is finite."""
-        return ()
 
 
 def quintic(t: Array, q: Array, period: float | None) -> Any:

@@ -7,8 +7,9 @@ from typing import Literal
 
 import numpy as np
 
+from mahovik.core.motion.course import Array, Course, Followed
 from mahovik.core.motion.required.bounds import Bounds, Each
-from mahovik.core.motion.required.course import Array, Course, Followed, Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, Sampled
 from mahovik.core.motion.required.slew import Slew
 
 __all__ = ["Bounds", "Each", "Objective", "RequiredMotion", "Winding"]

@@ -276,7 +276,7 @@ def load_required(path: str | Path, stand: Stand) -> RequiredMotion | Slew:
 
 
 def read_required(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:
-    """The same of a text."""
+    """The motion that a text describes, whose course is known or, of a slew, to be found. Raises MotionError."""
     document = document_of(text, source, MotionError)
     if "stand" in document and "flywheels" in document:
         raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])

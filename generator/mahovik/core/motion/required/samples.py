@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.required.course import Array, Sampled, quintic
+from mahovik.core.motion.course import Array
+from mahovik.core.motion.required.course import Sampled, quintic
 
 FEWEST = 12
 """Samples: every second one must still make a quintic spline."""

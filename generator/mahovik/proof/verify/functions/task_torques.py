@@ -29,7 +29,7 @@ TIGHT = 0.6
 """Part of the largest torque of the answer without bounds that motors have where bounds are tried."""
 
 WEAK = 30.0
-"""Of the root of the threshold `bounded`: a direction whose singular value is below this part of the first is weak."""
+"""A direction is weak whose singular value, over the first, is below this many roots of the threshold `bounded`."""
 
 RATE = 0.5
 """1/s, rate of approach to wanted speeds where these are tried."""
@@ -56,7 +56,7 @@ class _Asked:
         """Scaled answer of torques."""
         return np.where(self.locked, 0.0, self.scaled.scaled(tau))
 
-    def left(self, tau: Array) -> float:
+    def error(self, tau: Array) -> float:
         """Error in the norm of the demand."""
         return float(np.linalg.norm(self.scaled.r - self.scaled.W @ self.y(tau)))
 
@@ -67,7 +67,7 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
     plain = Comparison(function, "tau, without bounds", case.bounds.default)
     bounded = Comparison(function, "residual, within bounds", allocation.BOUNDED if double else 1e-3)
     shared = Comparison(function, "share, in the direction of the demand", 1e-6 if double else 1e-3)
-    beside = _Beside(case, function)
+    results = _Results(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task_of(function))
         given = case.backend.arguments(asked)
@@ -78,21 +78,21 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
             free = _asked(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
             expected = _note_plain(case, plain, free, options, found, name)
-            beside.note(free, status, found, name)
+            results.note(free, status, found, name)
             torque = TIGHT * float(np.abs(np.where(locked, 0.0, expected)).max(initial=0.0)) or 1.0
             options |= {"motor_torque": [float(np.float32(torque))] * case.count}
             tight = _asked(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
             _note_bounded(case, bounded, tight, found, name)
-            beside.note(tight, status, found, name)
+            results.note(tight, status, found, name)
             status, found = allocation.answer_of(case, given, options | {"keep_direction": 1}, function)
             _note_share(case, shared, tight, found, name)
-            beside.note(tight, status, found, name)
+            results.note(tight, status, found, name)
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, bounded, shared):
         yield row.finished()
-    yield from beside.rows()
+    yield from results.rows()
 
 
 def _options(case: Case, number: int, state: State) -> dict[str, Any]:
@@ -193,7 +193,7 @@ def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str
         best = lsq_linear(W, rest, (low[free], high[free]), method="bvls", tol=1e-14, max_iter=200)
         least = np.sqrt(2 * best.cost)
     size = float(np.linalg.norm(asked.scaled.r))
-    row.note_difference(max(asked.left(tau) - float(least), 0.0) / max(size, 1e-290), "", name)
+    row.note_difference(max(asked.error(tau) - float(least), 0.0) / max(size, 1e-290), "", name)
 
 
 def _note_share(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
@@ -225,7 +225,7 @@ def _note_share(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, 
         row.note_difference(float(off) / max(size, 1e-290), "the answer is not that of the share", name)
 
 
-class _Beside:
+class _Results:
     """Rows on what results of the torques, and on the status. The torques are taken from the C."""
 
     def __init__(self, case: Case, function: str) -> None:
@@ -255,7 +255,7 @@ class _Beside:
         expected: dict[str, bool | None] = dict.fromkeys(BITS, False)
         expected["LIMITED"] = bool(held.any())
         size, off = float(np.linalg.norm(asked.scaled.r)), case.bounds.default
-        left, most = asked.left(tau), case.bounds.cuts.reached * size
+        left, most = asked.error(tau), case.bounds.cuts.reached * size
         margin = off * (size + float(np.linalg.norm(asked.scaled.W)) * float(np.linalg.norm(asked.y(tau))))
         expected["UNREACHABLE"] = None if abs(left - most) <= 10 * margin else left > most
         has = status_bits(status)

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.core.motion.course import Followed
 from mahovik.core.motion.programme import Angles, Programme, Samples
-from mahovik.core.motion.required.course import Followed
 from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
 from mahovik.core.motion.required.slew_read import resolved
@@ -30,7 +30,7 @@ TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
 
 ACCEPTED = 8e-7
-"""The same, where no closer rows would help: rounding of phi, over the square of their distance, is felt."""
+"""Residual that is enough where closer rows do not help, as rounding of phi counts over the square of the distance."""
 
 SHORTEST = 4096
 """Rows over the whole time, were all as close as the closest may be."""

@@ -4,7 +4,7 @@ To first order in motion and unbalance, with the pose p = (x, r) about rest and 
 
     p'' = a p + (b + sum_s b_s phi_s') p' + inverse w,
 
-w a wrench on the carrier about O1 in E1. a, b, b_s are means over the flywheels' phases: suspension, drag, gyroscopic
+w a wrench on the carrier about O1 in E1. a, b, b_s are means over the flywheels' phases: stiffness, drag, gyroscopic
 moments. A wrench Re(w exp(i omega t)) gives the pose Re(p exp(i omega t)).
 """
 

@@ -111,7 +111,7 @@ class Jitter:
 
     @property
     def toleranced(self) -> Jitter:
-        """The same with the largest amplitudes that the makers' tolerances allow."""
+        """This jitter with the largest amplitudes that the makers' tolerances allow."""
         return replace(self, lines=self.lines.toleranced())
 
     @property
