@@ -66,8 +66,10 @@ def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
 def test_bad_files(programme: str, tmp_path: Path) -> None:
     swapped = refused("verify-programme", SHAKER, "--motion", programme, "--programme", SPIN)
     assert swapped.splitlines() == [
-        "error: p.json: is a programme file; expected a motion file here: were the two swapped?"
+        "error: shaker2_spin.motion.json: is a motion file; expected a programme file here: were the two swapped?"
     ]
+    twice = refused("verify-programme", SHAKER, "--motion", programme, "--programme", programme)
+    assert "p.json: is a programme file; expected a motion file here: were the two swapped?" in twice
     again = refused("export", "programme", SHAKER, SPIN)
     assert "motion.json: is a motion file; expected a programme file here: were the two swapped?" in again
     assert "none.json: no such file" in refused("verify-programme", SHAKER, *OF_SPIN, str(tmp_path / "none.json"))

@@ -67,7 +67,7 @@ def test_check_warns_in_one_line_without_being_asked() -> None:
     part = 100 * detailed[0]["part"]
     assert lines == [
         f"warning: float: steps of 0.0001 s lose up to {part:.2g} % of what they add to the speed of rw1 (and 3 more): "
-        "use step_carried or double; --dt TIME for another step"
+        "use step_carried or double; check --dt TIME for another step"
     ]
 
 

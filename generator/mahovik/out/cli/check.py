@@ -35,7 +35,7 @@ def check(
     ),
     dt: str | None = option(
         "--dt",
-        'Detail what float steps of this length, "0.1 ms" or s, lose of the speeds; default: 0.1 ms, in one line.',
+        'Show what float steps of this length, "0.1 ms" or s, lose of the speeds; default: 0.1 ms, in one line.',
         metavar="TIME",
     ),
     planes: str | None = option(

@@ -49,9 +49,10 @@ def generate(
 
     A complete folder: header, source, self-test with golden vectors, README, and a manifest with the hash of every
     file. It writes all or nothing, never overwrites files of others, and needs no compiler. Warns if float would not
-    resolve an unbalance. The formulas that all stands share are derived once and cached, in the folder MAHOVIK_CACHE
-    if that is set. With --prefix the C is that of a stand of that name, and so is its physics hash; commands that read
-    the folder, or a log of its C, find the name there.
+    resolve an unbalance or would lose what short steps add, and where (12) is singular in practice. The formulas that
+    all stands share are derived once and cached, in the folder MAHOVIK_CACHE if that is set. With --prefix the C is
+    that of a stand of that name, and so is its physics hash; commands that read the folder, or a log of its C, find
+    the name there.
     """
     if no_cache:
         from mahovik.core.formula.derived import without_cache

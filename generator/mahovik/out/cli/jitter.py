@@ -89,7 +89,7 @@ def jitter(
         metavar="N",
         type=click.IntRange(1, 20),
     ),
-    exact: bool = flag("--exact", "Solve the full equations at every speed of a sweep."),
+    exact: bool = flag("--exact", "Use the full equations at every speed of a sweep."),
     seconds: float | None = option(
         "--time", "Limit the time of the exact solutions.", metavar="S", type=click.FloatRange(min=0, min_open=True)
     ),

@@ -273,12 +273,16 @@ def _rename_stand(stand: CoreStand, prefix: str) -> CoreStand:
 
 
 def _warn_of_float(stand: CoreStand) -> None:
-    """Warn of unbalance that float does not resolve at the speeds of the motors, as `mahovik check` does."""
+    """Warn of what float does not resolve, or loses in short steps, at the motors' speeds, as `mahovik check` does."""
     from mahovik.core.stand.summary import summarize
+    from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.resolution import shortfalls
 
-    for short in shortfalls(stand, [row.speed for row in summarize(stand, None).unbalance]):
+    speeds = [row.speed for row in summarize(stand, None).unbalance]
+    for short in shortfalls(stand, speeds):
         warn(str(short))
+    if lost := lost_increments(stand, speeds, USUAL_STEP):
+        warn(lost_increments_line(lost))
 
 
 def _warn_of_excess(stand: CoreStand) -> None:
