@@ -17,6 +17,7 @@ import mahovik
 from api import typed_script
 from api.models import model, stand
 from docs.pages import ROOT, cells, rows
+from mahovik.contract.functions import OF_TASKS
 
 RECORD = Path(__file__).parent / "public.txt"
 PAGE = ROOT / "docs" / "python.md"
@@ -88,7 +89,8 @@ def test_type_checkers_know_the_same_names() -> None:
 def test_the_page_lists_the_functions() -> None:
     listed = {line[0].strip("`"): line for line in rows(PAGE, "function")}
     there = {f.name: f for name in ("bench8", "general") for f in model(name).functions}
-    assert listed.keys() == there.keys()
+    assert listed.keys() == there.keys() | OF_TASKS.keys()
+    assert all(hasattr(mahovik.Model, name) for name in OF_TASKS)
     for name, f in there.items():
         assert ("batch C" in listed[name][3]) == f.wide
         takes = {"options": ("weight", "limit", "most", "motor_torque", "motor_speed", "near", "damping")}
