@@ -494,7 +494,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
  * At most 43703 operations on reals, 1193 of them divisions. Stack: at most 5136 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],

@@ -454,7 +454,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
  * At most 53830 operations on reals, 1411 of them divisions. Stack: at most 5568 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],

@@ -433,7 +433,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
  * At most 30154 operations on reals, 927 of them divisions. Stack: at most 4512 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],

@@ -458,7 +458,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  *   out       out: phi_ddot and its quality
  * Positive statuses are bits and may be combined.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOTPOSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
  * At most 26800 operations on reals, 859 of them divisions. Stack: at most 4304 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,

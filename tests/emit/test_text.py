@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from emit.stands import NAMES, float_texts, generated, other_numbers, stand
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.emit.layout import WIDTH
 from mahovik.core.program.walk import reachable
@@ -104,6 +105,7 @@ def test_contracts_name_arguments_statuses_and_cost(files: dict[str, str]) -> No
             for a in f.arguments:
                 assert re.search(rf"\b{a.name}\b", comment), (f.name, a.name)
             due = [*f.statuses, *(() if "BAD_ARGUMENT" in f.statuses else ("BAD_ARGUMENT",))]  # a null pointer
+            assert set(due) <= set(STATUS_VALUES), f.name
             assert f"Returns {', '.join(due)}." in comment
             assert re.search(r"(At most \d+ operations|No operation) on reals", comment), f.name
 

@@ -239,7 +239,7 @@ def test_constant_columns_are_the_flywheel_s_own() -> None:
     assert np.allclose(np.array(found.K_at_zero) - np.array(found.K_constant), difference, rtol=0, atol=1e-13 * scale)
     for own, flywheel in zip(found.flywheels, example.flywheels, strict=True):
         assert own.mass == flywheel.mass
-        alone = replace(example, flywheels=(flywheel,), laws=(), points=())
+        alone = replace(example, flywheels=(flywheel,), laws=(), points=(), tasks=())
         without = numbers(replace(alone, flywheels=()))
         constant = np.array(numbers(alone).K_constant) - np.array(without.K_constant)
         mu, J = (np.array(q.rows)[:, 0] for q in own.quantities[:2])

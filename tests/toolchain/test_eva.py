@@ -14,7 +14,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.toolchain.eva import Proof, parsed, prove
 from mahovik.errors import ToolchainError
 from toolchain.quick import quick
-from toolchain.tools import require
+from toolchain.tools import require, run
 
 FAULTS = {
     "a loop one row too long": (
@@ -25,8 +25,8 @@ FAULTS = {
     "a result not written": ("any_forward", "    V_dot[3] = result[3];  ", "    "),
     "a result written on refusal": (
         "any_forward",
-        "        || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    demo3_status",
-        "        || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    V_dot[0] = 0.0;\n    demo3_status",
+        "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n",
+        "phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }\n    V_dot[0] = 0.0;\n",
     ),
     "a state not checked": ("any_forward", "demo3_check_motion(x, phi_ddot, DEMO3_MAX_ACCELERATION)", "DEMO3_OK"),
     "a divisor that is zero": (
@@ -77,5 +77,6 @@ def test_a_planted_fault_is_seen(fault: str, tmp_path: Path) -> None:
     files = delivery(stand("demo3"))
     assert right in files["demo3.c"]
     write({**files, "demo3.c": files["demo3.c"].replace(right, wrong)}, tmp_path)
+    run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", tmp_path / "demo3.c")  # it is C all the same
     (proof,) = prove(tmp_path / "demo3_eva.sh", [driver])
     assert not proof.holds

@@ -110,7 +110,7 @@ FAULTS = [
     ("step_driven", "step_driven", r"most \* most", "most"),
     ("step_carried", "step_carried", r"dt \* dt \* fastest", "dt * fastest"),
     ("step_driven_carried", "step_driven_carried", r"x->V\[5\] \* x->V\[5\]", "0.0"),
-    ("quaternion", "quaternion", r"\+", "-"),
+    ("quaternion", "quaternion", r"\+ s_phi \* s_psi", "- s_phi * s_psi"),
     ("state_from_coordinates", "state_from_coordinates", r"- v\[2\] \* omega\[1\]", "+ v[2] * omega[1]"),
     ("wrap", "wrap", r"k \+ 1\.0 : k - 1\.0", "k - 1.0 : k + 1.0"),
     ("phase_of_counts", "phase_of_counts", r"\(demo3_real\)rest - zero", "(demo3_real)rest + zero"),

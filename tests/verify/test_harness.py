@@ -153,7 +153,7 @@ def test_c_that_lies_in_a_folder_passes_also_with_foreign_line_ends(tmp_path: Pa
 EMITTED = {
     "rate of the first moment": ("sum->mu_dot[1] += ", "sum->mu_dot[1] -= ", {"K_dot"}),
     "Theta_ff of the table": ("sum->mu[0] += ", "sum->mu[1] += ", {"K", "center_of_mass"}),
-    "one harmonic": ("row->J_2c[0] * c2", "row->J_2c[0] * c", {"K"}),
+    "one harmonic": (".J_2c[0] * c2", ".J_2c[0] * c", {"K"}),
 }
 
 

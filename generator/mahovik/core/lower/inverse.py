@@ -104,7 +104,7 @@ def inverse(lib: Library) -> Function:
         body.statements,
         equation="(12)",
         returns=Kind.STATUS,
-        statuses=(*STATE_STATUSES, "NOTPOSITIVE_DEFINITE", "BAD_ARGUMENT", *POSITIVE),
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", *POSITIVE),
         notes=("Positive statuses are bits and may be combined.", ANSWER_NOTE),
         public=True,
     )
@@ -147,7 +147,7 @@ def inverse_alone(lib: Library) -> Function:
         "The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V* - M V.",
         (table, x, V_dot, *wrench, out),
         equation="(12)",
-        statuses=(*STATE_STATUSES, "NOTPOSITIVE_DEFINITE", "UNREACHABLE"),
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "UNREACHABLE"),
         notes=("UNREACHABLE unless this wrench is zero.",),
         public=True,
     )
