@@ -96,24 +96,40 @@ REFUSALS = tuple(
     )
 )
 
+CHECKS = ("tests/lower/test_checks.py",)
+TASKS = (
+    "tests/verify/test_task_faults.py::test_the_judges_are_satisfied",
+    "tests/verify/test_task_torques.py::test_the_judges_are_satisfied",
+    "tests/verify/test_task_faults.py::test_tasks_of_random_stands[1-double]",
+)
+
 BY_NAME = {
     "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": MOTION,
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
-    "quaternion": TARGET, "state_from_coordinates": TARGET, "within": REFUSALS, "check_state": REFUSALS,
-    "check_motion": REFUSALS, "wrap": PHASES,
+    "quaternion": (*TARGET, *CHECKS), "state_from_coordinates": (*TARGET, *CHECKS),
+    "within": REFUSALS, "check_state": REFUSALS,
+    "check_motion": (*REFUSALS, *CHECKS), "frame_of_axes": (*PARAMETERS, *CHECKS), "excessive": TASKS,
+    "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
     "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS),
     "translation_block": PARAMETERS, "carry": PARAMETERS, "sincos_each": (*MOTION, EACH),
 }  # fmt: skip
 BY_SUBJECT = {
     "(12)": INVERSE, "motion in time": MOTION, "whole system": MOTION, "checks of inputs": PARAMETERS,
+    "tasks": TASKS,
 }  # fmt: skip
+
+
+OF_ROWS = tuple(f"_{rows}" for rows in range(1, 7))
+"""Ends of names of functions for a number of rows, which tasks have."""
 
 
 def tests_of(function: Function) -> tuple[str, ...]:
     """The tests that are run on mutants of a function."""
     if function.name in BY_NAME:
         return BY_NAME[function.name]
+    if function.name[-2:] in OF_ROWS:
+        return TASKS
     if function.name.endswith("_carried"):
         return STEPS
     if function.name.endswith(("_slope", "_jacobian")):
@@ -122,7 +138,7 @@ def tests_of(function: Function) -> tuple[str, ...]:
         if subject in BY_SUBJECT:
             return BY_SUBJECT[subject]
     if function.name.startswith("place_") or function.name == "frame_of_axes":
-        return PARAMETERS
+        return (*PARAMETERS, *CHECKS)
     return HARNESS
 
 

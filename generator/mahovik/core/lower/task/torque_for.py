@@ -7,6 +7,7 @@ share of it that is not (`largest_share`).
 
 from __future__ import annotations
 
+from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.excess import check_abilities
 from mahovik.core.lower.flywheels import named_turns, turns_of
@@ -18,6 +19,7 @@ from mahovik.core.lower.task.rows import Rows
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import (
+    Const,
     Convert,
     Expr,
     Not,
@@ -78,13 +80,13 @@ def torque_for_task(lib: Library, rows: Rows) -> Function:
             body.set(high[s], real(0))
     y, held = body.local("y", (N,)), body.local("held", (N,), Kind.INT)
     flags, share = body.local("flags", (), Kind.INT), body.local("share")
-    body.set(flags, integer(0))
     body.set(share, real(1))
     body.call(lib[f"bounded_least_squares_{m}"], W, r, low, high, p.weight, y, held)
-    with body.when(_beyond(lib, body, W, r, y)):
-        body.set(flags, flag(flags, "UNREACHABLE"))
-        with body.when(unequal(p.keep_direction, integer(0))):
-            _keep_direction(lib, body, (W, r, low, high, p.weight, y, held), L, demand.place, use, share)
+    beyond = _beyond(lib, body, W, r, y)
+    unreachable = Const(STATUS_VALUES["UNREACHABLE"], Kind.INT, "UNREACHABLE")
+    body.set(flags, select(beyond, unreachable, integer(0)))
+    with body.when(flags > 0), body.when(unequal(p.keep_direction, integer(0))):
+        _keep_direction(lib, body, (W, r, low, high, p.weight, y, held), L, demand.place, use, share)
     tau = body.local("tau", (N,))
     with body.loop("s", N) as s:
         found = body.let("found", tau_0[s] + y[s] / work.scale[s])
