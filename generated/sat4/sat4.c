@@ -3975,9 +3975,7 @@ sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *
     sat4_real y[SAT4_N];
     int held[SAT4_N];
     int flags;
-    sat4_real share;
-    flags = 0;
-    share = 1.0;
+    sat4_real share = 1.0;
     sat4_bounded_least_squares_3(W, r, low, high, options->weight, y, held);
     sat4_real left, wanted;
     left = 0.0;
@@ -3990,8 +3988,8 @@ sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *
         left += rest * rest;
         wanted += r[i] * r[i];
     }
-    if (left > 1.0e-18 * wanted) {
-        flags = flags | SAT4_UNREACHABLE;
+    flags = (left > 1.0e-18 * wanted) ? SAT4_UNREACHABLE : 0;
+    if (flags > 0) {
         if (options->keep_direction != 0) {
             sat4_real start[3];
             sat4_real towards[3];
