@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from functools import cache
 from typing import Any
@@ -135,3 +136,31 @@ def test_states_side_by_side_have_no_shortcut() -> None:
     assert any(isinstance(s, Shortcut) for f in functions for s in statements(f.body))
     wide = without_returns(tuple(f for f in functions if f.name in ("within", "check_state")), DOUBLE)
     assert not any(isinstance(s, Shortcut) for f in wide.values() for s in statements(f.body))
+
+
+@pytest.mark.parametrize("member", ["position", "axis", "zero"])
+def test_each_element_of_a_flywheel_s_place_is_looked_at(member: str) -> None:
+    """`prepare` refuses a vector with one element beyond the bound, whichever it is."""
+    c = backend("double")
+    for i in range(3):
+        parameters = copy.deepcopy(c.generated.values.parameters)
+        parameters["flywheel"][1][member] = [2e15 if k == i else float(k == (i + 1) % 3) for k in range(3)]
+        status, _ = c.library.run(c.program.function("prepare"), {"parameters": parameters})
+        assert status == STATUS_VALUES["RANGE"], i
+
+
+@pytest.mark.parametrize(("member", "bound"), [("position", 1e6), ("angles", 1e7), ("q_dot", 1e5), ("q_ddot", 1e9)])
+def test_each_element_of_coordinates_is_looked_at(member: str, bound: float) -> None:
+    c = backend("double")
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * N, "phi_dot": [0.0] * N}
+    asked: dict[str, Any] = {
+        "position": [0.0] * 3,
+        "angles": [0.0] * 3,
+        "q_dot": [0.0] * 6,
+        "q_ddot": [0.0] * 6,
+        "x": x,
+    }
+    for i in range(len(asked[member])):
+        wrong = asked | {member: [2 * bound if k == i else 0.0 for k in range(len(asked[member]))]}
+        status, _ = c.library.run(c.program.function("state_from_coordinates"), wrong)
+        assert status == STATUS_VALUES["RANGE"], i

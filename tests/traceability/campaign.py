@@ -100,15 +100,17 @@ CHECKS = ("tests/lower/test_checks.py",)
 TASKS = (
     "tests/verify/test_task_faults.py::test_the_judges_are_satisfied",
     "tests/verify/test_task_torques.py::test_the_judges_are_satisfied",
+    "tests/verify/test_task_torques.py::test_one_wrong_input_at_a_time_is_refused",
     "tests/verify/test_task_faults.py::test_tasks_of_random_stands[1-double]",
 )
 
 BY_NAME = {
     "sincos": ROUTINES[:1], "sqrt": ROUTINES[1:2], "atan2": ROUTINES[2:], "unwound": MOTION,
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
-    "quaternion": (*TARGET, *CHECKS), "state_from_coordinates": (*TARGET, *CHECKS),
+    "quaternion": (*TARGET, *REFUSALS), "state_from_coordinates": (*TARGET, *CHECKS),
     "within": REFUSALS, "check_state": REFUSALS,
     "check_motion": (*REFUSALS, *CHECKS), "frame_of_axes": (*PARAMETERS, *CHECKS), "excessive": TASKS,
+    "balance": TASKS,
     "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
     "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS),

@@ -15,6 +15,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.registry import rows_of
+from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from verify.test_functions import case_of, planted
 from verify.test_task_faults import stand
 
@@ -51,6 +52,12 @@ def test_the_judges_are_satisfied() -> None:
     rows = [row for name in FUNCTIONS for row in rows_of(case, name)]
     assert [(row.want, row.quantity, row.worst, row.reason) for row in rows if row.failed] == []
     assert {row.verdict for row in rows if row.want == "torque_for_pointing"} == {"ok"}
+
+
+def test_one_wrong_input_at_a_time_is_refused() -> None:
+    case = case_of("sat4", stand=stand())
+    found = check_refusals(case.backend.program, good_inputs(case.backend, case.states), raw_call(case.backend))
+    assert found.verdict == "ok", (found.reason, found.state)
 
 
 @pytest.mark.parametrize("fault", FAULTS)
