@@ -164,3 +164,12 @@ def test_each_element_of_coordinates_is_looked_at(member: str, bound: float) -> 
         wrong = asked | {member: [2 * bound if k == i else 0.0 for k in range(len(asked[member]))]}
         status, _ = c.library.run(c.program.function("state_from_coordinates"), wrong)
         assert status == STATUS_VALUES["RANGE"], i
+
+
+def test_each_element_of_a_point_s_place_is_looked_at() -> None:
+    c = CBackend(load(path("sat4")))
+    for i in range(3):
+        parameters = copy.deepcopy(c.generated.values.parameters)
+        parameters["point"][0]["position"] = [2e15 if k == i else 0.0 for k in range(3)]
+        status, _ = c.library.run(c.program.function("prepare"), {"parameters": parameters})
+        assert status == STATUS_VALUES["RANGE"], i

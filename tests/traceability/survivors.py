@@ -8,8 +8,6 @@ REASONS: dict[tuple[str, str], str] = {
         "loop one turn short: for (int i = 0; i < 18",
     ): "no change: the last number is a flywheel's moment about "
     "another axis than its own, which nothing reads: `tests/lower/test_undefined.py` puts NaN there",
-    ("rotation_vector", "number times 1.5: _real ratio = 2.0"): "no change: of a quaternion of unit length one of the "
-    "two branches sets it again",
     ("orthogonalise", "loop one turn short: for (int sweep"): "the last sweep is a reserve: these matrices are "
     "orthogonal to rounding before it",
     ("translation_block", "and / or exchanged: if (!(A[0] > 0.0"): "a second fence: added masses that are not positive "
