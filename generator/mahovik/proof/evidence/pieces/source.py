@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import mahovik
-from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.functions import FUNCTIONS, OF_TASKS
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import digest
@@ -205,7 +205,7 @@ def _eva_command(subject: Subject) -> str:
 
 
 _UNCLAIMED = ", ".join(
-    f"`{row.name}`" for row in FUNCTIONS.values() if not row.claimed and not row.name.endswith("_at")
+    f"`{row.name}`" for row in (FUNCTIONS | OF_TASKS).values() if not row.claimed and not row.name.endswith("_at")
 )
 
 EVA = Piece(
