@@ -141,7 +141,7 @@ FAULTS = (
           "momentum_screw", r"sum->mu\[2\] \* V\[4\] \+ sum->mu_dot\[0\]",
           "(sum->mu[2] * V[4] + sum->mu_dot[0])"),
     Fault("tree of lanes changed", LANGUAGE, ("bits", "self-test"),
-          "add_lanes", r"lane->a_rel\[i\]\[2\] \+ \(lane->a_rel\[i\]\[1\] \+ lane->a_rel\[i\]\[3\]\)",
+          "add_lanes", r"lane->a_rel\[i\]\[2\]\s+\+ \(lane->a_rel\[i\]\[1\] \+ lane->a_rel\[i\]\[3\]\)",
           "lane->a_rel[i][1] + (lane->a_rel[i][2] + lane->a_rel[i][3])", LANES),
     Fault("literal without F in a float stand", LANGUAGE, ("no double", "compilers"),
           "sum_mass", r"2\.0F \* c \* s", "2.0 * c * s", SINGLE),

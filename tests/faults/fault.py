@@ -57,7 +57,9 @@ def changed(fault: Fault, text: str) -> str:
     start, stop = 0, len(text)
     if fault.function:
         bodies = list(
-            re.finditer(rf"^(?:static )?\w+ {stand}_{fault.function}\(.*?\n}}\n", text, re.DOTALL | re.MULTILINE)
+            re.finditer(
+                rf"^(?:static )?(?:inline )?\w+ {stand}_{fault.function}\(.*?\n}}\n", text, re.DOTALL | re.MULTILINE
+            )
         )
         assert len(bodies) == 1, fault.function
         start, stop = bodies[0].span()
