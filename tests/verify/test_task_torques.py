@@ -74,7 +74,7 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
 def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
     """Least error by `lsq_linear`, the share by `linprog`; half of the demands keep wanted speeds."""
     case = case_of("sat4", stand=stand())
-    case = replace(case, states=ordinary(draw(case.stand, 11, 1100, wrenches=False), case.backend.inputs, 1000))
+    case = replace(case, states=ordinary(draw(case.stand, 11, 1600, wrenches=False), case.backend.inputs, 1000))
     assert len(case.states) == 1000
     rows = rows_of(case, "torque_for_pointing")
     assert [(row.quantity, row.worst, row.state, row.reason) for row in rows if row.failed] == []
