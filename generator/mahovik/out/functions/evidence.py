@@ -244,6 +244,7 @@ def generate(
         return Generated(own, files, count, None, ())
     if real == "float":
         _warn_of_float(own)
+    _warn_of_tasks(own)
     if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
         _warn_of_excess(own)
     done = deliver(Path(folder), own, real, files, lanes=count, fast=fast, only=chosen)
@@ -283,6 +284,14 @@ def _warn_of_float(stand: CoreStand) -> None:
         warn(str(short))
     if lost := lost_increments(stand, speeds, USUAL_STEP):
         warn(lost_increments_line(lost))
+
+
+def _warn_of_tasks(stand: CoreStand) -> None:
+    """Warn of tasks that the flywheels do not reach, as `mahovik check` does."""
+    from mahovik.use.study.task_reach import task_shortfalls
+
+    for short in task_shortfalls(stand):
+        warn(str(short))
 
 
 def _warn_of_excess(stand: CoreStand) -> None:

@@ -1,0 +1,84 @@
+"""Tasks that the flywheels do not reach, and those that they do."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mahovik.core.stand import load, loads
+from mahovik.core.stand.model import Stand
+from mahovik.stands import names, path
+from mahovik.use.study.task_reach import task_shortfalls
+
+TWO = """
+schema = 1
+name = "two"
+[carrier]
+mass = 10
+inertia = [[0.4, 0, 0], [0, 0.5, 0], [0, 0, 0.6]]
+[[flywheel]]
+name = "a"
+mass = 0.5
+axis = [1, 0, 0]
+zero = [0, 1, 0]
+spin_inertia = 1e-3
+transverse_inertia = [6e-4, 6e-4]
+motor = {{ torque = 0.02, speed = "6000 rpm" }}
+[[flywheel]]
+name = "b"
+mass = 0.5
+axis = [0, 1, 0]
+zero = [0, 0, 1]
+spin_inertia = 1e-3
+transverse_inertia = [6e-4, 6e-4]
+motor = {{ torque = 0.02, speed = "6000 rpm" }}
+[task.chosen]
+rows = [{rows}]
+"""
+
+
+def two(*rows: str) -> Stand:
+    return loads(TWO.format(rows=", ".join(f'"{row}"' for row in rows)))
+
+
+@pytest.mark.parametrize("name", sorted(names()))
+def test_the_examples_reach_their_tasks(name: str) -> None:
+    assert task_shortfalls(load(path(name))) == []
+
+
+@pytest.mark.parametrize("rows", [("wz",), ("wx", "wy", "wz"), ("wx", "wz")])
+def test_a_moment_that_no_wheel_gives_is_named(rows: tuple[str, ...]) -> None:
+    (found,) = task_shortfalls(two(*rows))
+    assert found.flywheel == "" and found.share == np.inf
+    assert found.direction == pytest.approx([float(row == "wz") for row in rows], abs=1e-12)
+    assert re.search(r"along wz \(UNREACHABLE\)", str(found))
+
+
+def test_a_mixed_direction_is_told_by_its_parts() -> None:
+    """Wheels about x and y, the first turned in the plane x-z: no moment about (-1, 0, 1)."""
+    text = TWO.format(rows='"wx", "wy", "wz"').replace("axis = [1, 0, 0]", "axis = [1, 0, 1]")
+    (found,) = task_shortfalls(loads(text))
+    x, y, z = found.direction
+    assert y == pytest.approx(0, abs=1e-9) and x * z < 0
+    assert "wx" in str(found) and "wz" in str(found) and "wy" not in str(found)
+
+
+def test_what_balanced_wheels_reach_is_no_shortfall() -> None:
+    assert task_shortfalls(two("wx", "wy")) == []
+
+
+def test_a_force_of_unbalance_alone_is_too_much_for_the_motors() -> None:
+    stand = two("vx")
+    wheels = tuple(replace(s, center_of_mass=(0.0, 1e-6, 0.0)) for s in stand.flywheels)
+    (found,) = task_shortfalls(replace(stand, flywheels=wheels))
+    assert found.flywheel in ("a", "b") and 1.0 < found.share < np.inf
+    assert "(EXCESSIVE)" in str(found)
+
+
+def test_without_flywheels_there_is_no_direction_that_helps() -> None:
+    stand = replace(two("wx"), flywheels=())
+    (found,) = task_shortfalls(stand)
+    assert found.flywheel == "" and found.direction == (1.0,)
