@@ -64,6 +64,10 @@ REFUSED = {
         task('[{ point = "w1", rows = ["wy"] }]'),
         'task "sight", rows: unknown point "w1", expected one of mast, telescope',
     ),
+    "the carrier is no point": (
+        task('[{ point = "carrier", rows = ["wy"] }]'),
+        'unknown point "carrier": rows of the carrier itself are those of O1, and stand without a point',
+    ),
     "unknown component": (task('["wx", "w"]'), 'task "sight", rows[1]: unknown component "w", did you mean "wx"?'),
     "component of a point": (
         task('[{ point = "mast", rows = ["x", 3] }]'),

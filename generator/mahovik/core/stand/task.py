@@ -118,11 +118,10 @@ def check_tasks(
         where = f"task {show(task.name)}"
         unknown = [row.of for row in task.rows if row.of and row.of not in places]
         if unknown:
-            problems.add(
-                where,
-                "rows",
-                f"unknown point {show(unknown[0])}{suggestion(unknown[0], places, 'there is no point or instrument')}",
-            )
+            hint = suggestion(unknown[0], places, "there is no point or instrument")
+            if unknown[0] == "carrier":
+                hint = ': rows of the carrier itself are those of O1, and stand without a point, rows = ["wx", ...]'
+            problems.add(where, "rows", f"unknown point {show(unknown[0])}{hint}")
             continue
         names = [row_name(row) for row in task.rows]
         twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
