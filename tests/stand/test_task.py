@@ -66,7 +66,8 @@ REFUSED = {
     ),
     "the carrier is no point": (
         task('[{ point = "carrier", rows = ["wy"] }]'),
-        'unknown point "carrier": rows of the carrier itself are those of O1, and stand without a point',
+        'task "sight", rows: unknown point "carrier": rows of the carrier itself are those of O1, and stand without a '
+        'point, rows = ["wx", ...]',
     ),
     "unknown component": (task('["wx", "w"]'), 'task "sight", rows[1]: unknown component "w", did you mean "wx"?'),
     "component of a point": (
