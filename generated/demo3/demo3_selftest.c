@@ -172,14 +172,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const demo3_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -351,12 +343,9 @@ static demo3_status call_forward(void)
     return demo3_forward(&demo3_default, &in.x, in.phi_ddot, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, demo3_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -365,12 +354,9 @@ static demo3_status call_matrices(void)
     return demo3_matrices(&demo3_default, &in.x, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, demo3_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -379,12 +365,9 @@ static demo3_status call_momentum(void)
     return demo3_momentum(&demo3_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, demo3_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -393,12 +376,9 @@ static demo3_status call_torque(void)
     return demo3_torque(&demo3_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, demo3_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, DEMO3_N);
 }
 
@@ -408,13 +388,9 @@ static demo3_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, demo3_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, DEMO3_N);
 }
@@ -424,12 +400,9 @@ static demo3_status call_step(void)
     return demo3_step(&demo3_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, demo3_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -438,12 +411,9 @@ static demo3_status call_step_driven(void)
     return demo3_step_driven(&demo3_default, &in.x, in.phi_ddot, in.dt, in.order, &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, demo3_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -452,12 +422,9 @@ static demo3_status call_wrap(void)
     return demo3_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, demo3_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -466,12 +433,9 @@ static demo3_status call_phase_of_counts(void)
     return demo3_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, demo3_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -480,12 +444,9 @@ static demo3_status call_speed_of_counts(void)
     return demo3_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, demo3_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -495,9 +456,9 @@ static demo3_status call_accumulate(void)
     return demo3_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, demo3_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -506,12 +467,9 @@ static demo3_status call_forward_jacobian(void)
     return demo3_forward_jacobian(&demo3_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, demo3_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -520,12 +478,9 @@ static demo3_status call_coupled_jacobian(void)
     return demo3_coupled_jacobian(&demo3_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, demo3_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -534,12 +489,9 @@ static demo3_status call_inverse(void)
     return demo3_inverse(&demo3_default, &in.x, in.V_dot, &demo3_default_options, &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, demo3_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -549,12 +501,9 @@ static demo3_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, demo3_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, DEMO3_N);
 }
 
@@ -563,12 +512,9 @@ static demo3_status call_quaternion(void)
     return demo3_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, demo3_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -579,13 +525,10 @@ static demo3_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, demo3_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -594,12 +537,9 @@ static demo3_status call_generalized(void)
     return demo3_generalized(&demo3_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, demo3_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -609,9 +549,9 @@ static demo3_status call_prepare(void)
     return demo3_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, demo3_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -620,12 +560,9 @@ static demo3_status call_mounts(void)
     return demo3_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, demo3_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 18);
 }
 
@@ -634,12 +571,9 @@ static demo3_status call_prepare_mounts(void)
     return demo3_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, demo3_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -650,13 +584,10 @@ static demo3_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, demo3_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -667,13 +598,10 @@ static demo3_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, demo3_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -683,13 +611,9 @@ static demo3_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, demo3_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1104,8 +1028,9 @@ static const demo3_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     demo3_status (*call)(void);
-    void (*take)(tally *sum, demo3_status status);
+    void (*take)(tally *sum, int refused);
     const demo3_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1113,99 +1038,99 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0x52a83f12u, 6 }, { 0, 0x7e50b688u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x596ff1ccu },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0xd70ab7e9u, 32 }, { 0, 0xd2e6d96du, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x58b73d03u },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x62decc32u, 16 }, { 0, 0xf85b2b2cu, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3fb41e5fu },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x9d74225bu, 3 }, { 0, 0x6bb91420u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x8b0d8c9du },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xb0192a6cu, 9 }, { 0, 0x676239f6u, 9 }, { -2, 0x8e5b0aa0u, 0 } },
       0x9ad467a7u },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0xfcf1dfd7u, 19 }, { 32, 0xc47d430fu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0x94a3d479u },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0xe55a5e71u, 19 }, { 32, 0x55ef7691u, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0x10cdff3fu },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0x321dae64u, 1 }, { 0, 0xee645f59u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xb99abfd3u },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0x9e9ca820u, 1 }, { 0, 0x4c2b89d4u, 1 }, { -5, 0x2107376du, 0 } },
       0x188e8fa1u },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0x34e0a70du, 1 }, { 0, 0x72d5ca5au, 1 }, { -5, 0x2107376du, 0 } },
       0xf4e551fau },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0xee840239u, 0 }, { 0, 0x1c60153au, 0 }, { -5, 0xc3a395f6u, 0 } },
       0x28fc45a8u },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0xc9caa4d3u, 32 }, { 0, 0xbb19891bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xe7d4ac8du },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0x079f0038u, 32 }, { 0, 0x02a58233u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x41905008u },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 8, 0xfaa99a2eu, 19 }, { 72, 0xcc38d0efu, 19 }, { -2, 0x8e5b0aa0u, 0 } },
       0xed92914bu },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 0, 0x3e8ce9e3u, 3 }, { 0, 0xc306074fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x7e05dacdu },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x256d3568u, 4 }, { 0, 0xbc7f543fu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xaf642e2cu },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x73abebd2u, 25 }, { 0, 0x153ef209u, 25 }, { -2, 0xfb1fa4aeu, 19 } },
       0x269c5b94u },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x9350c7c0u, 32 }, { 0, 0xa9060b97u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3b4d207fu },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
       { { 0, 0xf9a2692fu, 32 }, { 0, 0x953bbffbu, 32 }, { -2, 0x714e82a3u, 32 } },
       0xef731f6du },
-    { "mounts", sizeof results.mounts,
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0x1933a6d7u, 18 }, { 0, 0x645fabf4u, 18 }, { -2, 0x8e5b0aa0u, 0 } },
       0xcb4d654fu },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x71dcad8cu, 32 }, { 0, 0x9133c168u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd756f738u },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0x29580c6fu, 32 }, { 32, 0x1e9a2ffeu, 32 }, { -2, 0x2993729bu, 19 } },
       0x20917e32u },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0x73dd37e4u, 32 }, { 32, 0x5923ab52u, 32 }, { -2, 0x2993729bu, 19 } },
       0x1de73a86u },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0xec9bec3au, 3 }, { 0, 0xf6da479du, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6b8d6818u },
@@ -1344,7 +1269,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];

@@ -144,6 +144,23 @@ def test_stands_of_one_structure_share_a_library(made: list[str]) -> None:
     assert not np.array_equal(m.forward(x).V_dot, model("bench8").forward(x).V_dot)
 
 
+def test_numbers_of_a_further_stand_need_no_derivation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    one = stand("bench8")
+
+    def build_heavier(factor: float) -> None:
+        monkeypatch.setattr(compiled, "_PROGRAMS", {})  # as another process has it
+        mahovik.build(replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * factor)))
+
+    mahovik.build(one)
+    build_heavier(1.25)
+    monkeypatch.setattr("mahovik.core.formula.derived._derived", lambda *_: pytest.fail("derived again"))
+    build_heavier(1.5)
+    assert made == ["bench8"]
+
+
 def test_keys_tell_apart_what_differs() -> None:
     one = stand("bench8")
     other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))

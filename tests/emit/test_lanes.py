@@ -78,17 +78,38 @@ def test_bits_of_phases_given_by_sines(lanes: int, build: tuple[str, ...], tmp_p
     ("march", "packed"), [("x86-64-v3", r"v(?:mul|add|sub)pd .*%ymm"), ("x86-64", r"(?:mul|add|sub)pd .*%xmm")]
 )
 def test_gcc_makes_vectors_of_the_lanes(march: str, packed: str, tmp_path: Path) -> None:
-    """Nearly all sums and products of the loop over flywheels are packed: else lanes would be for nothing."""
+    """Nearly all sums and products of the loops over flywheels are packed: else lanes would be for nothing."""
     gcc, objdump = require("gcc", "gcc"), require("objdump", "binutils")
     if run(gcc, "-dumpmachine").split("-")[0] != "x86_64":
         pytest.skip("gcc here is not for x86-64: its vectors have other names")
     source = write(generate_all(stand("bench8"), "double", 4).files, tmp_path)
-    compile_c(gcc, source, "-O3", f"-march={march}", "-c", "-o", tmp_path / "o")
-    for function in ("add_block", "couple_block"):
-        text = run(objdump, "-d", "--no-show-raw-insn", f"--disassemble=bench8_{function}", tmp_path / "o")
-        single = len(re.findall(r"\bv?(?:mul|add|sub)sd ", text))
-        assert len(re.findall(packed, text)) > 50
-        assert single < 10
+    compile_c(gcc, source, "-g", "-O3", f"-march={march}", "-c", "-o", tmp_path / "o")
+    by_line = instructions_by_line(run(objdump, "-d", "-l", "--no-show-raw-insn", tmp_path / "o"), source.name)
+    for function in ("add_block", "couple_block", "balance_block", "eliminate_block"):
+        first, last = lines_of(source.read_text(encoding="ascii"), f"bench8_{function}")
+        text = "\n".join(line for number in range(first, last + 1) for line in by_line.get(number, ()))
+        assert len(re.findall(packed, text)) > 50, function
+        assert len(re.findall(r"\bv?(?:mul|add|sub)sd ", text)) < 10, function
+
+
+def instructions_by_line(disassembly: str, source: str) -> dict[int, list[str]]:
+    """Instructions by line of the source that they come from, in whatever function gcc has inlined that line."""
+    found: dict[int, list[str]] = {}
+    number = 0
+    for line in disassembly.splitlines():
+        place = re.search(rf"{re.escape(source)}:(\d+)", line)
+        if place:
+            number = int(place[1])
+        elif re.match(r" +[0-9a-f]+:\t", line):
+            found.setdefault(number, []).append(line)
+    return found
+
+
+def lines_of(source: str, function: str) -> tuple[int, int]:
+    """First and last line of the definition of a static function."""
+    lines = source.splitlines()
+    first = next(i for i, line in enumerate(lines, 1) if line.startswith("static") and f" {function}(" in line)
+    return first, next(i for i, line in enumerate(lines, 1) if i > first and line == "}")
 
 
 @pytest.mark.parametrize(("there", "here"), [(1, 4), (4, 1), (4, 8)])

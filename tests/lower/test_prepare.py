@@ -8,19 +8,35 @@ import numpy as np
 import pytest
 
 from emit.compiled import Compiled, bits, compiled, compiled_float, interpreter_of
-from emit.stands import other_numbers
+from emit.stands import other_numbers, stand
 from lower.refusals import NOT_FINITE, NumberPath, accepts, numbers, refuses, spoiled
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
+from mahovik.core.lower.program import lower_layout, lower_numbers
 from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.values import Values
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
+from mahovik.core.stand.structure import structure
 from toolchain.quick import quick
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bench8", "remus6")
 FEW = ("everything1", "hung5", "bare0")
 MAX_PARAMETER = limits(DOUBLE)["MAX_PARAMETER"].value
+
+
+@pytest.mark.parametrize("lanes", [1, 4])
+@pytest.mark.parametrize("name", quick(3, NAMES))
+def test_its_part_of_the_program_makes_the_same_numbers(name: str, lanes: int) -> None:
+    given = stand(name)
+    layout = Layout(structure(given), DOUBLE, lanes if given.flywheels else 1)
+    part, whole = Values(given, layout, lower_numbers(layout)), Values(given, layout, lower_layout(layout))
+    found, expected = ((v.parameters, v.table, v.mounting, v.options) for v in (part, whole))
+    assert repr(found) == repr(expected)
+    assert len(lower_numbers(layout).functions) < len(lower_layout(layout).functions) / 3
+
 
 # what prepare leaves alone: laws of wrenches, and in the frames what links them
 LAWS = {"gravity", "stream", "damper", "term", "suspension", "leg", "magnetic_field", "torquer"}

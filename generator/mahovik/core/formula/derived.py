@@ -8,7 +8,8 @@ everything is derived again.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
@@ -41,17 +42,24 @@ else:  # without SymPy, until a formula has to be derived
     )
 
 __all__ = [
-    "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "leave_cache", "motion", "point",
-    "sensitivity", "use_cache", "without_cache", "wrench",
+    "FormulaModule", "accumulate", "attitude", "cached", "carrier", "carrying", "drive", "leave_cache", "motion",
+    "point", "sensitivity", "use_cache", "without_cache", "wrench",
 ]  # fmt: skip
 
 
 @dataclass
-class _State:
-    """The cache of this process, if it has one, and what has been taken from it or derived since."""
+class _Session:
+    """A cache in use, and what has been taken from it or derived since."""
 
-    cache: Cache | None = None
+    cache: Cache
     known: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass
+class _State:
+    """The session of this process, if it has one."""
+
+    session: _Session | None = None
 
 
 _state = _State()
@@ -59,27 +67,40 @@ _state = _State()
 
 def use_cache(warn: Callable[[str], None]) -> None:
     """Take formulas from the cache on disk from now on; `warn` gets one line if that is damaged."""
-    _state.cache = Cache(warn)
-    _state.known.clear()
+    _state.session = _Session(Cache(warn))
 
 
 def without_cache() -> None:
     """Derive everything from now on, and write nothing."""
-    _state.cache = None
+    _state.session = None
 
 
 def leave_cache() -> None:
     """Writes what was derived since `use_cache`; from now on everything is derived."""
-    found, _state.cache = _state.cache, None
+    found, _state.session = _state.session, None
     if found is not None:
-        found.save()
+        found.cache.save()
+
+
+@contextmanager
+def cached(warn: Callable[[str], None]) -> Iterator[None]:
+    """Formulas are from the cache within, as between `use_cache` and `leave_cache`; a cache in use stays in use."""
+    if _state.session is not None:
+        yield
+        return
+    use_cache(warn)
+    try:
+        yield
+    finally:
+        leave_cache()
 
 
 def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
     """One call of derive/: known, from the cache, or derived."""
-    store, known = _state.cache, _state.known
-    if store is None:
+    session = _state.session
+    if session is None:
         return _derived(module, name, arguments)
+    store, known = session.cache, session.known
     key = f"{module}.{name}({', '.join(map(repr, arguments))})"
     if key not in known:
         kept = store.get(key)

@@ -143,6 +143,44 @@ def lower_layout(layout: Layout) -> Program:
     lib.add(coordinates.state_from_coordinates(lib))
     lib.add(generalized.products(lib))
     lib.add(generalized.generalized(lib))
+    _add_prepare(lib)
+    if layout.flywheels:
+        lib.add(mounts.carry_twist(lib))
+        lib.add(mounts.mount_wrench(lib))
+        lib.add(mounts.mounts(lib))
+        lib.add(mounts.prepare_mounts(lib))
+    step_carried.add_all(lib)
+    _add_others(lib)
+    return _program(lib)
+
+
+def lower_numbers(layout: Layout) -> Program:
+    """The part of `lower_layout` that makes a stand's table of its parameters: all that lower/values runs."""
+    lib = Library(layout)
+    lib.add(routines.sincos(layout.precision))
+    lib.add(routines.square_root(layout.precision))
+    if layout.lanes > 1:
+        lib.add(checks.excess(lib))
+        lib.add(lanes.put_row(lib))
+    lib.add(checks.within(lib))
+    lib.add(generalized.quaternion(lib))
+    _add_prepare(lib)
+    if layout.flywheels:
+        lib.add(mounts.prepare_mounts(lib))
+    return _program(lib)
+
+
+def _program(lib: Library) -> Program:
+    layout = lib.layout
+    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
+    program = Program(layout.structure.name, layout.precision, counts, _structs(layout), reachable(lib.functions))
+    validate(program)
+    return program
+
+
+def _add_prepare(lib: Library) -> None:
+    """`prepare`, and what it needs."""
+    layout = lib.layout
     lib.add(placement.frame_of_axes(lib))
     lib.add(prepare.carry(lib))
     lib.add(parameters.check_inertia(lib))
@@ -158,18 +196,6 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(parameters.translation_block(lib))
     lib.add(parameters.check_parameters(lib))
     lib.add(prepare.prepare(lib))
-    if layout.flywheels:
-        lib.add(mounts.carry_twist(lib))
-        lib.add(mounts.mount_wrench(lib))
-        lib.add(mounts.mounts(lib))
-        lib.add(mounts.prepare_mounts(lib))
-    step_carried.add_all(lib)
-    _add_others(lib)
-    counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
-    functions = reachable(lib.functions)
-    program = Program(layout.structure.name, precision, counts, _structs(layout), functions)
-    validate(program)
-    return program
 
 
 def _add_others(lib: Library) -> None:

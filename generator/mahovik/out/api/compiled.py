@@ -6,6 +6,7 @@ share a library.
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
+from mahovik.core.formula.derived import cached
 from mahovik.core.program.arrays import ArrayFunction, Member, filled
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
@@ -24,6 +26,7 @@ from mahovik.core.toolchain.arrays import ArrayLibrary, build
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import ToolchainError
 from mahovik.out.api import store
+from mahovik.out.functions import notices
 
 if TYPE_CHECKING:
     from mahovik.core.lower.layout import Layout
@@ -72,14 +75,16 @@ def compiled(
     numbers_key = store.numbers_key(stand, real)
     found = store.find(key)
     if found is not None:
-        try:
-            numbers = store.find_numbers(numbers_key) or _keep(numbers_key, _numbers(stand, real))
+        numbers = store.find_numbers(numbers_key)
+        if numbers is None:
+            with cached(notices.warn):
+                numbers = _keep(numbers_key, _numbers(stand, real))
+        with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             return _load(stand, *found, numbers, element, command, parallel)
-        except (ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
-            pass
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
+        with cached(notices.warn):
+            library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
         store.keep(key, library, facts)
         return _load(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
 
@@ -141,14 +146,14 @@ def _numbers(stand: Stand, real: str) -> dict[str, Any]:
 
 
 def _lower_structure(of: Structure, real: str) -> tuple[Layout, Program]:
-    """The program of a structure; in a campaign over numbers it is always the same."""
+    """The program that makes the numbers of a structure; in a campaign over numbers it is always the same."""
     from mahovik.core.lower.layout import Layout
-    from mahovik.core.lower.program import lower_layout
+    from mahovik.core.lower.program import lower_numbers
 
     found = _PROGRAMS.get((of, real))
     if found is None:
         layout = Layout(of, FLOAT if real == "float" else DOUBLE)
-        found = layout, lower_layout(layout)
+        found = layout, lower_numbers(layout)
         _remember(of, real, found)
     return found
 

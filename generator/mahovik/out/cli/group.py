@@ -22,13 +22,10 @@ INTERRUPTION = "error: interrupted; no file is half written"
 @contextlib.contextmanager
 def _formulas() -> Iterator[None]:
     """Formulas of the derivation from the cache; new ones are kept, however the command ends."""
-    from mahovik.core.formula.derived import leave_cache, use_cache
+    from mahovik.core.formula.derived import cached
 
-    use_cache(lambda line: click.echo(f"warning: {line}", err=True))
-    try:
+    with cached(lambda line: click.echo(f"warning: {line}", err=True)):
         yield
-    finally:
-        leave_cache()
 
 
 @contextlib.contextmanager
