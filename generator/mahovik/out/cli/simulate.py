@@ -9,6 +9,7 @@ import click
 
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import (
+    REAL,
     STAND_FILE,
     choice,
     command,
@@ -45,6 +46,10 @@ def simulate(
         default="c",
     ),
     mounts: bool = flag("--mounts", "Write also the wrench of the mount on each flywheel."),
+    real: str = REAL,
+    carried: bool = flag(
+        "--carried", "Step by step_carried, which keeps what rounding takes; without it as firmware with step."
+    ),
     programme: str | None = file_option(
         "--programme", "P.json", "Follow this programme by servos, instead of a regime."
     ),
@@ -101,7 +106,7 @@ def simulate(
     with progress(f"simulate {stand.name}", until, "s") as stage:
         found = run(
             stand, until, regime=regime, start=start, dt=dt, every=every, order=int(order), backend=backend,
-            mounts=mounts, progress=stage.show,
+            mounts=mounts, real=real, carried=carried, progress=stage.show,
         )  # fmt: skip
     found.save(output)
     if as_json:
@@ -113,7 +118,7 @@ def simulate(
 
 def _only(follows: bool) -> None:
     """Raise UsageError if an option was given that belongs to the other way of running."""
-    of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts")
+    of_regime = ("until", "regime", "start", "dt", "every", "order", "mounts", "real", "carried")
     of_programme = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table", "causes")
     for name in of_regime if follows else of_programme:
         if is_given(name):

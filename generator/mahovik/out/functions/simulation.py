@@ -21,6 +21,7 @@ from mahovik.out.functions.table import Column, Table, split_unit
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
 from mahovik.use.simulate.run import Run
 from mahovik.use.simulate.run import simulate as run_case
+from mahovik.use.study.increments import lost_increments, lost_increments_line
 
 if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
@@ -89,6 +90,8 @@ def simulate(
     order: int = 4,
     backend: str = "c",
     mounts: bool = False,
+    real: str = "double",
+    carried: bool = False,
     progress: OnProgress | None = None,
 ) -> Simulation:
     """Simulate a stand for `until` s.
@@ -98,14 +101,16 @@ def simulate(
     dt       the longest step, s; every: time between rows, s; order of the step: 4 or 2
     backend  "c", the generated C, or "scipy", the literal reference
     mounts   also the wrench of the mount on each flywheel
+    real     element type of the C: "double", or "float" to see what a board's `step` makes of the motion
+    carried  whether steps keep what rounding takes, as `step_carried` does
 
     Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
     where there is no equilibrium to begin from.
     """
     own = Stand.of(stand)
     chosen, state = _beginning(own, regime, start, until)
-    case = Case(own, chosen, state, until, every, dt, order)
-    _warn_of_long_steps(case)
+    case = Case(own, chosen, state, until, every, dt, order, real, carried)
+    _warn_of_steps(case)
     words = f"simulate {own.name}"
     return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, until))))
 
@@ -128,8 +133,15 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
         raise CheckError(f"{error}; give an initial state by --start") from None
 
 
-def _warn_of_long_steps(case: Case) -> None:
+def _warn_of_steps(case: Case) -> None:
+    """Warn of steps in which a flywheel turns far, and of steps in float that lose increments without a carry."""
     _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
-    fastest = float(np.abs([*speeds.ravel(), *case.phi_dot0]).max(initial=0.0))
+    largest = np.abs(np.vstack([speeds, case.phi_dot0])).max(axis=0)
+    fastest = float(largest.max(initial=0.0))
     if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
         warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
+    if case.real == "float" and not case.carried:
+        free = [0.0 if given else float(speed) for given, speed in zip(case.regime.given, largest, strict=True)]
+        line = lost_increments_line(lost_increments(case.stand, free, case.dt))
+        if line:
+            warn(f"{line.partition(': use')[0]}: use --carried, or --real double")

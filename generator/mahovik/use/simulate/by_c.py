@@ -22,6 +22,7 @@ from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
 class CMotion:
     """Simulation by steps of the C. Given phases and speeds are set exactly at the beginning of each step.
 
+    The carry of each number that is set begins as zero, where the case asks for a carry.
     Within a step torques, wrenches and flywheel accelerations are constant: torques and wrenches of its middle,
     accelerations by the speeds at its ends. Where a torque falls steeply with speed a step is cut into parts
     (Steepness). Beside torques a flywheel of given speed is locked at its mean speed,
@@ -31,17 +32,21 @@ class CMotion:
     def __init__(self, case: Case) -> None:
         self.case = case
         reacting = {case.stand.carrier.name} if case.regime.mixed else set()
-        self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting))
-        self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
+        self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting), case.real)
+        name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
+        self._name = f"{name}_carried" if case.carried else name
         N = len(case.stand.flywheels)
         ffi = self.c.library.ffi
         self._x = ffi.new(f"{case.stand.name}_state *")
-        self._view = np.frombuffer(ffi.buffer(self._x), dtype=np.float64)
+        kind = self.c.program.precision.scalar
+        self._view = np.frombuffer(ffi.buffer(self._x), dtype=kind)
+        self._carry = ffi.new(f"{case.stand.name}_step_carry *")
+        self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
         self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
-        self._drive = np.zeros(max(N, 1))
+        self._drive = np.zeros(max(N, 1), dtype=kind)
         self._given = np.array(case.regime.given, dtype=bool)
         self._locked = np.array([*map(int, case.regime.given), 0], dtype=np.intc)
-        self._wrench = np.zeros(6 * max(len(self.c.inputs), 1))
+        self._wrench = np.zeros(6 * max(len(self.c.inputs), 1), dtype=kind)
         self._rate = np.zeros(N)
         self._turns = np.zeros(N)
         start = case.start
@@ -80,6 +85,7 @@ class CMotion:
             "wrench": real(self._wrench),
             "dt": h,
             "order": self.case.order,
+            "carry": self._carry,
             "next": self._x,
         }
         return [known[a.name] for a in self.c.program.function(self._name).arguments]
@@ -113,6 +119,7 @@ class CMotion:
         for k, begin in enumerate(times[:-1]):
             self._set_wrench(begin + h / 2)
             view[self._phi], view[self._phi_dot] = states[k], speeds[k]
+            self._rounding[13:] = 0.0
             self._drive[: len(mean[k])] = mean[k]
             self._check(step(*arguments), begin)
         view[self._phi], view[self._phi_dot] = states[-1], speeds[-1]
@@ -129,15 +136,16 @@ class CMotion:
         locked = (speeds[:-1] + 4 * middle_speeds + speeds[1:]) / 6  # not a difference of phases, which may be large
         whole = np.zeros(len(self._rate))
         for k, middle in enumerate(middles):
-            before, phase = view[self._phi_dot].copy(), view[self._phi].copy()
+            before, phase = (view[part].astype(np.float64) for part in (self._phi_dot, self._phi))
             if self._reaction is not None:
                 view[self._phi][held] = wrap_phases(halfway[k])[held]
             self._set_wrench(middle, np.where(held, mean[k], 0.0))
             view[self._phi][held], view[self._phi_dot][held] = states[k][held], locked[k][held]
+            self._rounding[13:][np.tile(held, 2)] = 0.0
             self._drive[:] = case.torques(middle, before + h / 2 * self._rate)
             self._check(step(*arguments), times[k])
             view[self._phi][held], view[self._phi_dot][held] = states[k + 1][held], speeds[k + 1][held]
-            after = view[self._phi_dot]
+            after = view[self._phi_dot].astype(np.float64)
             self._rate = (after - before) / h
             turned, expected = view[self._phi] - phase, h * (before + after) / 2
             whole += turned + 2 * np.pi * np.round((expected - turned) / (2 * np.pi))
@@ -195,9 +203,9 @@ class CMotion:
 
 
 @lru_cache(maxsize=4)
-def compiled_backend(stand: Stand) -> CBackend:
+def compiled_backend(stand: Stand, real: str = "double") -> CBackend:
     """The compiled C of a stand; the last few are cached, so that many runs of one stand compile once."""
-    return CBackend(stand)
+    return CBackend(stand, real)
 
 
 def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
@@ -275,7 +283,7 @@ def result_view(c: CBackend, x: Any, function: str, member: str, **given: Any) -
     arguments = [known[a.name] for a in c.program.function(function).arguments]
     call = c.library.function(function)
     return lambda: int(call(*arguments)), np.frombuffer(
-        ffi.buffer(ffi.addressof(out, c_member(member))), dtype=np.float64
+        ffi.buffer(ffi.addressof(out, c_member(member))), dtype=c.program.precision.scalar
     )
 
 

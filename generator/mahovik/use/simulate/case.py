@@ -49,7 +49,8 @@ _TURN = 2 * math.pi
 class Case:
     """A run of `until` s with output every `every` s; steps of at most `dt` s, of order 4 or 2.
 
-    `start`: position, attitude, V; also phases and speeds that the regime does not give. Raises UsageError.
+    `start`: position, attitude, V; also phases and speeds that the regime does not give. `real`: element type of the
+    C; `carried`: its steps keep what rounding takes, as `step_carried` does. Raises UsageError.
     """
 
     stand: Stand
@@ -59,6 +60,8 @@ class Case:
     every: float = 1e-3
     dt: float = 1e-4
     order: int = 4
+    real: str = "double"
+    carried: bool = False
 
     def __post_init__(self) -> None:
         for name in ("until", "every", "dt"):
@@ -69,6 +72,8 @@ class Case:
             raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
             raise UsageError(f"--order {self.order}: expected 4 or 2")
+        if self.real not in ("double", "float"):
+            raise UsageError(f"--real {self.real}: expected double or float")
         if self.until / self.every > MAX_ROWS:
             raise UsageError(f"--every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 

@@ -142,6 +142,9 @@ def _moments(case: Case, backend: str, mounts: bool) -> Iterator[Moment]:
 
         return CMotion(case).moments(mounts)
     if backend == "scipy":
+        if case.real == "float" or case.carried:
+            given = "--real float" if case.real == "float" else "--carried"
+            raise UsageError(f"--backend scipy: not allowed with {given}")
         from mahovik.use.simulate.by_scipy import SciPyMotion
 
         return SciPyMotion(case).moments(mounts)

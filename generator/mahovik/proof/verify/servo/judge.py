@@ -7,12 +7,14 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.verify.compare import Row
+from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.servo.folder import CompiledServo, load_servo_folder
 from mahovik.proof.verify.servo.refusals import refusal_rows
@@ -56,29 +58,43 @@ def verify_servo(
     folder: Path,
     *,
     motion: RequiredMotion | None = None,
+    programme: Programme | None = None,
     name: str = "programme",
     seed: int = 1,
     count: int = 200,
 ) -> Report:
     """Report on the C of a servo in a folder: each function, each member of its tables.
 
-    `motion`: the required motion of its programme; without it the trim's target is not compared.
+    `motion`: the required motion of its programme; without it the trim's target is not compared. `programme`: the
+    programme itself; without both the trim's matrix is not compared.
     `name`: that of the programme in C. `count`: drawn samples of `servo_step`.
 
-    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
+    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile; stand, motion and programme do
+    not belong together.
     """
     if motion is not None and servo.trim is not None and not motion.periodic:
         raise UsageError(f"{motion.name}: is finite, but a trim needs a periodic motion: give that of the programme")
+    if programme is not None:
+        _check_programme(stand, motion, programme)
     with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
         made = load_servo_folder(stand, folder, name, Path(scratch))
-        rows = tuple(_rows(ServoCase(stand, servo, made, seed, count), motion))
+        rows = tuple(_rows(ServoCase(stand, servo, made, seed, count), motion, programme))
     found = identities(stand)
     return Report(
         stand.name, found.structure, found.physics, f"servo {servo.name}", seed, count, made.bounds.default, rows
     )
 
 
-def _rows(case: ServoCase, motion: RequiredMotion | None) -> Iterator[Row]:
+def _check_programme(stand: Stand, motion: RequiredMotion | None, programme: Programme) -> None:
+    """Raise UsageError if the programme is of another stand or motion, or without a motion."""
+    if motion is None:
+        raise UsageError("the programme is given without its motion: give --motion MOTION.json as well")
+    for found in (stand_finding(stand, programme), motion_finding(motion, programme)):
+        if not found.passed:
+            raise UsageError(f"{found.words}: give the programme that the servos follow")
+
+
+def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme | None) -> Iterator[Row]:
     made, trim = case.made, case.servo.trim
     public = made.library.functions()
     yield from gain_rows(made, case.stand, case.servo)
@@ -86,7 +102,7 @@ def _rows(case: ServoCase, motion: RequiredMotion | None) -> Iterator[Row]:
         words = "the servo file has a trim, the C has none" if trim is not None else "the C has a trim, not the file"
         yield Row("trim_default", "trim", verdict="FAILED", reason=f"{words}: export the servo again")
     elif trim is not None:
-        yield from design_rows(made, case.stand, case.servo, trim, motion)
+        yield from design_rows(made, case.stand, case.servo, trim, motion, programme)
     yield time_row(made, case.servo, motion)
     for function in (*SERVO, *(TRIM if made.trimmed else ())):
         if function in public:

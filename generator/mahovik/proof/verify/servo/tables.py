@@ -10,16 +10,19 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo, Trim
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
+from mahovik.errors import StateError
 from mahovik.proof.reference.bodies import bodies_of, spinning_bodies
 from mahovik.proof.reference.mass import spin_inertia
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Comparison
 from mahovik.proof.verify.servo.folder import CompiledServo
 from mahovik.proof.verify.servo.law import Array
+from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 
 TIME = 1e-9
 """Accepted relative error of what depends on the period: samples and periods in it are whole numbers below 2^31."""
@@ -29,6 +32,9 @@ SETTLED = 8.0
 
 RESTING = 1e-3
 """Scale of a coordinate that does not move, as a part of the largest coefficient (m or rad)."""
+
+MATRIX = 1e-8
+"""Accepted error of the matrix, by its largest number: both sides solve the linear equations of a period."""
 
 NODES = 4096
 """Times in a period at which the required motion is averaged."""
@@ -74,7 +80,12 @@ def gain_rows(made: CompiledServo, stand: Stand, servo: Servo) -> Iterator[Row]:
 
 
 def design_rows(
-    made: CompiledServo, stand: Stand, servo: Servo, trim: Trim, motion: RequiredMotion | None
+    made: CompiledServo,
+    stand: Stand,
+    servo: Servo,
+    trim: Trim,
+    motion: RequiredMotion | None,
+    programme: Programme | None,
 ) -> Iterator[Row]:
     """Every member of `trim_default`."""
     found, span = made.default("trim_default"), _span(made, servo)
@@ -90,7 +101,7 @@ def design_rows(
     }
     for name, value in found.items():
         if name == "matrix":
-            yield _matrix_row(value, trim)
+            yield _matrix_row(made, value, stand, trim, motion, programme)
             continue
         row = Comparison("trim_default", name, max(made.bounds.default, TIME if name == "omega" else 0.0))
         if name == "target":
@@ -119,16 +130,30 @@ def time_row(made: CompiledServo, servo: Servo, motion: RequiredMotion | None) -
     return row.finished()
 
 
-def _matrix_row(matrix: Array, trim: Trim) -> Row:
-    """Means of the carrier are not corrected. The other numbers depend on the model of a carrier that follows."""
+def _matrix_row(
+    made: CompiledServo,
+    matrix: Array,
+    stand: Stand,
+    trim: Trim,
+    motion: RequiredMotion | None,
+    programme: Programme | None,
+) -> Row:
+    """Corrections by the error. Without motion and programme only the zeros are judged: means are not corrected."""
     terms = 2 * trim.harmonics + 1
-    row = Row("trim_default", "matrix", 1, verdict="not compared")
-    row.reason = "only its zeros, for means of the carrier; `simulate --programme` tries it on a stand"
-    if matrix.shape[1] != terms * len(trim.coordinates) or matrix.shape[0] % terms:
-        row.verdict, row.reason = "FAILED", f"its shape {list(matrix.shape)} is not that of the servo file"
+    row = Comparison("trim_default", "matrix", max(MATRIX, made.bounds.default))
+    shape = (made.count * terms, terms * len(trim.coordinates))
+    if matrix.shape != shape:
+        row.note_difference(math.inf, f"its shape {list(matrix.shape)} is not that of the servo file", "")
     elif np.any(matrix[:, ::terms]) or not np.any(matrix):
-        row.verdict, row.reason = "FAILED", "it corrects means of the carrier, or nothing at all"
-    return row
+        row.note_difference(math.inf, "it corrects means of the carrier, or nothing at all", "")
+    elif motion is None or programme is None:
+        row.row.reason = "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
+    else:
+        try:
+            row.note(matrix, *trim_matrix(stand, motion, programme, trim), "")
+        except StateError as error:
+            row.note_absence(error, "")
+    return row.finished()
 
 
 def _target(motion: RequiredMotion, trim: Trim) -> Array:
