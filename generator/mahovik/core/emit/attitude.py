@@ -44,6 +44,7 @@ class AttitudePrinter:
             "dumps": tables.dumps,
             "wrenches": 6 * len(layout.inputs),
             "count": int(layout.count),
+            "harmonics": [(f.name, int(f.shape[0])) for f in layout.row.fields if f.name.endswith(("c", "s"))],
             "rows": list(enumerate(places)),
             "demand": ", ".join(f"made.demand.wanted[{place}]" for place in places),
         }

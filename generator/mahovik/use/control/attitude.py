@@ -30,7 +30,7 @@ ROWS = ("wx", "wy", "wz")
 PART = 0.25
 """Part of the reach of the flywheels that a reference uses: the rest is for errors and stored momentum."""
 
-PREFERRED = 0.2
+PREFERRED = 0.1
 """Preferred speed as a part of the no-load speed."""
 
 SPEED = 100.0
@@ -52,11 +52,10 @@ INTEGRAL = 0.25
 """Rate of the integral as a part of the bandwidth: poles at -0.66 omega and (-0.47 +- 0.40 i) omega for damping 0.8."""
 
 SETTLE = 25.0
-"""Settling time of the example times the bandwidth in rad/s: e^-12 is left of an error."""
+"""Settling time of the example times the bandwidth in rad/s: e^-11 is left of an error."""
 
 SLEW = math.radians(30.0)
-AXIS = (2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0)
-"""The slew of the example."""
+"""Slew of the example, about the axis of E1 along which the flywheels hold most momentum; they hold it along that axis."""
 
 
 @dataclass(frozen=True)
@@ -112,11 +111,13 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
             f'stand "{stand.name}": {len(stand.flywheels)} flywheels whose spin axes do not span space cannot turn the '
             "carrier in every direction; expected three at least, with axes that lie in no plane"
         )
-    fastest, quickest = _limits(stand)
     motors = [wheel.motor for wheel in stand.flywheels]
     preferred = _preferred(axes, spins, motors)
-    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (wishes.momentum * np.ones(3) / math.sqrt(3.0))
+    capacity = momentum_capacity(stand).alone
+    along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
+    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (wishes.momentum * along)
     _check_speeds(stand, speeds, wishes.momentum)
+    fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
     dumps = stand.carrier.wrench_input
     torque = min((m.torque for m in motors if m is not None and m.torque is not None), default=0.1) / 2
     settings: dict[str, float | tuple[float, ...]] = {
@@ -135,7 +136,8 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
         "coulomb": tuple(0.0 if m is None else m.coulomb for m in motors),
         "coulomb_speed": tuple(1.0 if m is None else m.coulomb_speed for m in motors),
     }
-    samples = {"told": max(1, round(0.1 / period)), "settle": round(SETTLE / (omega * period)) + 1}
+    samples = {"told": max(1, round(0.1 / period)), "settle": round(SETTLE / (omega * period)) + 4}
+    samples["last"] = samples["settle"] // 4
     if dumps:
         dump_rate, end = omega / 5, 1e-3 * max(wishes.momentum, 0.1)
         settings |= {
@@ -151,7 +153,7 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
     most = max(float(np.abs(speeds).max()), PREFERRED * _no_load(motors)) * 2
     design = AttitudeDesign(
         task, dumps, settings, tuple(float(v) for v in speeds),
-        (math.cos(half), *(math.sin(half) * a for a in AXIS)), wishes.momentum, wishes.failure,
+        (math.cos(half), *(math.sin(half) * float(a) for a in along)), wishes.momentum, wishes.failure,
         max(1, math.ceil(period * most / TURN)), samples, (),
     )  # fmt: skip
     return _described(stand, design)
@@ -191,19 +193,24 @@ def _checked(wishes: Wishes) -> tuple[float, float]:
     if omega * period > MOST_STEP:
         least = omega / MOST_STEP
         raise UsageError(
-            f"--rate {wishes.rate:g}: too slow for a bandwidth of {wishes.bandwidth:g} Hz; expected {least:.3g} Hz or more"
+            f"--rate {wishes.rate:g}: too slow for a bandwidth of {wishes.bandwidth:g} Hz; expected {least:.3g} Hz or "
+            "more"
         )
     if 1.0 / wishes.rate > 10.0 or wishes.damping < 0.2:
         raise UsageError("--rate, --damping: expected at least 0.1 Hz and 0.2")
     return period, omega
 
 
-def _limits(stand: Stand) -> tuple[float, float]:
-    """Angular velocity and acceleration of a reference: a part of what is reached with one flywheel missing."""
+def _limits(stand: Stand, speed: float) -> tuple[float, float]:
+    """Angular velocity and acceleration of a reference: a part of what is reached with one flywheel missing.
+
+    `speed`: largest speed of a flywheel at its beginning, rad/s, which takes a part of momentum and torque.
+    """
+    left = max(0.1, 1.0 - speed / _no_load([wheel.motor for wheel in stand.flywheels]))
     inertia = mass_properties(stand).principal_inertia[-1]
     reach = [_reach_without_one(c.envelope.vectors) for c in (momentum_capacity(stand), torque_capacity(stand))]
-    rate = min(PART * reach[0] / inertia, FASTEST) if reach[0] > 0 else SLOWEST[1]
-    return rate, PART * reach[1] / inertia if reach[1] > 0 else SLOWEST[0]
+    rate = min(PART * left * reach[0] / inertia, FASTEST) if reach[0] > 0 else SLOWEST[1]
+    return rate, PART * left * reach[1] / inertia if reach[1] > 0 else SLOWEST[0]
 
 
 def _reach_without_one(vectors: tuple[tuple[float, float, float], ...]) -> float:
@@ -236,8 +243,8 @@ def _check_speeds(stand: Stand, speeds: Array, momentum: float) -> None:
         most = math.inf if wheel.motor is None or wheel.motor.speed is None else 0.7 * wheel.motor.speed
         if abs(speed) > most:
             raise UsageError(
-                f'--momentum {momentum:g}: flywheel "{wheel.name}" would turn at {abs(speed):.4g} rad/s, above 70 % of its '
-                "no-load speed; expected less momentum"
+                f'--momentum {momentum:g}: flywheel "{wheel.name}" would turn at {abs(speed):.4g} rad/s, above 70 % '
+                "of its no-load speed; expected less momentum"
             )
 
 
