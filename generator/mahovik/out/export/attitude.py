@@ -1,4 +1,4 @@
-"""A project of an attitude loop: the stand's C, the loop, and a `main` that closes it with the exact plant on a board."""
+"""A project of an attitude loop: the stand's C, the loop, and a `main` that closes it with the exact plant."""
 
 from __future__ import annotations
 
@@ -55,17 +55,17 @@ def attitude_project(stand: Stand, target: Target, wishes: Wishes, real: str) ->
     hosted = target.family == "hosted"
     files = {**made.files, **board_files(target)}
     host = "" if hosted else HOST
-    name = stand.name
+    name, task = stand.name, made.design.task.name
     page = template("board/attitude.md.j2").render(
         name=name,
         real=real,
-        task=made.design.task.name,
+        task=task,
         dumps=made.design.dumps,
         title=target.title,
         compiler=target.compiler[0],
         emulator=" ".join(target.emulator[:3]) or "this machine",
         hosted=hosted,
-        command=f"mahovik export attitude STAND.toml --task {made.design.task.name} --target {target.name} --real {real}",
+        command=f"mahovik export attitude STAND.toml --task {task} --target {target.name} --real {real}",
         packages=", ".join(target.packages),
         lines=made.design.lines,
         wheel=stand.flywheels[0].name,

@@ -62,8 +62,8 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
 def makefile(target: Target, files: Mapping[str, str], subject: str, defines: str = "", host: str = "") -> str:
     """Makefile of a project: it builds and runs all sources of `files` on a target.
 
-    `subject`: what the program is; `defines`: macros that all sources have; `host`: name of the console of this machine,
-    with which the same sources that are not the board's are built and run here as well.
+    `subject`: what the program is; `defines`: macros that all sources have; `host`: name of the console of this
+    machine, with which the same sources that are not the board's are built and run here as well.
     """
     sources = sorted(name for name in files if name.endswith((".c", ".S")))
     own = board_files(target)

@@ -1,8 +1,8 @@
 """Settings of an attitude loop, and the scenario of its example, from the stand and a few wishes.
 
-The loop demands of the task of a stand the angular acceleration that quaternion feedback wants (Wie, Weiss, Arapostathis,
-1989): errors of the attitude obey s^2 + 2 zeta omega s + omega^2. A reference turns about the eigenaxis, no faster than
-a part (`PART`) of what the flywheels reach in every direction with one of them missing.
+The loop demands of the task of a stand the angular acceleration that quaternion feedback wants (Wie, Weiss,
+Arapostathis, 1989): errors of the attitude obey s^2 + 2 zeta omega s + omega^2. A reference turns about the eigenaxis,
+no faster than a part (`PART`) of what the flywheels reach in every direction with one of them missing.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ SETTLE = 25.0
 """Settling time of the example times the bandwidth in rad/s: e^-11 is left of an error."""
 
 SLEW = math.radians(30.0)
-"""Slew of the example, about the axis of E1 along which the flywheels hold most momentum; they hold it along that axis."""
+"""Slew of the example, about the axis of E1 along which the flywheels hold most momentum: there they hold it."""
 
 
 @dataclass(frozen=True)
