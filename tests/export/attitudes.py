@@ -51,7 +51,9 @@ def example(folder: Path, *flags: str, name: str = "eye4") -> dict[str, str]:
     done = subprocess.run([folder / "main"], capture_output=True, text=True, check=False, timeout=60)
     lines = done.stdout.splitlines()
     assert done.returncode == (lines[-1] != "failures 0"), done.stdout
-    return {line.partition(" ")[0] if ":" not in line else line.partition(":")[0]: line for line in lines}
+    return {line.partition(" " if ":" not in line else ":")[0]: line for line in lines if line[:7] != "samples"} | {
+        line.rpartition(" ")[0]: line for line in lines if line[:7] == "samples"
+    }
 
 
 # -- structs -----------------------------------------------------------------------------------------------------------
@@ -113,6 +115,14 @@ class Attitude:
         flags = None if failed is None else (ct.c_int * N)(*failed)
         table = self._mean if mean else ct.c_void_p(self.table)
         return self.call("step", ct.byref(config), table, ct.byref(loop), ct.byref(x), flags, ct.byref(out))
+
+    def play(self, x: Any, tau: Array, failed: tuple[int, ...], moment: Array, dt: float) -> int:
+        """One step of the balanced plant; flywheels with flag 2 are locked, with flag 1 they get friction alone."""
+        locked = (ct.c_int * N)(*(int(flag == 2) for flag in failed))
+        wrench = numbers(0, 0, 0, *moment)
+        given = self._mean, ct.byref(x), numbers(*tau), locked, wrench, ct.c_double(dt), 4, ct.byref(x)
+        carry = (ct.c_double * 21)()
+        return int(self._library["eye4_step_carried"](*given[:-1], carry, given[-1]))
 
     def momentum(self, x: Any) -> Array:
         """`Z` of the stand's `momentum` by the mean table."""

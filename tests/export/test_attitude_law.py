@@ -211,7 +211,7 @@ def test_a_sample_is_the_law_with_the_torques_of_a_balanced_stand(
     )
 
 
-@quick
+@settings(quick, max_examples=3)
 @given(seeds)
 def test_the_mean_table_is_the_mean_over_phases(c: Attitude, rng: Any) -> None:
     """Harmonics up to the second: eight phases, of the literal reference."""
