@@ -38,9 +38,13 @@ def run_old_selftest(name: str, source: Path, folder: Path) -> set[str]:
     return {function for function, line in run.functions.items() if not line.passed}
 
 
+NEWER = ["eye4"]
+"""Example stands that the old release did not have."""
+
+
 def test_every_example_stand_is_held() -> None:
     """Nothing is skipped because a file is missing."""
-    assert sorted(path.name for path in GENERATED.iterdir() if path.is_dir()) == NAMES
+    assert sorted(path.name for path in GENERATED.iterdir() if path.is_dir()) == sorted([*NAMES, *NEWER])
 
 
 ROUNDED_OTHERWISE = {"inverse_fast"}

@@ -15,7 +15,7 @@ from mahovik.stands import motions, names, path
 
 
 def test_the_examples_are_there() -> None:
-    assert names() == ("auv6", "bench8", "demo3", "remus6", "sat4", "shaker2")
+    assert names() == ("auv6", "bench8", "demo3", "eye4", "remus6", "sat4", "shaker2")
 
 
 @pytest.mark.parametrize("name", names())
@@ -51,6 +51,16 @@ def test_sat4_wheels_hold_twelve_newton_metre_seconds() -> None:
     for wheel in stand.flywheels:
         assert wheel.motor is not None and wheel.motor.speed is not None
         assert wheel.inertia[0][0] * wheel.motor.speed == pytest.approx(12.0, rel=1e-4)
+
+
+def test_eye4_weighs_eighty_kilograms_and_its_wheels_hold_one_newton_metre_second() -> None:
+    stand = load(path("eye4"))
+    assert summarize(stand).mass == pytest.approx(80.0)
+    assert stand.carrier.wrench_input
+    for wheel in stand.flywheels:
+        assert wheel.motor is not None and wheel.motor.speed is not None
+        assert wheel.inertia[0][0] * wheel.motor.speed == pytest.approx(1.0, rel=1e-4)
+        assert wheel.motor.torque == 0.1
 
 
 def test_bench8_weight_hangs_at_its_suspension() -> None:

@@ -233,3 +233,52 @@ def cmake(
     stand = load_stand(stand_file)
     done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, cmake_project(stand, real, batch), "cmake")
     print_paths(done.paths, done.notes)
+
+
+@command(group=export)
+def attitude(
+    stand_file: str = STAND_FILE,
+    task: str | None = option("--task", "Demand by this task; default: the only one of the stand.", metavar="NAME"),
+    target_name: str = option("--target", "Choose the processor or board, such as m7.", metavar="NAME", default="host"),
+    output: str | None = file_option(
+        "-o", "DIR", "Write into this folder; default ./NAME-attitude-TARGET of the stand."
+    ),
+    real: str | None = choice(
+        "--real", ["double", "float"], "Choose the element type; default: the widest of the target's FPU."
+    ),
+    rate: float = option("--rate", "Sample at this rate, Hz.", metavar="HZ", type=float, default=50.0),
+    bandwidth: float = option(
+        "--bandwidth", "Set the bandwidth of the loop, Hz.", metavar="HZ", type=float, default=0.1
+    ),
+    damping: float = option("--damping", "Set its damping ratio.", metavar="ZETA", type=float, default=0.8),
+    momentum: float = option(
+        "--momentum", "Begin the example with this angular momentum, N m s.", metavar="NMS", type=float, default=1.0
+    ),
+    failure: Literal["coasts", "held", "none"] = choice(
+        "--failure",
+        ["coasts", "held", "none"],
+        "Let the first flywheel of the example coast half-way, keep its speed, or work.",
+        default="coasts",
+    ),
+) -> None:
+    """Write an attitude loop as a project that runs on a board.
+
+    C of the stand and of the loop: quaternion feedback, drive torques within what the motors have, momentum management,
+    failed flywheels. Its program closes the loop with the exact plant: a slew of 30 degrees, a flywheel that fails
+    half-way, momentum that is dumped where the carrier has wrench_input. `make run` there runs it on the emulator,
+    `make compare` there and here. Never overwrites files of others.
+    """
+    from mahovik.out.export.attitude import attitude_project
+    from mahovik.out.export.target import exportable
+    from mahovik.proof.verify.delivery import deliver
+    from mahovik.use.control.attitude import Wishes
+
+    found = exportable(target_name)
+    stand = load_stand(stand_file)
+    chosen = real or found.real or "double"
+    wishes = Wishes(task, rate, bandwidth, damping, momentum, failure)
+    folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")
+    with progress(f"attitude loop of {stand.name} for {target_name}"):
+        made = attitude_project(stand, found, wishes, chosen)
+    done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only)
+    print_paths(done.paths, (*done.notes, *made.design.lines))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Mapping
 from pathlib import Path
 
 from mahovik.core.emit.delivery import firmware
@@ -33,29 +34,16 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
     delivered = firmware(stand, real)
     known = {"README.md", *(f"{stand.name}{end}" for end in (".h", ".c", "_selftest.c"))}
     files = {**delivered, **board_files(target), "main.c": selftest_main(stand.name, SWEEP)}
-    hosted = target.family == "hosted"
-    sources = sorted(name for name in files if name.endswith((".c", ".S")))
-    flags = target.compiler[1:]
     words = {
         "name": stand.name,
         "NAME": stand.name.upper(),
         "real": real,
         "title": target.title,
         "compiler": target.compiler[0],
-        "hosted": hosted,
-        "emulator": shlex.join(target.emulator),
+        "hosted": target.family == "hosted",
     }
-    files["Makefile"] = template("board/Makefile.j2").render(
-        **words,
-        machine=shlex.join(flags),
-        optimisation=target.optimisation,
-        bits=shlex.join(BITS),
-        mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
-        link=shlex.join(link_flags(target)),
-        objects=[f"{Path(name).stem}.o" for name in sources],
-        headers=sorted(name for name in files if name.endswith(".h")),
-        startup_in_assembler="startup.S" in files,
-    )
+    defines = f"-D{stand.name.upper()}_SELFTEST_NO_MAIN"
+    files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})", defines)
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
         command=f"mahovik export target STAND.toml --target {target.name} --real {real}",
@@ -63,9 +51,37 @@ def project(stand: Stand, target: Target, real: str) -> dict[str, str]:
         startup="startup.S" if "startup.S" in files else "startup.c",
         others=sorted(delivered.keys() - known),
         fpu=bool(target.real),
-        vector="-fno-tree-vectorize" in flags and not hosted,
+        vector="-fno-tree-vectorize" in target.compiler[1:] and target.family != "hosted",
         ticks="ticks of the processor's clock; compile with -DBOARD_MHZ=1000u"
         if target.mhz
         else "retired instructions",
     )
     return files
+
+
+def makefile(target: Target, files: Mapping[str, str], subject: str, defines: str = "", host: str = "") -> str:
+    """Makefile of a project: it builds and runs all sources of `files` on a target.
+
+    `subject`: what the program is; `defines`: macros that all sources have; `host`: name of the console of this
+    machine, with which the same sources that are not the board's are built and run here as well.
+    """
+    sources = sorted(name for name in files if name.endswith((".c", ".S")))
+    own = board_files(target)
+    return template("board/Makefile.j2").render(
+        subject=subject,
+        title=target.title,
+        compiler=target.compiler[0],
+        hosted=target.family == "hosted",
+        machine=shlex.join(target.compiler[1:]),
+        emulator=shlex.join(target.emulator),
+        optimisation=target.optimisation,
+        bits=shlex.join(BITS),
+        defines=f" {defines}" if defines else "",
+        mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
+        link=shlex.join(link_flags(target)),
+        objects=[f"{Path(name).stem}.o" for name in sources],
+        headers=sorted(name for name in files if name.endswith(".h")),
+        startup_in_assembler="startup.S" in files,
+        host=host,
+        host_sources=[*(name for name in sources if name not in own), host],
+    )

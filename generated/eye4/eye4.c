@@ -1,0 +1,5092 @@
+/* eye4.c: motion of the stand "eye4". What each function does and takes: eye4.h.
+ * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead. */
+#define EYE4_LINK_CHECKED  /* callers refer to the symbol that this file defines */
+#include "eye4.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if EYE4_STRUCTURE != 0x59c20951u || EYE4_PHYSICS != 0x2efca783u
+#error "eye4.h and eye4.c are of different stands"
+#endif
+#if EYE4_LANES != 1
+#error "eye4.h and eye4.c were generated for different numbers of lanes"
+#endif
+#if EYE4_REAL_BYTES != 8
+#error "eye4.h and eye4.c were generated for different element types"
+#endif
+#if EYE4_VERSION_MAJOR != 0 || EYE4_VERSION_MINOR != 1 || EYE4_VERSION_PATCH != 0
+#error "eye4.h and eye4.c are of different versions of mahovik"
+#endif
+
+/* What callers with the right header refer to: an address without memory. */
+#if defined __GNUC__ && defined __ELF__ && !defined __FRAMAC__
+__asm__(".globl eye4_link_double_lanes1_v0_1_0_2efca783\n"
+        ".type eye4_link_double_lanes1_v0_1_0_2efca783, %object\n"
+        ".size eye4_link_double_lanes1_v0_1_0_2efca783, 1\n"
+        ".set eye4_link_double_lanes1_v0_1_0_2efca783, 0\n");
+#endif
+
+/* Fast math leaves out the roundings that the code relies on: wrong results with status OK. What the compiler
+ * shows of it is refused here; clang does not show -funsafe-math-optimizations. */
+#ifndef EYE4_ALLOW_FAST_MATH
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ || defined _M_FP_FAST
+#error "wrong results: compile eye4 without -ffast-math, -Ofast and -funsafe-math-optimizations"
+#endif
+#if defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ == 1
+#error "inputs that are NaN would pass: compile eye4 without -ffinite-math-only"
+#endif
+#endif
+
+/* Attributes for sections, such as fast memory: define them to place code and tables. */
+#ifndef EYE4_CODE
+#define EYE4_CODE
+#endif
+#ifndef EYE4_CONST
+#define EYE4_CONST
+#endif
+
+/* Seldom called: one copy takes less code than one in each caller. */
+#ifdef __GNUC__
+#define EYE4_APART __attribute__((noinline))
+#else
+#define EYE4_APART
+#endif
+
+/* Sums over all bodies at one state. */
+typedef struct eye4_sums {
+    eye4_real mu[3];      /* kg m; first moment of all bodies about O1 */
+    eye4_real mu_dot[3];  /* kg m/s; its rate in E1 */
+    eye4_real J[6];       /* kg m2; inertia about O1 */
+    eye4_real J_dot[6];   /* kg m2/s; its rate in E1 */
+    eye4_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
+    eye4_real a_rel[3];   /* N; d/dt of the force part of sum I phi' */
+    eye4_real g_rel[3];   /* N m; d/dt of its moment part */
+} eye4_sums;
+
+/* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
+typedef struct eye4_coupling {
+    eye4_real I_[6];  /* kg m, kg m2; column of I (9) */
+    eye4_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
+} eye4_coupling;
+
+/* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
+typedef struct eye4_schur {
+    eye4_real A[6];  /* kg; force by v*: 11 22 33 12 13 23 */
+    eye4_real B[9];  /* kg m; moment by v*, row by row */
+    eye4_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
+} eye4_schur;
+
+/* Scratch of inverse. */
+typedef struct eye4_inverse_work {
+    eye4_real I_[6][EYE4_N];  /* kg m, kg m2; flywheel coupling (9) */
+    eye4_real W[6][EYE4_N];   /* scaled: G^-1 I D^-1; then with orthogonal rows */
+    eye4_real U[6][6];        /* rotations of the rows */
+    eye4_real G[6][6];        /* Cholesky factor of K, lower triangle */
+    eye4_real b[6];           /* N, N m; the wrench demanded of the flywheels */
+    eye4_real r[6];           /* scaled: G^-1 b; then U^T r */
+    eye4_real sigma[6];       /* singular values */
+    eye4_real scale[EYE4_N];  /* D^-1 */
+} eye4_inverse_work;
+
+typedef uint64_t eye4_word;  /* the bits of a real */
+
+EYE4_CODE
+static eye4_word eye4_bits_of(eye4_real value)
+{
+    union { eye4_real real; eye4_word word; } both;
+    both.real = value;
+    return both.word;
+}
+
+EYE4_CODE
+static eye4_real eye4_real_of(eye4_word word)
+{
+    union { eye4_real real; eye4_word word; } both;
+    both.word = word;
+    return both.real;
+}
+
+/* What null stands for. */
+EYE4_CONST
+static const int eye4_none_locked[EYE4_N] = { 0 };
+
+/* Sine and cosine of an angle.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
+EYE4_CODE
+static void eye4_sincos(eye4_real x, eye4_real *restrict sine, eye4_real *restrict cosine)
+{
+    /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum. */
+    const eye4_real shifted = x * 0.6366197723675814 + 6755399441055744.0;
+    const eye4_word quadrant = eye4_bits_of(shifted);  /* mod 4: its last two bits */
+    const eye4_real k = shifted - 6755399441055744.0;
+    /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+    const eye4_real rest = x - k * 1.570796325802803;
+    const eye4_real second = k * 9.920935796805365e-10;
+    const eye4_real r_hi = rest - second;
+    /* rounding error of r_hi, and the third part */
+    const eye4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+    const eye4_real z = r_hi * r_hi;
+    /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
+    const eye4_real half_z = z * 0.5;
+    const eye4_real flat = 1.0 - half_z;
+    const eye4_real cos_fit = 0.0416666666666666
+        + z * (-0.001388888888887447 + z * (2.4801587289666868e-5
+        + z * (-2.755731439924032e-7 + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+    const eye4_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+    /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+    const eye4_real sin_fit = 0.1666666666666663
+        + z * (-0.00833333333332184 + z * (0.00019841269829358541
+        + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+    const eye4_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+    /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+    const eye4_word sin_bits = eye4_bits_of(sin_r);
+    const eye4_word cos_bits = eye4_bits_of(cos_r);
+    const eye4_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+    const eye4_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+    const eye4_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+    *sine = eye4_real_of(sin_bits ^ exchange ^ sine_sign);
+    *cosine = eye4_real_of(cos_bits ^ exchange ^ cosine_sign);
+}
+
+/* Square root, correctly rounded.
+ * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
+EYE4_CODE
+static eye4_real eye4_sqrt(eye4_real x)
+{
+#ifdef EYE4_SQRT
+    return EYE4_SQRT(x);  /* correctly rounded as well, or the bits differ */
+#else
+    /* x = m 4^j with m in [1, 4), taken from its bits; subnormals are scaled up first. */
+    const int subnormal = x < 2.2250738585072014e-308;
+    const eye4_real lift = (subnormal) ? 1.8014398509481984e16 : 1.0;
+    const eye4_word lowered = (subnormal) ? 27u : 0u;
+    const eye4_word bits = eye4_bits_of(x * lift);
+    const eye4_word exponent = bits >> 52u;
+    const eye4_word odd = (exponent & 1u) ^ 1u;  /* the exponent's bias is odd */
+    const eye4_word fraction = bits & 0xfffffffffffffu;
+    const eye4_word m_bits = fraction + ((odd + 1023u) << 52u);
+    const eye4_real m = eye4_real_of(m_bits);
+    const eye4_real half_m = m * 0.5;
+    /* y = 1/sqrt(m): a shift of the bits gives a first guess, Newton steps refine it. */
+    const eye4_real y0 = eye4_real_of(0x5fe6eb50c7b537a9u - (m_bits >> 1u));
+    const eye4_real y1 = y0 * (1.5 - half_m * y0 * y0);
+    const eye4_real y2 = y1 * (1.5 - half_m * y1 * y1);
+    const eye4_real y3 = y2 * (1.5 - half_m * y2 * y2);
+    const eye4_real s = m * y3;
+    const eye4_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
+    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
+     * place. */
+    const eye4_word root = eye4_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
+    const eye4_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
+    const eye4_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
+    const eye4_word down = (d + root - 1u) >> 63u;  /* 1 if d <= -s: the next smaller number is nearer */
+    const eye4_word halved = ((exponent + 1023u - odd) >> 1u) - lowered;
+    const eye4_real result = eye4_real_of(root + up - down + ((halved - 1u) << 52u));
+    return (x > 0.0) ? result : x;
+#endif
+}
+
+/* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
+EYE4_CODE
+static eye4_real eye4_unwound(eye4_real phi, eye4_real k)
+{
+    return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
+}
+
+/* The angle wrapped to within half a turn of zero.
+ * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
+EYE4_CODE
+static eye4_real eye4_wrapped(eye4_real phi)
+{
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
+     * sum. */
+    const eye4_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+    return eye4_unwound(phi, k);
+}
+
+/* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
+EYE4_CODE EYE4_APART
+static eye4_status eye4_within(const eye4_real values[], int count, eye4_real limit)
+{
+    for (int i = 0; i < count; ++i) {
+        if (!(values[i] >= -limit && values[i] <= limit)) {
+            if (values[i] >= -EYE4_LARGEST && values[i] <= EYE4_LARGEST) { return EYE4_RANGE; }
+            return EYE4_NOT_FINITE;
+        }
+    }
+    return EYE4_OK;
+}
+
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+EYE4_CODE
+static eye4_status eye4_check_state(const eye4_state *x)
+{
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        eye4_real position2, velocity2, speed2, phase2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < EYE4_MAX_POSITION * EYE4_MAX_POSITION
+            && velocity2 < EYE4_MAX_VELOCITY * EYE4_MAX_VELOCITY && speed2 < EYE4_MAX_SPEED * EYE4_MAX_SPEED
+            && phase2 < EYE4_MAX_PHASE * EYE4_MAX_PHASE) { return EYE4_OK; }
+    }
+#endif
+    eye4_status status = eye4_within(x->position, 3, EYE4_MAX_POSITION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->attitude, 4, 2.0);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->V, 6, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->V, 3, EYE4_MAX_VELOCITY);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->phi, EYE4_N, EYE4_MAX_PHASE);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->phi_dot, EYE4_N, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return EYE4_RANGE; }
+    return EYE4_OK;
+}
+
+/* The same of a state, and then: are values of the flywheels within a limit? */
+EYE4_CODE
+static eye4_status eye4_check_motion(const eye4_state *x, const eye4_real values[EYE4_N], eye4_real limit)
+{
+#ifndef __FRAMAC__  /* intervals cannot follow this shortcut; what follows does the same */
+    {
+        eye4_real position2, velocity2, speed2, phase2, given2;
+        position2 = 0.0;
+        velocity2 = 0.0;
+        speed2 = 0.0;
+        phase2 = 0.0;
+        given2 = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            position2 += x->position[i] * x->position[i];
+            velocity2 += x->V[i] * x->V[i];
+            speed2 += x->V[i + 3] * x->V[i + 3];
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            phase2 += x->phi[s] * x->phi[s];
+            given2 += values[s] * values[s];
+            speed2 += x->phi_dot[s] * x->phi_dot[s];
+        }
+        const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < EYE4_MAX_POSITION * EYE4_MAX_POSITION
+            && velocity2 < EYE4_MAX_VELOCITY * EYE4_MAX_VELOCITY && speed2 < EYE4_MAX_SPEED * EYE4_MAX_SPEED
+            && phase2 < EYE4_MAX_PHASE * EYE4_MAX_PHASE && given2 < limit * limit) { return EYE4_OK; }
+    }
+#endif
+    eye4_status status = eye4_within(x->position, 3, EYE4_MAX_POSITION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->attitude, 4, 2.0);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->V, 6, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->V, 3, EYE4_MAX_VELOCITY);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->phi, EYE4_N, EYE4_MAX_PHASE);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(x->phi_dot, EYE4_N, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return EYE4_RANGE; }
+    status = eye4_within(values, EYE4_N, limit);
+    if (status != EYE4_OK) { return status; }
+    return EYE4_OK;
+}
+
+/* Rotation matrix of a quaternion of any length: no square root is needed. */
+EYE4_CODE
+static void eye4_rotation(const eye4_real q[4], eye4_real C[restrict 9])
+{
+    const eye4_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
+    C[1] = k * (q[1] * q[2] - q[0] * q[3]);
+    C[2] = k * (q[0] * q[2] + q[1] * q[3]);
+    C[3] = k * (q[0] * q[3] + q[1] * q[2]);
+    C[4] = 1.0 + k * (-(q[1] * q[1]) - q[3] * q[3]);
+    C[5] = k * (q[2] * q[3] - q[0] * q[1]);
+    C[6] = k * (q[1] * q[3] - q[0] * q[2]);
+    C[7] = k * (q[0] * q[1] + q[2] * q[3]);
+    C[8] = 1.0 + k * (-(q[1] * q[1]) - q[2] * q[2]);
+}
+
+/* Sines and cosines of all phases.
+ * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
+ * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
+EYE4_CODE
+static void eye4_sincos_each(const eye4_real x[EYE4_N], eye4_real sine[restrict EYE4_N],
+                             eye4_real cosine[restrict EYE4_N])
+{
+    for (int s = 0; s < EYE4_N; ++s) {
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
+         * sum. */
+        const eye4_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
+        const eye4_word quadrant = eye4_bits_of(shifted);  /* mod 4: its last two bits */
+        const eye4_real k = shifted - 6755399441055744.0;
+        /* r = r_hi - r_tail = x - k pi/2, pi/2 in three parts: the product with the first is exact. */
+        const eye4_real rest = x[s] - k * 1.570796325802803;
+        const eye4_real second = k * 9.920935796805365e-10;
+        const eye4_real r_hi = rest - second;
+        /* rounding error of r_hi, and the third part */
+        const eye4_real r_tail = r_hi - rest + second + k * 3.9455541665632055e-24;
+        const eye4_real z = r_hi * r_hi;
+        /* cos r_hi = 1 - z/2 + z^2 C(z); the rounding error of 1 - z/2 is added back. */
+        const eye4_real half_z = z * 0.5;
+        const eye4_real flat = 1.0 - half_z;
+        const eye4_real cos_fit = 0.0416666666666666
+            + z * (-0.001388888888887447 + z
+            * (2.4801587289666868e-5 + z * (-2.755731439924032e-7
+            + z * (2.087572898867696e-9 + z * -1.1359916930271879e-11))));
+        const eye4_real cos_r = flat + (1.0 - flat - half_z + (z * z * cos_fit + r_hi * r_tail));
+        /* sin r_hi = r_hi - r_hi^3 S(z), S with positive sign so that sin(-0) = -0. */
+        const eye4_real sin_fit = 0.1666666666666663
+            + z * (-0.00833333333332184 + z * (0.00019841269829358541
+            + z * (-2.7557313538526495e-6 + z * (2.5050734392488434e-8 + z * -1.5895433551463968e-10))));
+        const eye4_real sin_r = r_hi - (z * r_hi * sin_fit + flat * r_tail);
+        /* Odd quadrants exchange sine and cosine; quadrants 2, 3 negate the sine, 1, 2 the cosine. */
+        const eye4_word sin_bits = eye4_bits_of(sin_r);
+        const eye4_word cos_bits = eye4_bits_of(cos_r);
+        const eye4_word exchange = (sin_bits ^ cos_bits) & (0u - (quadrant & 1u));
+        const eye4_word sine_sign = (quadrant << 62u) & 0x8000000000000000u;
+        const eye4_word cosine_sign = ((quadrant + 1u) << 62u) & 0x8000000000000000u;
+        sine[s] = eye4_real_of(sin_bits ^ exchange ^ sine_sign);
+        cosine[s] = eye4_real_of(cos_bits ^ exchange ^ cosine_sign);
+    }
+}
+
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
+EYE4_CODE
+static void eye4_sum_mass(const eye4_table *table, const eye4_real sine[EYE4_N],
+                          const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
+                          eye4_sums *restrict sum)
+{
+    sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
+    sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
+    sum->J_dot[0] = 0.0;  sum->J_dot[1] = 0.0;  sum->J_dot[2] = 0.0;
+    sum->J_dot[3] = 0.0;  sum->J_dot[4] = 0.0;  sum->J_dot[5] = 0.0;
+    sum->mu[0] = table->first_moment[0];
+    sum->mu[1] = table->first_moment[1];
+    sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
+    for (int k = 0; k < EYE4_N; ++k) {
+        const eye4_real s = sine[k];
+        const eye4_real c = cosine[k];
+        const eye4_real w = phi_dot[k];
+        const eye4_real c2 = 1.0 - 2.0 * (s * s);  /* cos 2 phi, then sin 2 phi */
+        const eye4_real s2 = 2.0 * c * s;
+        const eye4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const eye4_real ds = w * c;
+        const eye4_real dc2 = -2.0 * w * s2;
+        const eye4_real ds2 = 2.0 * w * c2;
+        /* inertia */
+        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
+            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
+        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
+            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
+        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
+            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
+        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
+            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
+        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
+            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
+        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
+            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        /* its rate: K_dot of (6) */
+        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
+            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
+        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
+            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
+        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
+            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
+        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
+            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
+        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
+            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
+        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
+            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        /* first moment and its rate */
+        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
+        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
+        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
+        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
+        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
+        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+EYE4_CODE
+static void eye4_sum_steady_spin(const eye4_table *table, const eye4_real sine[EYE4_N],
+                                 const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
+                                 eye4_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < EYE4_N; ++k) {
+        const eye4_real s = sine[k];
+        const eye4_real c = cosine[k];
+        const eye4_real w = phi_dot[k];
+        const eye4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const eye4_real ds = w * c;
+        const eye4_real ddc = -w * ds;  /* second time derivatives */
+        const eye4_real dds = w * dc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+    }
+}
+
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+EYE4_CODE
+static void eye4_sum_spin(const eye4_table *table, const eye4_real sine[EYE4_N],
+                          const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
+                          const eye4_real phi_ddot[EYE4_N], eye4_sums *restrict sum)
+{
+    sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
+    sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
+    sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
+    for (int k = 0; k < EYE4_N; ++k) {
+        const eye4_real s = sine[k];
+        const eye4_real c = cosine[k];
+        const eye4_real w = phi_dot[k];
+        const eye4_real a = phi_ddot[k];
+        const eye4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
+        const eye4_real ds = w * c;
+        const eye4_real ddc = -w * ds - a * s;  /* second time derivatives */
+        const eye4_real dds = a * c + w * dc;
+        /* moment part of I phi' (its force part is mu_dot) */
+        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * dc;
+        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * dc;
+        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * dc;
+        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
+            - table->flywheel[k].t_s[0] * ddc;
+        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
+            - table->flywheel[k].t_s[1] * ddc;
+        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
+            - table->flywheel[k].t_s[2] * ddc;
+        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
+        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
+        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+    }
+}
+
+/* Total external wrench of run-time wrenches, from checked inputs, (7). */
+EYE4_CODE
+static void eye4_external(const eye4_real wrench[6], eye4_real F[restrict 6])
+{
+    F[0] = 0.0;         F[1] = 0.0;         F[2] = 0.0;
+    F[3] = 0.0;         F[4] = 0.0;         F[5] = 0.0;
+    F[0] += wrench[0];  F[1] += wrench[1];  F[2] += wrench[2];
+    F[3] += wrench[3];  F[4] += wrench[4];  F[5] += wrench[5];
+}
+
+/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
+EYE4_CODE
+static void eye4_momentum_screw(const eye4_table *table, const eye4_sums *sum, const eye4_real V[6],
+                                eye4_real Z[restrict 6])
+{
+    Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    Z[2] = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    Z[3] = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0] + sum->mu[1] * V[2]
+        - sum->mu[2] * V[1];
+    Z[4] = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1] + sum->mu[2] * V[0]
+        - sum->mu[0] * V[2];
+    Z[5] = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2] + sum->mu[0] * V[1]
+        - sum->mu[1] * V[0];
+}
+
+/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
+EYE4_CODE
+static void eye4_subtract_rates(const eye4_table *table, const eye4_sums *sum, const eye4_real V[6],
+                                eye4_real F[restrict 6])
+{
+    /* momentum screw Z = K V + sum I phi' */
+    const eye4_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
+    const eye4_real Z2 = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
+    const eye4_real Z3 = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
+    const eye4_real Z4 = sum->J[0] * V[3] + sum->J[3] * V[4] + sum->J[4] * V[5] + sum->h_rel[0]
+        + sum->mu[1] * V[2] - sum->mu[2] * V[1];
+    const eye4_real Z5 = sum->J[1] * V[4] + sum->J[3] * V[3] + sum->J[5] * V[5] + sum->h_rel[1]
+        + sum->mu[2] * V[0] - sum->mu[0] * V[2];
+    const eye4_real Z6 = sum->J[2] * V[5] + sum->J[4] * V[3] + sum->J[5] * V[4] + sum->h_rel[2]
+        + sum->mu[0] * V[1] - sum->mu[1] * V[0];
+    F[0] = F[0] + sum->mu_dot[1] * V[5] + V[5] * Z2 - sum->a_rel[0] - sum->mu_dot[2] * V[4] - V[4] * Z3;
+    F[1] = F[1] + sum->mu_dot[2] * V[3] + V[3] * Z3 - sum->a_rel[1] - sum->mu_dot[0] * V[5] - V[5] * Z1;
+    F[2] = F[2] + sum->mu_dot[0] * V[4] + V[4] * Z1 - sum->a_rel[2] - sum->mu_dot[1] * V[3] - V[3] * Z2;
+    F[3] = F[3] + Z5 * V[5] + sum->mu_dot[2] * V[1] + Z2 * V[2] - sum->J_dot[0] * V[3] - sum->J_dot[3] * V[4]
+        - sum->J_dot[4] * V[5] - sum->g_rel[0] - Z6 * V[4] - sum->mu_dot[1] * V[2] - Z3 * V[1];
+    F[4] = F[4] + Z6 * V[3] + sum->mu_dot[0] * V[2] + Z3 * V[0] - sum->J_dot[1] * V[4] - sum->J_dot[3] * V[3]
+        - sum->J_dot[5] * V[5] - sum->g_rel[1] - Z4 * V[5] - sum->mu_dot[2] * V[0] - Z1 * V[2];
+    F[5] = F[5] + Z4 * V[4] + sum->mu_dot[1] * V[0] + Z1 * V[1] - sum->J_dot[2] * V[5] - sum->J_dot[4] * V[3]
+        - sum->J_dot[5] * V[4] - sum->g_rel[2] - Z5 * V[3] - sum->mu_dot[0] * V[1] - Z2 * V[0];
+}
+
+/* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
+EYE4_CODE
+static eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *restrict L)
+{
+    if (!(S[0] >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r1 = 1.0 / S[0];
+    const eye4_real l21 = S[3] * r1;
+    const eye4_real l31 = S[4] * r1;
+    const eye4_real d2 = S[1] - l21 * S[3];
+    if (!(d2 >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r2 = 1.0 / d2;
+    const eye4_real p32 = S[5] - l31 * S[3];
+    const eye4_real l32 = p32 * r2;
+    const eye4_real d3 = S[2] - l31 * S[4] - l32 * p32;
+    if (!(d3 >= 2.2250738585072014e-308)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    L->r1 = r1;
+    L->r2 = r2;
+    L->d3 = d3;
+    L->l21 = l21;
+    L->l31 = l31;
+    L->l32 = l32;
+    return EYE4_OK;
+}
+
+/* Solves S y = b by S = L D L^T. */
+EYE4_CODE
+static void eye4_solve3(const eye4_factors3 *L, const eye4_real b[3], eye4_real y[restrict 3])
+{
+    /* L z = b, then L^T y = D^-1 z */
+    const eye4_real z2 = b[1] - L->l21 * b[0];
+    const eye4_real y3 = (b[2] - L->l31 * b[0] - L->l32 * z2) / L->d3;
+    const eye4_real y2 = z2 * L->r2 - L->l32 * y3;
+    y[0] = b[0] * L->r1 - L->l21 * y2 - L->l31 * y3;
+    y[1] = y2;  y[2] = y3;
+}
+
+/* Factors K: its translational block is constant, so that a 3x3 matrix is left, (8). */
+EYE4_CODE
+static eye4_status eye4_factor_carrier(const eye4_table *table, const eye4_sums *sum,
+                                       eye4_carrier_factor *restrict K)
+{
+    eye4_status status;
+    K->rho[0] = table->mass_inverse * sum->mu[0];
+    K->rho[1] = table->mass_inverse * sum->mu[1];
+    K->rho[2] = table->mass_inverse * sum->mu[2];
+    eye4_real S[6];  /* inertia about the mass centre */
+    S[0] = sum->J[0] - sum->mu[1] * K->rho[1] - sum->mu[2] * K->rho[2];
+    S[1] = sum->J[1] - sum->mu[0] * K->rho[0] - sum->mu[2] * K->rho[2];
+    S[2] = sum->J[2] - sum->mu[0] * K->rho[0] - sum->mu[1] * K->rho[1];
+    S[3] = sum->J[3] + sum->mu[1] * K->rho[0];
+    S[4] = sum->J[4] + sum->mu[2] * K->rho[0];
+    S[5] = sum->J[5] + sum->mu[2] * K->rho[1];
+    status = eye4_factor3(S, &K->L);
+    if (status != EYE4_OK) { return status; }
+    return EYE4_OK;
+}
+
+/* Solves K y = F by the factors of K, (8). */
+EYE4_CODE
+static void eye4_solve_carrier(const eye4_table *table, const eye4_carrier_factor *K, const eye4_real F[6],
+                               eye4_real y[restrict 6])
+{
+    eye4_real moment[3];  /* about the mass centre */
+    eye4_real omega_dot[3];
+    moment[0] = F[1] * K->rho[2] + F[3] - F[2] * K->rho[1];
+    moment[1] = F[2] * K->rho[0] + F[4] - F[0] * K->rho[2];
+    moment[2] = F[0] * K->rho[1] + F[5] - F[1] * K->rho[0];
+    eye4_solve3(&K->L, moment, omega_dot);
+    y[0] = F[0] * table->mass_inverse + omega_dot[2] * K->rho[1] - omega_dot[1] * K->rho[2];
+    y[1] = F[1] * table->mass_inverse + omega_dot[0] * K->rho[2] - omega_dot[2] * K->rho[0];
+    y[2] = F[2] * table->mass_inverse + omega_dot[1] * K->rho[0] - omega_dot[0] * K->rho[1];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+}
+
+/* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
+ * (8). */
+EYE4_CODE
+static eye4_status eye4_accelerate(const eye4_table *table, const eye4_state *x,
+                                   const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
+                                   const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                   eye4_real V_dot[restrict 6])
+{
+    eye4_status status;
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
+    eye4_real F[6];  /* wrench (7); then the right-hand side of (8) */
+    eye4_carrier_factor K;
+    eye4_external(wrench, F);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    status = eye4_factor_carrier(table, &sum, &K);
+    if (status != EYE4_OK) { return status; }
+    eye4_solve_carrier(table, &K, F, V_dot);
+    return EYE4_OK;
+}
+
+/* (8) */
+EYE4_CODE
+eye4_status eye4_forward(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
+                         const eye4_real wrench[6], eye4_real V_dot[6])
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || wrench == NULL
+        || V_dot == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_real result[6];
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, result);
+    if (status != EYE4_OK) { return status; }
+    V_dot[0] = result[0];  V_dot[1] = result[1];  V_dot[2] = result[2];
+    V_dot[3] = result[3];  V_dot[4] = result[4];  V_dot[5] = result[5];
+    return EYE4_OK;
+}
+
+/* (7) */
+EYE4_CODE
+eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_real F[6])
+{
+    if (x == NULL || wrench == NULL || F == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_real result[6];
+    eye4_external(wrench, result);
+    F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
+    F[3] = result[3];  F[4] = result[4];  F[5] = result[5];
+    return EYE4_OK;
+}
+
+/* M = Phi K + K*, (9). */
+EYE4_CODE
+static void eye4_velocity_matrix(const eye4_real V[6], eye4_matrices_result *restrict out)
+{
+    for (int j = 0; j < 6; ++j) {  /* Phi acts on each column */
+        out->M[0][j] = out->K[2][j] * V[4] - out->K[1][j] * V[5] + out->K_dot[0][j];
+        out->M[1][j] = out->K[0][j] * V[5] - out->K[2][j] * V[3] + out->K_dot[1][j];
+        out->M[2][j] = out->K[1][j] * V[3] - out->K[0][j] * V[4] + out->K_dot[2][j];
+        out->M[3][j] = out->K[2][j] * V[1] + out->K[5][j] * V[4] - out->K[1][j] * V[2] - out->K[4][j] * V[5]
+            + out->K_dot[3][j];
+        out->M[4][j] = out->K[0][j] * V[2] + out->K[3][j] * V[5] - out->K[2][j] * V[0] - out->K[5][j] * V[3]
+            + out->K_dot[4][j];
+        out->M[5][j] = out->K[1][j] * V[0] + out->K[4][j] * V[3] - out->K[0][j] * V[1] - out->K[3][j] * V[4]
+            + out->K_dot[5][j];
+    }
+}
+
+/* (2), (6)-(9) */
+EYE4_CODE
+eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const eye4_real wrench[6],
+                          eye4_matrices_result *out)
+{
+    if (table == NULL || x == NULL || wrench == NULL || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_sums sum;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real F[6];
+    eye4_external(wrench, F);
+    out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
+    out->F[3] = F[3];  out->F[4] = F[4];  out->F[5] = F[5];
+    /* K (2) and its rate (6) */
+    out->K[0][0] = table->mass;  out->K[0][1] = 0.0;          out->K[0][2] = 0.0;
+    out->K[0][3] = 0.0;          out->K[0][4] = sum.mu[2];    out->K[0][5] = -sum.mu[1];
+    out->K[1][0] = 0.0;          out->K[1][1] = table->mass;  out->K[1][2] = 0.0;
+    out->K[1][3] = -sum.mu[2];   out->K[1][4] = 0.0;          out->K[1][5] = sum.mu[0];
+    out->K[2][0] = 0.0;          out->K[2][1] = 0.0;          out->K[2][2] = table->mass;
+    out->K[2][3] = sum.mu[1];    out->K[2][4] = -sum.mu[0];   out->K[2][5] = 0.0;
+    out->K[3][0] = 0.0;         out->K[3][1] = -sum.mu[2];  out->K[3][2] = sum.mu[1];
+    out->K[3][3] = sum.J[0];    out->K[3][4] = sum.J[3];    out->K[3][5] = sum.J[4];
+    out->K[4][0] = sum.mu[2];   out->K[4][1] = 0.0;         out->K[4][2] = -sum.mu[0];
+    out->K[4][3] = sum.J[3];    out->K[4][4] = sum.J[1];    out->K[4][5] = sum.J[5];
+    out->K[5][0] = -sum.mu[1];  out->K[5][1] = sum.mu[0];   out->K[5][2] = 0.0;
+    out->K[5][3] = sum.J[4];    out->K[5][4] = sum.J[5];    out->K[5][5] = sum.J[2];
+    out->K_dot[0][0] = 0.0;             out->K_dot[0][1] = 0.0;             out->K_dot[0][2] = 0.0;
+    out->K_dot[0][3] = 0.0;             out->K_dot[0][4] = sum.mu_dot[2];   out->K_dot[0][5] = -sum.mu_dot[1];
+    out->K_dot[1][0] = 0.0;             out->K_dot[1][1] = 0.0;             out->K_dot[1][2] = 0.0;
+    out->K_dot[1][3] = -sum.mu_dot[2];  out->K_dot[1][4] = 0.0;             out->K_dot[1][5] = sum.mu_dot[0];
+    out->K_dot[2][0] = 0.0;             out->K_dot[2][1] = 0.0;             out->K_dot[2][2] = 0.0;
+    out->K_dot[2][3] = sum.mu_dot[1];   out->K_dot[2][4] = -sum.mu_dot[0];  out->K_dot[2][5] = 0.0;
+    out->K_dot[3][0] = 0.0;             out->K_dot[3][1] = -sum.mu_dot[2];  out->K_dot[3][2] = sum.mu_dot[1];
+    out->K_dot[3][3] = sum.J_dot[0];    out->K_dot[3][4] = sum.J_dot[3];    out->K_dot[3][5] = sum.J_dot[4];
+    out->K_dot[4][0] = sum.mu_dot[2];   out->K_dot[4][1] = 0.0;             out->K_dot[4][2] = -sum.mu_dot[0];
+    out->K_dot[4][3] = sum.J_dot[3];    out->K_dot[4][4] = sum.J_dot[1];    out->K_dot[4][5] = sum.J_dot[5];
+    out->K_dot[5][0] = -sum.mu_dot[1];  out->K_dot[5][1] = sum.mu_dot[0];   out->K_dot[5][2] = 0.0;
+    out->K_dot[5][3] = sum.J_dot[4];    out->K_dot[5][4] = sum.J_dot[5];    out->K_dot[5][5] = sum.J_dot[2];
+    eye4_velocity_matrix(x->V, out);
+    eye4_real column[6];  /* I_s */
+    eye4_real rate[6];  /* dI_s / dphi */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        rate[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+        rate[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+        rate[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+        rate[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+        rate[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+        rate[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
+        out->I_[0][s] = column[0];
+        out->J[0][s] = column[2] * x->V[4] - column[1] * x->V[5] + rate[0] * x->phi_dot[s];
+        out->I_[1][s] = column[1];
+        out->J[1][s] = column[0] * x->V[5] - column[2] * x->V[3] + rate[1] * x->phi_dot[s];
+        out->I_[2][s] = column[2];
+        out->J[2][s] = column[1] * x->V[3] - column[0] * x->V[4] + rate[2] * x->phi_dot[s];
+        out->I_[3][s] = column[3];
+        out->J[3][s] = column[2] * x->V[1] + column[5] * x->V[4] - column[1] * x->V[2] - column[4] * x->V[5]
+            + rate[3] * x->phi_dot[s];
+        out->I_[4][s] = column[4];
+        out->J[4][s] = column[0] * x->V[2] + column[3] * x->V[5] - column[2] * x->V[0] - column[5] * x->V[3]
+            + rate[4] * x->phi_dot[s];
+        out->I_[5][s] = column[5];
+        out->J[5][s] = column[1] * x->V[0] + column[4] * x->V[3] - column[0] * x->V[1] - column[3] * x->V[4]
+            + rate[5] * x->phi_dot[s];
+    }
+    return EYE4_OK;
+}
+
+/* (1), (2) */
+EYE4_CODE
+eye4_status eye4_momentum(const eye4_table *table, const eye4_state *x, eye4_momentum_result *out)
+{
+    if (table == NULL || x == NULL || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    eye4_real C[9];  /* attitude */
+    eye4_rotation(x->attitude, C);
+    eye4_sums sum;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real Z[6];  /* momentum screw (2) */
+    eye4_momentum_screw(table, &sum, x->V, Z);
+    eye4_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        /* I_s . V */
+        const eye4_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
+            * x->V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * x->V[1]
+            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * x->V[2]
+            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0]) * x->V[3]
+            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1]) * x->V[4]
+            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
+    }
+    eye4_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
+        + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
+    out->Z[0] = Z[0];  out->Z[1] = Z[1];  out->Z[2] = Z[2];
+    out->Z[3] = Z[3];  out->Z[4] = Z[4];  out->Z[5] = Z[5];
+    /* Z0 = L1 Z of (1) */
+    out->Z0[0] = C[0] * Z[0] + C[1] * Z[1] + C[2] * Z[2];
+    out->Z0[1] = C[3] * Z[0] + C[4] * Z[1] + C[5] * Z[2];
+    out->Z0[2] = C[6] * Z[0] + C[7] * Z[1] + C[8] * Z[2];
+    out->Z0[3] = C[0] * Z[3] + C[1] * Z[4] + C[2] * Z[5] + out->Z0[2] * x->position[1]
+        - out->Z0[1] * x->position[2];
+    out->Z0[4] = C[3] * Z[3] + C[4] * Z[4] + C[5] * Z[5] + out->Z0[0] * x->position[2]
+        - out->Z0[2] * x->position[0];
+    out->Z0[5] = C[6] * Z[3] + C[7] * Z[4] + C[8] * Z[5] + out->Z0[1] * x->position[0]
+        - out->Z0[0] * x->position[1];
+    out->energy = energy;
+    out->center_of_mass[0] = sum.mu[0] * table->mass_inverse;
+    out->center_of_mass[1] = sum.mu[1] * table->mass_inverse;
+    out->center_of_mass[2] = sum.mu[2] * table->mass_inverse;
+    return EYE4_OK;
+}
+
+/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
+EYE4_CODE
+static void eye4_couple(const eye4_row *row, eye4_real s, eye4_real c,
+                        const eye4_real origin_acceleration[3], const eye4_real spun[6],
+                        eye4_coupling *restrict out)
+{
+    const eye4_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
+    const eye4_real two_s2 = 4.0 * c * s;
+    out->I_[0] = row->mu_s[0] * c - row->mu_c[0] * s;
+    out->I_[1] = row->mu_s[1] * c - row->mu_c[1] * s;
+    out->I_[2] = row->mu_s[2] * c - row->mu_c[2] * s;
+    out->I_[3] = row->t_c[0] * c + row->t_s[0] * s + row->t_0[0];
+    out->I_[4] = row->t_c[1] * c + row->t_s[1] * s + row->t_0[1];
+    out->I_[5] = row->t_c[2] * c + row->t_s[2] * s + row->t_0[2];
+    /* dJ / dphi */
+    const eye4_real J_p1 = row->J_2s[0] * two_c2 + row->J_s[0] * c - row->J_2c[0] * two_s2 - row->J_c[0] * s;
+    const eye4_real J_p2 = row->J_2s[1] * two_c2 + row->J_s[1] * c - row->J_2c[1] * two_s2 - row->J_c[1] * s;
+    const eye4_real J_p3 = row->J_2s[2] * two_c2 + row->J_s[2] * c - row->J_2c[2] * two_s2 - row->J_c[2] * s;
+    const eye4_real J_p4 = row->J_2s[3] * two_c2 + row->J_s[3] * c - row->J_2c[3] * two_s2 - row->J_c[3] * s;
+    const eye4_real J_p5 = row->J_2s[4] * two_c2 + row->J_s[4] * c - row->J_2c[4] * two_s2 - row->J_c[4] * s;
+    const eye4_real J_p6 = row->J_2s[5] * two_c2 + row->J_s[5] * c - row->J_2c[5] * two_s2 - row->J_c[5] * s;
+    out->bias = J_p1 * spun[0] + J_p2 * spun[1] + J_p3 * spun[2] + J_p4 * spun[3] + J_p5 * spun[4]
+        + J_p6 * spun[5] + out->I_[0] * origin_acceleration[0] + out->I_[1] * origin_acceleration[1]
+        + out->I_[2] * origin_acceleration[2];
+}
+
+/* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
+EYE4_CODE
+static void eye4_eliminate(const eye4_real column[6], eye4_real spin_inv, eye4_real rate,
+                           eye4_schur *restrict K, eye4_real F[restrict 6])
+{
+    eye4_real scaled[6];  /* I / Theta_ff */
+    scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
+    scaled[3] = column[3] * spin_inv;  scaled[4] = column[4] * spin_inv;  scaled[5] = column[5] * spin_inv;
+    K->A[0] -= column[0] * scaled[0];  K->A[1] -= column[1] * scaled[1];  K->A[2] -= column[2] * scaled[2];
+    K->A[3] -= column[0] * scaled[1];  K->A[4] -= column[0] * scaled[2];  K->A[5] -= column[1] * scaled[2];
+    K->B[0] -= column[3] * scaled[0];  K->B[1] -= column[3] * scaled[1];  K->B[2] -= column[3] * scaled[2];
+    K->B[3] -= column[4] * scaled[0];  K->B[4] -= column[4] * scaled[1];  K->B[5] -= column[4] * scaled[2];
+    K->B[6] -= column[5] * scaled[0];  K->B[7] -= column[5] * scaled[1];  K->B[8] -= column[5] * scaled[2];
+    K->D[0] -= column[3] * scaled[3];  K->D[1] -= column[4] * scaled[4];  K->D[2] -= column[5] * scaled[5];
+    K->D[3] -= column[3] * scaled[4];  K->D[4] -= column[3] * scaled[5];  K->D[5] -= column[4] * scaled[5];
+    F[0] -= column[0] * rate;  F[1] -= column[1] * rate;  F[2] -= column[2] * rate;
+    F[3] -= column[3] * rate;  F[4] -= column[4] * rate;  F[5] -= column[5] * rate;
+}
+
+/* Drive torques for a given motion, from checked inputs. */
+EYE4_CODE
+static void eye4_balance(const eye4_table *table, const eye4_state *x, const eye4_real sine[EYE4_N],
+                         const eye4_real cosine[EYE4_N], const eye4_real V_dot[6],
+                         const eye4_real phi_ddot[EYE4_N], eye4_real tau[restrict EYE4_N])
+{
+    eye4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    eye4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    eye4_coupling drive;
+    for (int s = 0; s < EYE4_N; ++s) {
+        eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+}
+
+/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+EYE4_CODE
+eye4_status eye4_torque(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
+                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6], eye4_real tau[EYE4_N])
+{
+    if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL || wrench == NULL
+        || tau == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    eye4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    eye4_coupling drive;
+    for (int s = 0; s < EYE4_N; ++s) {
+        eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        tau[s] = V_dot[0] * drive.I_[0] + V_dot[1] * drive.I_[1] + V_dot[2] * drive.I_[2]
+            + V_dot[3] * drive.I_[3] + V_dot[4] * drive.I_[4] + V_dot[5] * drive.I_[5]
+            + table->flywheel[s].spin * phi_ddot[s] + drive.bias;
+    }
+    return EYE4_OK;
+}
+
+/* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
+EYE4_CODE
+static eye4_status eye4_factor_schur(const eye4_schur *K, eye4_schur_factor *restrict factor)
+{
+    eye4_status status;
+    const eye4_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
+    const eye4_real c22 = K->A[0] * K->A[2] - K->A[4] * K->A[4];
+    const eye4_real c33 = K->A[0] * K->A[1] - K->A[3] * K->A[3];
+    const eye4_real c12 = K->A[4] * K->A[5] - K->A[2] * K->A[3];
+    const eye4_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
+    const eye4_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
+    const eye4_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= EYE4_LARGEST))) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r = 1.0 / det;
+    factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
+    factor->A_inv[3] = c12 * r;  factor->A_inv[4] = c13 * r;  factor->A_inv[5] = c23 * r;
+    eye4_real S[6];  /* D - B A^-1 B^T */
+    factor->U[0] = factor->A_inv[0] * K->B[0] + factor->A_inv[3] * K->B[1] + factor->A_inv[4] * K->B[2];
+    factor->U[1] = factor->A_inv[0] * K->B[3] + factor->A_inv[3] * K->B[4] + factor->A_inv[4] * K->B[5];
+    factor->U[2] = factor->A_inv[0] * K->B[6] + factor->A_inv[3] * K->B[7] + factor->A_inv[4] * K->B[8];
+    factor->U[3] = factor->A_inv[1] * K->B[1] + factor->A_inv[3] * K->B[0] + factor->A_inv[5] * K->B[2];
+    factor->U[4] = factor->A_inv[1] * K->B[4] + factor->A_inv[3] * K->B[3] + factor->A_inv[5] * K->B[5];
+    factor->U[5] = factor->A_inv[1] * K->B[7] + factor->A_inv[3] * K->B[6] + factor->A_inv[5] * K->B[8];
+    factor->U[6] = factor->A_inv[2] * K->B[2] + factor->A_inv[4] * K->B[0] + factor->A_inv[5] * K->B[1];
+    factor->U[7] = factor->A_inv[2] * K->B[5] + factor->A_inv[4] * K->B[3] + factor->A_inv[5] * K->B[4];
+    factor->U[8] = factor->A_inv[2] * K->B[8] + factor->A_inv[4] * K->B[6] + factor->A_inv[5] * K->B[7];
+    S[0] = K->D[0] - K->B[0] * factor->U[0] - K->B[1] * factor->U[3] - K->B[2] * factor->U[6];
+    S[1] = K->D[1] - K->B[3] * factor->U[1] - K->B[4] * factor->U[4] - K->B[5] * factor->U[7];
+    S[2] = K->D[2] - K->B[6] * factor->U[2] - K->B[7] * factor->U[5] - K->B[8] * factor->U[8];
+    S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
+    S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
+    S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
+    status = eye4_factor3(S, &factor->L);
+    if (status != EYE4_OK) { return status; }
+    return EYE4_OK;
+}
+
+/* Solves [A B^T; B D] y = F by the factors. */
+EYE4_CODE
+static void eye4_solve_schur(const eye4_schur_factor *factor, const eye4_real F[6], eye4_real y[restrict 6])
+{
+    eye4_real moment[3];  /* n - B A^-1 f */
+    eye4_real omega_dot[3];
+    moment[0] = F[3] - factor->U[0] * F[0] - factor->U[3] * F[1] - factor->U[6] * F[2];
+    moment[1] = F[4] - factor->U[1] * F[0] - factor->U[4] * F[1] - factor->U[7] * F[2];
+    moment[2] = F[5] - factor->U[2] * F[0] - factor->U[5] * F[1] - factor->U[8] * F[2];
+    eye4_solve3(&factor->L, moment, omega_dot);
+    y[0] = factor->A_inv[0] * F[0] + factor->A_inv[3] * F[1] + factor->A_inv[4] * F[2]
+        - factor->U[0] * omega_dot[0] - factor->U[1] * omega_dot[1] - factor->U[2] * omega_dot[2];
+    y[1] = factor->A_inv[1] * F[1] + factor->A_inv[3] * F[0] + factor->A_inv[5] * F[2]
+        - factor->U[3] * omega_dot[0] - factor->U[4] * omega_dot[1] - factor->U[5] * omega_dot[2];
+    y[2] = factor->A_inv[2] * F[2] + factor->A_inv[4] * F[0] + factor->A_inv[5] * F[1]
+        - factor->U[6] * omega_dot[0] - factor->U[7] * omega_dot[1] - factor->U[8] * omega_dot[2];
+    y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
+}
+
+/* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
+EYE4_CODE
+static eye4_status eye4_solve_coupled(const eye4_table *table, const eye4_state *x,
+                                      const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
+                                      const eye4_real tau[EYE4_N], const int locked[EYE4_N],
+                                      const eye4_real wrench[6], eye4_real V_dot[restrict 6],
+                                      eye4_real phi_ddot[restrict EYE4_N])
+{
+    eye4_status status;
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    eye4_external(wrench, F);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    eye4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    eye4_coupling drive[EYE4_N];
+    eye4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    eye4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    eye4_real rate[EYE4_N];  /* accelerations at V* = 0 */
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (locked[s] == 0) {
+            eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
+            eye4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+        } else {
+            drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
+            drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
+            rate[s] = 0.0;
+        }
+    }
+    eye4_schur_factor factor;
+    status = eye4_factor_schur(&K, &factor);
+    if (status != EYE4_OK) { return status; }
+    eye4_solve_schur(&factor, F, V_dot);
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        if (locked[s] == 0) {
+            phi_ddot[s] = rate[s] - (V_dot[0] * drive[s].I_[0] + V_dot[1] * drive[s].I_[1]
+                + V_dot[2] * drive[s].I_[2] + V_dot[3] * drive[s].I_[3] + V_dot[4] * drive[s].I_[4]
+                + V_dot[5] * drive[s].I_[5]) * table->flywheel[s].spin_inv;
+        }
+    }
+    return EYE4_OK;
+}
+
+/* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
+EYE4_CODE
+eye4_status eye4_coupled(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                         const int locked[EYE4_N], const eye4_real wrench[6], eye4_real V_dot[6],
+                         eye4_real phi_ddot[EYE4_N])
+{
+    if (table == NULL || x == NULL || tau == NULL || wrench == NULL || V_dot == NULL
+        || phi_ddot == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = eye4_none_locked; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_real V_result[6];
+    eye4_real phi_result[EYE4_N];
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_solve_coupled(table, x, sine, cosine, tau, locked, wrench, V_result, phi_result);
+    if (status != EYE4_OK) { return status; }
+    V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
+    V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = phi_result[s];
+    }
+    return EYE4_OK;
+}
+
+/* Sets to = x + h rate, after wrapping the phases to within half a turn. */
+EYE4_CODE
+static void eye4_advance(const eye4_state *x, const eye4_state *rate, eye4_real h, eye4_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        to->position[i] = x->position[i] + h * rate->position[i];
+    }
+    for (int i = 0; i < 4; ++i) {
+        to->attitude[i] = x->attitude[i] + h * rate->attitude[i];
+    }
+    for (int i = 0; i < 6; ++i) {
+        to->V[i] = x->V[i] + h * rate->V[i];
+    }
+    for (int i = 0; i < EYE4_N; ++i) {
+        to->phi[i] = eye4_wrapped(x->phi[i]) + h * rate->phi[i];
+    }
+    for (int i = 0; i < EYE4_N; ++i) {
+        to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
+    }
+}
+
+/* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
+EYE4_CODE
+static eye4_status eye4_finish(eye4_state *restrict x)
+{
+    eye4_status status;
+    const eye4_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return EYE4_RANGE; }
+    const eye4_real inverse = 1.0 / eye4_sqrt(square);
+    x->attitude[0] = x->attitude[0] * inverse;
+    x->attitude[1] = x->attitude[1] * inverse;
+    x->attitude[2] = x->attitude[2] * inverse;
+    x->attitude[3] = x->attitude[3] * inverse;
+    status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        x->phi[s] = eye4_wrapped(x->phi[s]);
+    }
+    return EYE4_OK;
+}
+
+/* Time derivatives of the state under drive torques. */
+EYE4_CODE
+static eye4_status eye4_rate(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                             const int locked[EYE4_N], const eye4_real wrench[6], eye4_state *restrict rate)
+{
+    eye4_status status;
+    eye4_real C[9];  /* attitude */
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_solve_coupled(table, x, sine, cosine, tau, locked, wrench, rate->V, rate->phi_dot);
+    if (status != EYE4_OK) { return status; }
+    eye4_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < EYE4_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+    }
+    return EYE4_OK;
+}
+
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+EYE4_CODE
+static eye4_status eye4_stages(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                               const int locked[EYE4_N], const eye4_real wrench[6], eye4_real h, int order,
+                               eye4_state *restrict y, eye4_state *restrict total)
+{
+    eye4_status status;
+    eye4_state k;  /* time derivatives at a stage */
+    status = eye4_rate(table, x, tau, locked, wrench, &k);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real half = 0.5 * h;
+    if (order == 2) {
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate(table, y, tau, locked, wrench, total);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+    } else {
+        *total = k;
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate(table, y, tau, locked, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate(table, y, tau, locked, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        eye4_advance(x, &k, h, y);
+        status = eye4_rate(table, y, tau, locked, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return EYE4_OK;
+}
+
+/* State after one time step; drive torques and wrenches are held constant. */
+EYE4_CODE
+eye4_status eye4_step(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                      const int locked[EYE4_N], const eye4_real wrench[6], eye4_real dt, int order,
+                      eye4_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || wrench == NULL
+        || next == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = eye4_none_locked; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
+        if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    if (!(dt > 0.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return EYE4_BAD_ARGUMENT; }
+    eye4_state y;  /* state of a stage; then the new state */
+    eye4_state total;  /* sum of the rates at the stages */
+    status = eye4_stages(table, x, tau, locked, wrench, dt, order, &y, &total);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    eye4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    eye4_advance(x, &total, over, &y);
+    status = eye4_finish(&y);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    *next = y;
+    const eye4_real most = (order == 2) ? EYE4_MAX_TURN_2 : EYE4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return EYE4_COARSE; }
+    return EYE4_OK;
+}
+
+/* Time derivatives of the state under given flywheel accelerations. */
+EYE4_CODE
+static eye4_status eye4_rate_driven(const eye4_table *table, const eye4_state *x,
+                                    const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                    eye4_state *restrict rate)
+{
+    eye4_status status;
+    eye4_real C[9];  /* attitude */
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_accelerate(table, x, sine, cosine, phi_ddot, wrench, rate->V);
+    if (status != EYE4_OK) { return status; }
+    eye4_rotation(x->attitude, C);
+    rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    rate->position[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    rate->position[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    rate->attitude[0] = -0.5 * x->V[3] * x->attitude[1] - 0.5 * x->V[4] * x->attitude[2]
+        - 0.5 * x->V[5] * x->attitude[3];
+    rate->attitude[1] = 0.5 * x->V[3] * x->attitude[0] + 0.5 * x->V[5] * x->attitude[2]
+        - 0.5 * x->V[4] * x->attitude[3];
+    rate->attitude[2] = 0.5 * x->V[3] * x->attitude[3] + 0.5 * x->V[4] * x->attitude[0]
+        - 0.5 * x->V[5] * x->attitude[1];
+    rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
+        - 0.5 * x->V[3] * x->attitude[2];
+    for (int s = 0; s < EYE4_N; ++s) {
+        rate->phi[s] = x->phi_dot[s];
+        rate->phi_dot[s] = phi_ddot[s];
+    }
+    return EYE4_OK;
+}
+
+/* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
+EYE4_CODE
+static eye4_status eye4_stages_driven(const eye4_table *table, const eye4_state *x,
+                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                      eye4_real h, int order, eye4_state *restrict y,
+                                      eye4_state *restrict total)
+{
+    eye4_status status;
+    eye4_state k;  /* time derivatives at a stage */
+    status = eye4_rate_driven(table, x, phi_ddot, wrench, &k);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real half = 0.5 * h;
+    if (order == 2) {
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate_driven(table, y, phi_ddot, wrench, total);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+    } else {
+        *total = k;
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate_driven(table, y, phi_ddot, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        eye4_advance(x, &k, half, y);
+        status = eye4_rate_driven(table, y, phi_ddot, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += 2.0 * k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += 2.0 * k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += 2.0 * k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += 2.0 * k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += 2.0 * k.phi_dot[i];
+        }
+        eye4_advance(x, &k, h, y);
+        status = eye4_rate_driven(table, y, phi_ddot, wrench, &k);
+        if (status != EYE4_OK) { return EYE4_RANGE; }
+        for (int i = 0; i < 3; ++i) {
+            total->position[i] += k.position[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+            total->attitude[i] += k.attitude[i];
+        }
+        for (int i = 0; i < 6; ++i) {
+            total->V[i] += k.V[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi[i] += k.phi[i];
+        }
+        for (int i = 0; i < EYE4_N; ++i) {
+            total->phi_dot[i] += k.phi_dot[i];
+        }
+    }
+    return EYE4_OK;
+}
+
+/* State after one time step; given flywheel accelerations and wrenches are held constant. */
+EYE4_CODE
+eye4_status eye4_step_driven(const eye4_table *table, const eye4_state *x, const eye4_real phi_ddot[EYE4_N],
+                             const eye4_real wrench[6], eye4_real dt, int order, eye4_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || wrench == NULL
+        || next == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
+        if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    if (!(dt > 0.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return EYE4_BAD_ARGUMENT; }
+    eye4_state y;  /* state of a stage; then the new state */
+    eye4_state total;  /* sum of the rates at the stages */
+    status = eye4_stages_driven(table, x, phi_ddot, wrench, dt, order, &y, &total);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    eye4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    eye4_advance(x, &total, over, &y);
+    status = eye4_finish(&y);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    *next = y;
+    const eye4_real most = (order == 2) ? EYE4_MAX_TURN_2 : EYE4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return EYE4_COARSE; }
+    return EYE4_OK;
+}
+
+/* The angle wrapped to [-pi, pi] (pi rounded to the nearest real). */
+EYE4_CODE
+eye4_status eye4_wrap(eye4_real phi, eye4_real *wrapped)
+{
+    if (wrapped == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (!(phi >= -EYE4_MAX_PHASE && phi <= EYE4_MAX_PHASE)) {
+        if (phi >= -EYE4_LARGEST && phi <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    eye4_real k;  /* nearest number of turns; may be off by one next to an odd multiple of pi */
+    eye4_real angle;
+    k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+    angle = eye4_unwound(phi, k);
+    if (angle > 3.141592653589793 || angle < -3.141592653589793) {
+        angle = eye4_unwound(phi, (angle > 3.141592653589793) ? k + 1.0 : k - 1.0);
+    }
+    *wrapped = (angle > 3.141592653589793) ? 3.141592653589793
+        : ((angle < -3.141592653589793) ? -3.141592653589793 : angle);
+    return EYE4_OK;
+}
+
+/* Phase for a count of an encoder. */
+EYE4_CODE
+eye4_status eye4_phase_of_counts(int count, int per_turn, eye4_real zero, eye4_real *phi)
+{
+    if (phi == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return EYE4_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    const eye4_real size = (eye4_real)turn;
+    if (!(zero >= -size && zero <= size)) {
+        if (zero >= -EYE4_LARGEST && zero <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    const int rest = count - count / turn * turn;  /* whole turns removed */
+    eye4_real place = (eye4_real)rest - zero;  /* counts from phi = 0; then reduced to within half a turn */
+    const eye4_real half = size * 0.5;
+    for (int i = 0; i < 2; ++i) {
+        place = (place > half) ? place - size : ((place < -half) ? place + size : place);
+    }
+    *phi = place / (eye4_real)per_turn * 6.283185307179586;
+    return EYE4_OK;
+}
+
+/* Mean speed of a flywheel from the counts of one interval. */
+EYE4_CODE
+eye4_status eye4_speed_of_counts(int moved, int per_turn, eye4_real dt, eye4_real *phi_dot)
+{
+    if (phi_dot == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return EYE4_BAD_ARGUMENT; }
+    if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
+        if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    if (!(dt > 0.0)) { return EYE4_BAD_ARGUMENT; }
+    const eye4_real turns = (eye4_real)moved / (eye4_real)per_turn;
+    const eye4_real speed = turns * 6.283185307179586 / dt;
+    if (!(speed >= -EYE4_MAX_SPEED && speed <= EYE4_MAX_SPEED)) { return EYE4_RANGE; }
+    *phi_dot = speed;
+    return EYE4_OK;
+}
+
+/* Takes one reading of an encoder's counter, which may wrap: place in the turn and counts moved, both
+ * exact. */
+EYE4_CODE
+eye4_status eye4_accumulate(eye4_encoder *encoder, int counter, int bits, int per_turn)
+{
+    if (encoder == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (per_turn < -1073741824 || per_turn > 1073741824 || per_turn == 0) { return EYE4_BAD_ARGUMENT; }
+    const int turn = (per_turn < 0) ? -per_turn : per_turn;  /* counts */
+    if (!(encoder->place >= 0 && encoder->place < turn)) { return EYE4_BAD_ARGUMENT; }
+    int moved;  /* counts since the last reading, in the shorter direction */
+    if (bits == 0) {
+        if (!(counter >= 0 && counter < turn
+            && (encoder->counter >= 0 && encoder->counter < turn))) { return EYE4_BAD_ARGUMENT; }
+        moved = counter - encoder->counter;
+        const int half = turn / 2;
+        moved = (moved > half) ? moved - turn : ((moved < -half) ? moved + turn : moved);
+    } else {
+        if (!(bits >= 2 && bits <= 32)) { return EYE4_BAD_ARGUMENT; }
+        const eye4_word mask = (eye4_word)0xffffffffu >> (eye4_word)(32 - bits);
+        const eye4_word up = ((eye4_word)counter - (eye4_word)encoder->counter) & mask;  /* counts forwards */
+        const eye4_word down = mask - up;  /* counts backwards, less one */
+        moved = (up > down) ? -1 - (int)down : (int)up;
+    }
+    int place = encoder->place + (moved - moved / turn * turn);
+    encoder->place = (place < 0) ? place + turn : ((place < turn) ? place : place - turn);
+    encoder->counter = counter;
+    encoder->moved = moved;
+    return EYE4_OK;
+}
+
+/* Derivative of F - Phi Z - K* V by the twist, (8). */
+EYE4_CODE
+static void eye4_twist_slope(const eye4_real Z[6], const eye4_matrices_result *m,
+                             eye4_real slope[restrict 36])
+{
+    slope[0] = 0.0;     slope[1] = 0.0;     slope[2] = 0.0;
+    slope[3] = 0.0;     slope[4] = -Z[2];   slope[5] = Z[1];
+    slope[6] = 0.0;     slope[7] = 0.0;     slope[8] = 0.0;
+    slope[9] = Z[2];    slope[10] = 0.0;    slope[11] = -Z[0];
+    slope[12] = 0.0;    slope[13] = 0.0;    slope[14] = 0.0;
+    slope[15] = -Z[1];  slope[16] = Z[0];   slope[17] = 0.0;
+    slope[18] = 0.0;    slope[19] = -Z[2];  slope[20] = Z[1];
+    slope[21] = 0.0;    slope[22] = -Z[5];  slope[23] = Z[4];
+    slope[24] = Z[2];   slope[25] = 0.0;    slope[26] = -Z[0];
+    slope[27] = Z[5];   slope[28] = 0.0;    slope[29] = -Z[3];
+    slope[30] = -Z[1];  slope[31] = Z[0];   slope[32] = 0.0;
+    slope[33] = -Z[4];  slope[34] = Z[3];   slope[35] = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            slope[i * 6 + j] -= m->M[i][j];
+        }
+    }
+}
+
+/* Change of F - Phi Z - K* V - (a, g) - K V* with the harmonic weights of one flywheel, (8). */
+EYE4_CODE
+static void eye4_row_slope(const eye4_row *row, const eye4_real weight[12], const eye4_real V[6],
+                           const eye4_real V_dot[6], eye4_real out[restrict 6])
+{
+    eye4_sums change;  /* change of the sums */
+    eye4_real Z[6];  /* change of the momentum screw */
+    change.mu[0] = row->mu_c[0] * weight[0] + row->mu_s[0] * weight[1];
+    change.mu[1] = row->mu_c[1] * weight[0] + row->mu_s[1] * weight[1];
+    change.mu[2] = row->mu_c[2] * weight[0] + row->mu_s[2] * weight[1];
+    change.mu_dot[0] = row->mu_c[0] * weight[4] + row->mu_s[0] * weight[5];
+    change.mu_dot[1] = row->mu_c[1] * weight[4] + row->mu_s[1] * weight[5];
+    change.mu_dot[2] = row->mu_c[2] * weight[4] + row->mu_s[2] * weight[5];
+    change.J[0] = row->J_2c[0] * weight[2] + row->J_2s[0] * weight[3] + row->J_c[0] * weight[0]
+        + row->J_s[0] * weight[1];
+    change.J[1] = row->J_2c[1] * weight[2] + row->J_2s[1] * weight[3] + row->J_c[1] * weight[0]
+        + row->J_s[1] * weight[1];
+    change.J[2] = row->J_2c[2] * weight[2] + row->J_2s[2] * weight[3] + row->J_c[2] * weight[0]
+        + row->J_s[2] * weight[1];
+    change.J[3] = row->J_2c[3] * weight[2] + row->J_2s[3] * weight[3] + row->J_c[3] * weight[0]
+        + row->J_s[3] * weight[1];
+    change.J[4] = row->J_2c[4] * weight[2] + row->J_2s[4] * weight[3] + row->J_c[4] * weight[0]
+        + row->J_s[4] * weight[1];
+    change.J[5] = row->J_2c[5] * weight[2] + row->J_2s[5] * weight[3] + row->J_c[5] * weight[0]
+        + row->J_s[5] * weight[1];
+    change.J_dot[0] = row->J_2c[0] * weight[6] + row->J_2s[0] * weight[7] + row->J_c[0] * weight[4]
+        + row->J_s[0] * weight[5];
+    change.J_dot[1] = row->J_2c[1] * weight[6] + row->J_2s[1] * weight[7] + row->J_c[1] * weight[4]
+        + row->J_s[1] * weight[5];
+    change.J_dot[2] = row->J_2c[2] * weight[6] + row->J_2s[2] * weight[7] + row->J_c[2] * weight[4]
+        + row->J_s[2] * weight[5];
+    change.J_dot[3] = row->J_2c[3] * weight[6] + row->J_2s[3] * weight[7] + row->J_c[3] * weight[4]
+        + row->J_s[3] * weight[5];
+    change.J_dot[4] = row->J_2c[4] * weight[6] + row->J_2s[4] * weight[7] + row->J_c[4] * weight[4]
+        + row->J_s[4] * weight[5];
+    change.J_dot[5] = row->J_2c[5] * weight[6] + row->J_2s[5] * weight[7] + row->J_c[5] * weight[4]
+        + row->J_s[5] * weight[5];
+    change.h_rel[0] = row->t_c[0] * weight[5] + weight[10] * row->t_0[0] - row->t_s[0] * weight[4];
+    change.h_rel[1] = row->t_c[1] * weight[5] + weight[10] * row->t_0[1] - row->t_s[1] * weight[4];
+    change.h_rel[2] = row->t_c[2] * weight[5] + weight[10] * row->t_0[2] - row->t_s[2] * weight[4];
+    change.a_rel[0] = row->mu_c[0] * weight[8] + row->mu_s[0] * weight[9];
+    change.a_rel[1] = row->mu_c[1] * weight[8] + row->mu_s[1] * weight[9];
+    change.a_rel[2] = row->mu_c[2] * weight[8] + row->mu_s[2] * weight[9];
+    change.g_rel[0] = row->t_c[0] * weight[9] + weight[11] * row->t_0[0] - row->t_s[0] * weight[8];
+    change.g_rel[1] = row->t_c[1] * weight[9] + weight[11] * row->t_0[1] - row->t_s[1] * weight[8];
+    change.g_rel[2] = row->t_c[2] * weight[9] + weight[11] * row->t_0[2] - row->t_s[2] * weight[8];
+    Z[0] = change.mu[2] * V[4] + change.mu_dot[0] - change.mu[1] * V[5];
+    Z[1] = change.mu[0] * V[5] + change.mu_dot[1] - change.mu[2] * V[3];
+    Z[2] = change.mu[1] * V[3] + change.mu_dot[2] - change.mu[0] * V[4];
+    Z[3] = change.J[0] * V[3] + change.J[3] * V[4] + change.J[4] * V[5] + change.h_rel[0]
+        + change.mu[1] * V[2] - change.mu[2] * V[1];
+    Z[4] = change.J[1] * V[4] + change.J[3] * V[3] + change.J[5] * V[5] + change.h_rel[1]
+        + change.mu[2] * V[0] - change.mu[0] * V[2];
+    Z[5] = change.J[2] * V[5] + change.J[4] * V[3] + change.J[5] * V[4] + change.h_rel[2]
+        + change.mu[0] * V[1] - change.mu[1] * V[0];
+    out[0] = change.mu[1] * V_dot[5] + change.mu_dot[1] * V[5] + V[5] * Z[1] - change.a_rel[0]
+        - change.mu[2] * V_dot[4] - change.mu_dot[2] * V[4] - V[4] * Z[2];
+    out[1] = change.mu[2] * V_dot[3] + change.mu_dot[2] * V[3] + V[3] * Z[2] - change.a_rel[1]
+        - change.mu[0] * V_dot[5] - change.mu_dot[0] * V[5] - V[5] * Z[0];
+    out[2] = change.mu[0] * V_dot[4] + change.mu_dot[0] * V[4] + V[4] * Z[0] - change.a_rel[2]
+        - change.mu[1] * V_dot[3] - change.mu_dot[1] * V[3] - V[3] * Z[1];
+    out[3] = Z[4] * V[5] + change.mu[2] * V_dot[1] + change.mu_dot[2] * V[1] + Z[1] * V[2]
+        - change.J[0] * V_dot[3] - change.J[3] * V_dot[4] - change.J[4] * V_dot[5] - change.J_dot[0] * V[3]
+        - change.J_dot[3] * V[4] - change.J_dot[4] * V[5] - change.g_rel[0] - Z[5] * V[4]
+        - change.mu[1] * V_dot[2] - change.mu_dot[1] * V[2] - Z[2] * V[1];
+    out[4] = Z[5] * V[3] + change.mu[0] * V_dot[2] + change.mu_dot[0] * V[2] + Z[2] * V[0]
+        - change.J[1] * V_dot[4] - change.J[3] * V_dot[3] - change.J[5] * V_dot[5] - change.J_dot[1] * V[4]
+        - change.J_dot[3] * V[3] - change.J_dot[5] * V[5] - change.g_rel[1] - Z[3] * V[5]
+        - change.mu[2] * V_dot[0] - change.mu_dot[2] * V[0] - Z[0] * V[2];
+    out[5] = Z[3] * V[4] + change.mu[1] * V_dot[0] + change.mu_dot[1] * V[0] + Z[0] * V[1]
+        - change.J[2] * V_dot[5] - change.J[4] * V_dot[3] - change.J[5] * V_dot[4] - change.J_dot[2] * V[5]
+        - change.J_dot[4] * V[3] - change.J_dot[5] * V[4] - change.g_rel[2] - Z[4] * V[3]
+        - change.mu[0] * V_dot[1] - change.mu_dot[0] * V[1] - Z[1] * V[0];
+}
+
+/* (8) */
+EYE4_CODE
+eye4_status eye4_forward_jacobian(const eye4_table *table, const eye4_state *x,
+                                  const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                  eye4_forward_jacobian_result *out)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_sums sum;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_spin(table, sine, cosine, x->phi_dot, phi_ddot, &sum);
+    eye4_real F[6];  /* right-hand side of (8) */
+    eye4_real Z[6];  /* momentum screw (2) */
+    eye4_real V_result[6];  /* V_r* */
+    eye4_real rhs[6];
+    eye4_real y[6];
+    eye4_external(wrench, F);
+    eye4_momentum_screw(table, &sum, x->V, Z);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    eye4_carrier_factor K;
+    status = eye4_factor_carrier(table, &sum, &K);
+    if (status != EYE4_OK) { return status; }
+    eye4_solve_carrier(table, &K, F, V_result);
+    eye4_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
+    m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
+    m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
+    m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
+    m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
+    m.K[4][0] = sum.mu[2];   m.K[4][1] = 0.0;         m.K[4][2] = -sum.mu[0];
+    m.K[4][3] = sum.J[3];    m.K[4][4] = sum.J[1];    m.K[4][5] = sum.J[5];
+    m.K[5][0] = -sum.mu[1];  m.K[5][1] = sum.mu[0];   m.K[5][2] = 0.0;
+    m.K[5][3] = sum.J[4];    m.K[5][4] = sum.J[5];    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    eye4_velocity_matrix(x->V, &m);
+    eye4_real slope[36];  /* derivative by V, row by row */
+    eye4_twist_slope(Z, &m, slope);
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        eye4_solve_carrier(table, &K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+    }
+    eye4_real change[12];  /* changes of the harmonic weights of a flywheel */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        const eye4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
+        const eye4_real s2 = 2.0 * c_phi * s_phi;
+        const eye4_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
+        const eye4_real ds = x->phi_dot[s] * c_phi;
+        const eye4_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const eye4_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const eye4_real ddc = -x->phi_dot[s] * ds - phi_ddot[s] * s_phi;  /* second time derivatives */
+        const eye4_real dds = phi_ddot[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            eye4_solve_carrier(table, &K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            eye4_solve_carrier(table, &K, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+        }
+        rhs[0] = table->flywheel[s].mu_c[0] * s_phi - table->flywheel[s].mu_s[0] * c_phi;
+        rhs[1] = table->flywheel[s].mu_c[1] * s_phi - table->flywheel[s].mu_s[1] * c_phi;
+        rhs[2] = table->flywheel[s].mu_c[2] * s_phi - table->flywheel[s].mu_s[2] * c_phi;
+        rhs[3] = -table->flywheel[s].t_c[0] * c_phi - table->flywheel[s].t_s[0] * s_phi
+            - table->flywheel[s].t_0[0];
+        rhs[4] = -table->flywheel[s].t_c[1] * c_phi - table->flywheel[s].t_s[1] * s_phi
+            - table->flywheel[s].t_0[1];
+        rhs[5] = -table->flywheel[s].t_c[2] * c_phi - table->flywheel[s].t_s[2] * s_phi
+            - table->flywheel[s].t_0[2];
+        eye4_solve_carrier(table, &K, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_phi_ddot[i][s] = y[i];
+        }
+    }
+    return EYE4_OK;
+}
+
+/* Derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude. */
+EYE4_CODE
+eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                                  const int locked[EYE4_N], const eye4_real wrench[6],
+                                  eye4_coupled_jacobian_result *out)
+{
+    if (table == NULL || x == NULL || tau == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = eye4_none_locked; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    eye4_real V_result[6];  /* V*, then V_r* */
+    eye4_real phi_result[EYE4_N];  /* phi'' */
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_solve_coupled(table, x, sine, cosine, tau, locked, wrench, V_result, phi_result);
+    if (status != EYE4_OK) { return status; }
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real Z[6];  /* momentum screw (2) */
+    eye4_momentum_screw(table, &sum, x->V, Z);
+    eye4_matrices_result m;
+    m.K[0][0] = table->mass;  m.K[0][1] = 0.0;          m.K[0][2] = 0.0;
+    m.K[0][3] = 0.0;          m.K[0][4] = sum.mu[2];    m.K[0][5] = -sum.mu[1];
+    m.K[1][0] = 0.0;          m.K[1][1] = table->mass;  m.K[1][2] = 0.0;
+    m.K[1][3] = -sum.mu[2];   m.K[1][4] = 0.0;          m.K[1][5] = sum.mu[0];
+    m.K[2][0] = 0.0;          m.K[2][1] = 0.0;          m.K[2][2] = table->mass;
+    m.K[2][3] = sum.mu[1];    m.K[2][4] = -sum.mu[0];   m.K[2][5] = 0.0;
+    m.K[3][0] = 0.0;         m.K[3][1] = -sum.mu[2];  m.K[3][2] = sum.mu[1];
+    m.K[3][3] = sum.J[0];    m.K[3][4] = sum.J[3];    m.K[3][5] = sum.J[4];
+    m.K[4][0] = sum.mu[2];   m.K[4][1] = 0.0;         m.K[4][2] = -sum.mu[0];
+    m.K[4][3] = sum.J[3];    m.K[4][4] = sum.J[1];    m.K[4][5] = sum.J[5];
+    m.K[5][0] = -sum.mu[1];  m.K[5][1] = sum.mu[0];   m.K[5][2] = 0.0;
+    m.K[5][3] = sum.J[4];    m.K[5][4] = sum.J[5];    m.K[5][5] = sum.J[2];
+    m.K_dot[0][0] = 0.0;             m.K_dot[0][1] = 0.0;             m.K_dot[0][2] = 0.0;
+    m.K_dot[0][3] = 0.0;             m.K_dot[0][4] = sum.mu_dot[2];   m.K_dot[0][5] = -sum.mu_dot[1];
+    m.K_dot[1][0] = 0.0;             m.K_dot[1][1] = 0.0;             m.K_dot[1][2] = 0.0;
+    m.K_dot[1][3] = -sum.mu_dot[2];  m.K_dot[1][4] = 0.0;             m.K_dot[1][5] = sum.mu_dot[0];
+    m.K_dot[2][0] = 0.0;             m.K_dot[2][1] = 0.0;             m.K_dot[2][2] = 0.0;
+    m.K_dot[2][3] = sum.mu_dot[1];   m.K_dot[2][4] = -sum.mu_dot[0];  m.K_dot[2][5] = 0.0;
+    m.K_dot[3][0] = 0.0;             m.K_dot[3][1] = -sum.mu_dot[2];  m.K_dot[3][2] = sum.mu_dot[1];
+    m.K_dot[3][3] = sum.J_dot[0];    m.K_dot[3][4] = sum.J_dot[3];    m.K_dot[3][5] = sum.J_dot[4];
+    m.K_dot[4][0] = sum.mu_dot[2];   m.K_dot[4][1] = 0.0;             m.K_dot[4][2] = -sum.mu_dot[0];
+    m.K_dot[4][3] = sum.J_dot[3];    m.K_dot[4][4] = sum.J_dot[1];    m.K_dot[4][5] = sum.J_dot[5];
+    m.K_dot[5][0] = -sum.mu_dot[1];  m.K_dot[5][1] = sum.mu_dot[0];   m.K_dot[5][2] = 0.0;
+    m.K_dot[5][3] = sum.J_dot[4];    m.K_dot[5][4] = sum.J_dot[5];    m.K_dot[5][5] = sum.J_dot[2];
+    eye4_velocity_matrix(x->V, &m);
+    eye4_real slope[36];  /* derivative by V, row by row */
+    eye4_twist_slope(Z, &m, slope);
+    eye4_coupling drive[EYE4_N];
+    eye4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    eye4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    eye4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    eye4_schur_factor factor;
+    eye4_real rhs[6];  /* right-hand side of the carrier */
+    eye4_real drive_rhs[EYE4_N];  /* right-hand sides of the drives */
+    eye4_real y[6];
+    rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+    rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+    for (int s = 0; s < EYE4_N; ++s) {
+        eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+        if (locked[s] == 0) {
+            eye4_eliminate(drive[s].I_, table->flywheel[s].spin_inv, 0.0, &K, rhs);
+        }
+    }
+    status = eye4_factor_schur(&K, &factor);
+    if (status != EYE4_OK) { return status; }
+    eye4_real drive_slope[EYE4_N][6];  /* derivatives of the bias torques by V */
+    eye4_real J_p[6];  /* dJ / dphi */
+    eye4_real turned[3];  /* J' omega */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        const eye4_real two_c2 = 2.0 - 4.0 * (s_phi * s_phi);
+        const eye4_real two_s2 = 4.0 * c_phi * s_phi;
+        J_p[0] = table->flywheel[s].J_2s[0] * two_c2 + table->flywheel[s].J_s[0] * c_phi
+            - table->flywheel[s].J_2c[0] * two_s2 - table->flywheel[s].J_c[0] * s_phi;
+        J_p[1] = table->flywheel[s].J_2s[1] * two_c2 + table->flywheel[s].J_s[1] * c_phi
+            - table->flywheel[s].J_2c[1] * two_s2 - table->flywheel[s].J_c[1] * s_phi;
+        J_p[2] = table->flywheel[s].J_2s[2] * two_c2 + table->flywheel[s].J_s[2] * c_phi
+            - table->flywheel[s].J_2c[2] * two_s2 - table->flywheel[s].J_c[2] * s_phi;
+        J_p[3] = table->flywheel[s].J_2s[3] * two_c2 + table->flywheel[s].J_s[3] * c_phi
+            - table->flywheel[s].J_2c[3] * two_s2 - table->flywheel[s].J_c[3] * s_phi;
+        J_p[4] = table->flywheel[s].J_2s[4] * two_c2 + table->flywheel[s].J_s[4] * c_phi
+            - table->flywheel[s].J_2c[4] * two_s2 - table->flywheel[s].J_c[4] * s_phi;
+        J_p[5] = table->flywheel[s].J_2s[5] * two_c2 + table->flywheel[s].J_s[5] * c_phi
+            - table->flywheel[s].J_2c[5] * two_s2 - table->flywheel[s].J_c[5] * s_phi;
+        turned[0] = J_p[0] * x->V[3] + J_p[3] * x->V[4] + J_p[4] * x->V[5];
+        turned[1] = J_p[1] * x->V[4] + J_p[3] * x->V[3] + J_p[5] * x->V[5];
+        turned[2] = J_p[2] * x->V[5] + J_p[4] * x->V[3] + J_p[5] * x->V[4];
+        drive_slope[s][0] = drive[s].I_[1] * x->V[5] - drive[s].I_[2] * x->V[4];
+        drive_slope[s][1] = drive[s].I_[2] * x->V[3] - drive[s].I_[0] * x->V[5];
+        drive_slope[s][2] = drive[s].I_[0] * x->V[4] - drive[s].I_[1] * x->V[3];
+        drive_slope[s][3] = drive[s].I_[2] * x->V[1] - drive[s].I_[1] * x->V[2] - turned[0];
+        drive_slope[s][4] = drive[s].I_[0] * x->V[2] - drive[s].I_[2] * x->V[0] - turned[1];
+        drive_slope[s][5] = drive[s].I_[1] * x->V[0] - drive[s].I_[0] * x->V[1] - turned[2];
+    }
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            rhs[i] = slope[i * 6 + j];
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            drive_rhs[s] = -drive_slope[s][j];
+        }
+        for (int t = 0; t < EYE4_N; ++t) {
+            if (locked[t] == 0) {
+                const eye4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
+                for (int i = 0; i < 6; ++i) {
+                    rhs[i] -= drive[t].I_[i] * share;
+                }
+            }
+        }
+        eye4_solve_schur(&factor, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_V[i][j] = y[i];
+        }
+        for (int t = 0; t < EYE4_N; ++t) {
+            out->phi_ddot_V[t][j] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_V[t][j] = (drive_rhs[t]
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
+                    * table->flywheel[t].spin_inv;
+            }
+        }
+    }
+    eye4_real change[12];  /* changes of the harmonic weights of a flywheel */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        const eye4_real c2 = 1.0 - 2.0 * (s_phi * s_phi);  /* cos 2 phi, then sin 2 phi */
+        const eye4_real s2 = 2.0 * c_phi * s_phi;
+        const eye4_real dc = -x->phi_dot[s] * s_phi;  /* time derivatives: d(cos phi)/dt, ... */
+        const eye4_real ds = x->phi_dot[s] * c_phi;
+        const eye4_real dc2 = -2.0 * x->phi_dot[s] * s2;
+        const eye4_real ds2 = 2.0 * x->phi_dot[s] * c2;
+        const eye4_real ddc = -x->phi_dot[s] * ds - phi_result[s] * s_phi;  /* second time derivatives */
+        const eye4_real dds = phi_result[s] * c_phi + x->phi_dot[s] * dc;
+        {
+            change[0] = -s_phi;      change[1] = c_phi;       change[2] = -2.0 * s2;
+            change[3] = 2.0 * c2;    change[4] = -ds;         change[5] = dc;
+            change[6] = -2.0 * ds2;  change[7] = 2.0 * dc2;   change[8] = -dds;
+            change[9] = ddc;         change[10] = 0.0;        change[11] = 0.0;
+            eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            for (int t = 0; t < EYE4_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            eye4_real mu_pp[3];  /* d2 mu / dphi2 */
+            eye4_real J_pp[6];  /* d2 J / dphi2 */
+            eye4_real I_p[6];  /* dI / dphi */
+            mu_pp[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            mu_pp[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            mu_pp[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            J_pp[0] = -4.0 * table->flywheel[s].J_2c[0] * c2 - 4.0 * table->flywheel[s].J_2s[0] * s2
+                - table->flywheel[s].J_c[0] * c_phi - table->flywheel[s].J_s[0] * s_phi;
+            J_pp[1] = -4.0 * table->flywheel[s].J_2c[1] * c2 - 4.0 * table->flywheel[s].J_2s[1] * s2
+                - table->flywheel[s].J_c[1] * c_phi - table->flywheel[s].J_s[1] * s_phi;
+            J_pp[2] = -4.0 * table->flywheel[s].J_2c[2] * c2 - 4.0 * table->flywheel[s].J_2s[2] * s2
+                - table->flywheel[s].J_c[2] * c_phi - table->flywheel[s].J_s[2] * s_phi;
+            J_pp[3] = -4.0 * table->flywheel[s].J_2c[3] * c2 - 4.0 * table->flywheel[s].J_2s[3] * s2
+                - table->flywheel[s].J_c[3] * c_phi - table->flywheel[s].J_s[3] * s_phi;
+            J_pp[4] = -4.0 * table->flywheel[s].J_2c[4] * c2 - 4.0 * table->flywheel[s].J_2s[4] * s2
+                - table->flywheel[s].J_c[4] * c_phi - table->flywheel[s].J_s[4] * s_phi;
+            J_pp[5] = -4.0 * table->flywheel[s].J_2c[5] * c2 - 4.0 * table->flywheel[s].J_2s[5] * s2
+                - table->flywheel[s].J_c[5] * c_phi - table->flywheel[s].J_s[5] * s_phi;
+            I_p[0] = -table->flywheel[s].mu_c[0] * c_phi - table->flywheel[s].mu_s[0] * s_phi;
+            I_p[1] = -table->flywheel[s].mu_c[1] * c_phi - table->flywheel[s].mu_s[1] * s_phi;
+            I_p[2] = -table->flywheel[s].mu_c[2] * c_phi - table->flywheel[s].mu_s[2] * s_phi;
+            I_p[3] = table->flywheel[s].t_s[0] * c_phi - table->flywheel[s].t_c[0] * s_phi;
+            I_p[4] = table->flywheel[s].t_s[1] * c_phi - table->flywheel[s].t_c[1] * s_phi;
+            I_p[5] = table->flywheel[s].t_s[2] * c_phi - table->flywheel[s].t_c[2] * s_phi;
+            drive_rhs[s] = -(V_result[0] * I_p[0] + V_result[1] * I_p[1] + V_result[2] * I_p[2]
+                + V_result[3] * I_p[3] + V_result[4] * I_p[4] + V_result[5] * I_p[5]
+                + (mu_pp[0] * origin_acceleration[0] + mu_pp[1] * origin_acceleration[1]
+                + mu_pp[2] * origin_acceleration[2]
+                - 0.5 * (J_pp[0] * x->V[3] + J_pp[3] * x->V[4] + J_pp[4] * x->V[5]) * x->V[3]
+                - 0.5 * (J_pp[1] * x->V[4] + J_pp[3] * x->V[3] + J_pp[5] * x->V[5]) * x->V[4]
+                - 0.5 * (J_pp[2] * x->V[5] + J_pp[4] * x->V[3] + J_pp[5] * x->V[4]) * x->V[5]));
+            for (int t = 0; t < EYE4_N; ++t) {
+                if (locked[t] == 0) {
+                    const eye4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I_[i] * share;
+                    }
+                }
+            }
+            eye4_solve_schur(&factor, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi[i][s] = y[i];
+            }
+            for (int t = 0; t < EYE4_N; ++t) {
+                out->phi_ddot_phi[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
+                        * table->flywheel[t].spin_inv;
+                }
+            }
+        }
+        {
+            change[0] = 0.0;        change[1] = 0.0;        change[2] = 0.0;
+            change[3] = 0.0;        change[4] = -s_phi;     change[5] = c_phi;
+            change[6] = -2.0 * s2;  change[7] = 2.0 * c2;   change[8] = -2.0 * ds;
+            change[9] = 2.0 * dc;   change[10] = 1.0;       change[11] = 0.0;
+            eye4_row_slope(&table->flywheel[s], change, x->V, V_result, rhs);
+            for (int t = 0; t < EYE4_N; ++t) {
+                drive_rhs[t] = 0.0;
+            }
+            for (int t = 0; t < EYE4_N; ++t) {
+                if (locked[t] == 0) {
+                    const eye4_real share = drive_rhs[t] * table->flywheel[t].spin_inv;
+                    for (int i = 0; i < 6; ++i) {
+                        rhs[i] -= drive[t].I_[i] * share;
+                    }
+                }
+            }
+            eye4_solve_schur(&factor, rhs, y);
+            for (int i = 0; i < 6; ++i) {
+                out->V_dot_phi_dot[i][s] = y[i];
+            }
+            for (int t = 0; t < EYE4_N; ++t) {
+                out->phi_ddot_phi_dot[t][s] = 0.0;
+                if (locked[t] == 0) {
+                    out->phi_ddot_phi_dot[t][s] = (drive_rhs[t]
+                        - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                        + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
+                        * table->flywheel[t].spin_inv;
+                }
+            }
+        }
+        rhs[0] = 0.0;  rhs[1] = 0.0;  rhs[2] = 0.0;
+        rhs[3] = 0.0;  rhs[4] = 0.0;  rhs[5] = 0.0;
+        for (int t = 0; t < EYE4_N; ++t) {
+            drive_rhs[t] = 0.0;
+        }
+        drive_rhs[s] = 1.0;
+        if (locked[s] == 0) {
+            const eye4_real share = drive_rhs[s] * table->flywheel[s].spin_inv;
+            for (int i = 0; i < 6; ++i) {
+                rhs[i] -= drive[s].I_[i] * share;
+            }
+        }
+        eye4_solve_schur(&factor, rhs, y);
+        for (int i = 0; i < 6; ++i) {
+            out->V_dot_tau[i][s] = y[i];
+        }
+        for (int t = 0; t < EYE4_N; ++t) {
+            out->phi_ddot_tau[t][s] = 0.0;
+            if (locked[t] == 0) {
+                out->phi_ddot_tau[t][s] = (drive_rhs[t]
+                    - (y[0] * drive[t].I_[0] + y[1] * drive[t].I_[1] + y[2] * drive[t].I_[2]
+                    + y[3] * drive[t].I_[3] + y[4] * drive[t].I_[4] + y[5] * drive[t].I_[5]))
+                    * table->flywheel[t].spin_inv;
+            }
+        }
+    }
+    return EYE4_OK;
+}
+
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+EYE4_CODE
+static void eye4_orthogonalise(eye4_inverse_work *restrict work)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 5; ++p) {
+            for (int q = p + 1; q < 6; ++q) {
+                eye4_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const eye4_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* scaled to size 1, so that no square underflows */
+                const eye4_real unit = (size > 0.0) ? size : 1.0;
+                const eye4_real d = (b - a) / unit;
+                const eye4_real h = 2.0 * g / unit;
+                const eye4_real root = eye4_sqrt(d * d + h * h);
+                const eye4_real below = (d < 0.0) ? d - root : d + root;
+                const eye4_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const eye4_real c = 1.0 / eye4_sqrt(1.0 + t * t);
+                const eye4_real s = c * t;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    const eye4_real x = work->W[p][j];
+                    const eye4_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const eye4_real x = work->U[j][p];
+                    const eye4_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const eye4_real x = work->r[p];
+                const eye4_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        eye4_real total = 0.0;
+        for (int j = 0; j < EYE4_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = eye4_sqrt(total);
+    }
+}
+
+/* Cholesky factor of the mass matrix, in place: K = G G^T. */
+EYE4_CODE
+static eye4_status eye4_factor(eye4_inverse_work *restrict work)
+{
+    for (int j = 0; j < 6; ++j) {
+        eye4_real pivot = work->G[j][j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= work->G[j][k] * work->G[j][k];
+        }
+        if (!(pivot > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+        const eye4_real root = eye4_sqrt(pivot);
+        work->G[j][j] = root;
+        for (int i = j + 1; i < 6; ++i) {
+            eye4_real rest = work->G[i][j];
+            for (int k = 0; k < j; ++k) {
+                rest -= work->G[i][k] * work->G[j][k];
+            }
+            work->G[i][j] = rest / root;
+        }
+    }
+    return EYE4_OK;
+}
+
+/* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
+EYE4_CODE
+static eye4_status eye4_demand(const eye4_table *table, const eye4_state *x, const eye4_real sine[EYE4_N],
+                               const eye4_real cosine[EYE4_N], const eye4_real V_dot[6],
+                               const eye4_real wrench[6], eye4_inverse_work *restrict work)
+{
+    eye4_status status;
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    eye4_external(wrench, F);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
+    work->G[0][3] = 0.0;          work->G[0][4] = sum.mu[2];    work->G[0][5] = -sum.mu[1];
+    work->G[1][0] = 0.0;          work->G[1][1] = table->mass;  work->G[1][2] = 0.0;
+    work->G[1][3] = -sum.mu[2];   work->G[1][4] = 0.0;          work->G[1][5] = sum.mu[0];
+    work->G[2][0] = 0.0;          work->G[2][1] = 0.0;          work->G[2][2] = table->mass;
+    work->G[2][3] = sum.mu[1];    work->G[2][4] = -sum.mu[0];   work->G[2][5] = 0.0;
+    work->G[3][0] = 0.0;         work->G[3][1] = -sum.mu[2];  work->G[3][2] = sum.mu[1];
+    work->G[3][3] = sum.J[0];    work->G[3][4] = sum.J[3];    work->G[3][5] = sum.J[4];
+    work->G[4][0] = sum.mu[2];   work->G[4][1] = 0.0;         work->G[4][2] = -sum.mu[0];
+    work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
+    work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
+    work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
+    /* b = F - K V*: the wrench demanded of the flywheels */
+    for (int i = 0; i < 6; ++i) {
+        const eye4_real demanded = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1]
+            - work->G[i][2] * V_dot[2] - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4]
+            - work->G[i][5] * V_dot[5];
+        work->b[i] = demanded;
+        work->r[i] = demanded;
+    }
+    status = eye4_factor(work);
+    if (status != EYE4_OK) { return status; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        const eye4_real scale = 1.0 / eye4_sqrt(table->flywheel[s].spin);
+        work->scale[s] = scale;
+        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        for (int i = 0; i < 6; ++i) {
+            work->W[i][s] = work->I_[i][s] * scale;
+        }
+    }
+    /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
+    for (int i = 0; i < 6; ++i) {
+        const eye4_real inverse = 1.0 / work->G[i][i];
+        eye4_real rest;
+        for (int s = 0; s < EYE4_N; ++s) {
+            rest = work->W[i][s];
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * work->W[k][s];
+            }
+            work->W[i][s] = rest * inverse;
+        }
+        rest = work->r[i];
+        for (int k = 0; k < i; ++k) {
+            rest -= work->G[i][k] * work->r[k];
+        }
+        work->r[i] = rest * inverse;
+    }
+    return EYE4_OK;
+}
+
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+EYE4_CODE
+static void eye4_solve_gram(eye4_real gram[restrict 6][6], eye4_real z[restrict 6], eye4_real least)
+{
+    for (int j = 0; j < 6; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const eye4_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = eye4_sqrt(pivot);
+        for (int i = j + 1; i < 6; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
+EYE4_CODE
+static void eye4_allocate(const eye4_inverse_work *work, const eye4_inverse_options *options, int rank,
+                          eye4_real phi_ddot[restrict EYE4_N], int limited[restrict EYE4_N])
+{
+    eye4_real share[EYE4_N];  /* 1/weight */
+    eye4_real give[EYE4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    eye4_real step[EYE4_N];  /* increment of the free flywheels */
+    eye4_real row[6];  /* factor of each row; 0: the row is left out */
+    eye4_real gram[6][6];
+    eye4_real z[6];
+    /* until the end phi_ddot holds y = D phi'' */
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
+    }
+    for (int pass = 0; pass < 8; ++pass) {
+        eye4_real most = 0.0;
+        for (int s = 0; s < EYE4_N; ++s) {
+            if (pass >= 7) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const eye4_real regular = 1.0e-12 * most;
+        /* lower bound that keeps the diagonal positive */
+        const eye4_real least = (most > 0.0) ? regular : 1.0;
+        for (int i = 0; i < 6; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 6; ++i) {
+            eye4_real left = work->r[i];
+            for (int s = 0; s < EYE4_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
+        for (int i = 0; i < 6; ++i) {
+            for (int s = 0; s < EYE4_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
+            for (int j = 0; j < i + 1; ++j) {
+                eye4_real total = 0.0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    total += weighed[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        eye4_solve_gram(gram, z, least);
+        for (int i = 0; i < 6; ++i) {
+            z[i] = row[i] * z[i];
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            eye4_real total = 0.0;
+            for (int i = 0; i < 6; ++i) {
+                total += work->W[i][s] * z[i];
+            }
+            step[s] = give[s] * total;
+        }
+        if (pass < 1) {
+            for (int s = 0; s < EYE4_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const eye4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        } else {
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
+            eye4_real length = 1.0;
+            int stopped = -1;
+            for (int s = 0; s < EYE4_N; ++s) {
+                const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                    const eye4_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < EYE4_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const eye4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a full step, release the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                eye4_real left[6];
+                eye4_real wanted = 0.0;
+                for (int i = 0; i < 6; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < EYE4_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                int freed = -1;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    if (limited[s] > 0) {
+                        eye4_real slope = 0.0;
+                        eye4_real size = 0.0;
+                        for (int i = 0; i < 6; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= EYE4_LARGEST)) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
+/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+ * inputs. */
+EYE4_CODE
+static void eye4_excessive(const eye4_table *table, const eye4_state *x, const eye4_real sine[EYE4_N],
+                           const eye4_real cosine[EYE4_N], const eye4_real V_dot[6],
+                           const eye4_real phi_ddot[EYE4_N], const eye4_inverse_options *options,
+                           int *restrict flags)
+{
+    int motors;  /* flywheels whose motor has a limit */
+    int found;
+    motors = 0;
+    found = 0;
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
+            found = EYE4_EXCESSIVE;
+        }
+        if (options->motor_torque[s] < EYE4_LARGEST || options->motor_speed[s] < EYE4_LARGEST) {
+            motors = motors + 1;
+        }
+    }
+    if (motors > 0) {
+        eye4_real tau[EYE4_N];  /* drive torques */
+        eye4_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
+        for (int s = 0; s < EYE4_N; ++s) {
+            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+            const eye4_real speed = x->phi_dot[s];
+            eye4_real share = 1.0;
+            if (tau[s] * speed > 0.0) {
+                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
+            }
+            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+                found = EYE4_EXCESSIVE;
+            }
+        }
+    }
+    *flags = found;
+}
+
+/* (12) */
+EYE4_CODE
+eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
+                         const eye4_inverse_options *options, const eye4_real wrench[6],
+                         eye4_inverse_result *out)
+{
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
+    if (status != EYE4_OK) { return status; }
+    eye4_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = eye4_within(shares, 2, EYE4_LARGEST);
+    if (status != EYE4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return EYE4_RANGE; }
+    }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+    }
+    eye4_inverse_work work;
+    eye4_real answer[EYE4_N];  /* phi'' */
+    int limited[EYE4_N];
+    eye4_real residual[6];
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_demand(table, x, sine, cosine, V_dot, wrench, &work);
+    if (status != EYE4_OK) { return status; }
+    eye4_real wanted = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    eye4_orthogonalise(&work);
+    /* sort the singular values in descending order, by exchanging neighbours */
+    for (int pass = 0; pass < 5; ++pass) {
+        for (int i = 0; i < 5; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const eye4_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const eye4_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    const eye4_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 6; ++j) {
+                    const eye4_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    int flags, rank;
+    eye4_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const eye4_real ratio = work.sigma[i] / work.sigma[0];
+            if (ratio < options->near) {
+                flags = flags | EYE4_NEAR_SINGULAR;
+                if (options->damping > 0.0) {
+                    flags = flags | EYE4_DAMPED;
+                    const eye4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const eye4_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+        }
+    }
+    eye4_allocate(&work, options, rank, answer, limited);
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (limited[s] > 0) {
+            flags = flags | EYE4_LIMITED;
+        }
+    }
+    if (rank < 4) {
+        flags = flags | EYE4_RANK_DEFICIENT;
+    }
+    eye4_real moved[6];  /* V* that results: V_dot + K^-1 residual */
+    eye4_real left;
+    eye4_real z[6];  /* G^-1 residual */
+    left = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        residual[i] = work.b[i];
+        for (int s = 0; s < EYE4_N; ++s) {
+            residual[i] -= work.I_[i][s] * answer[s];
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        z[i] = residual[i];
+        for (int k = 0; k < i; ++k) {
+            z[i] -= work.G[i][k] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        left += z[i] * z[i];
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | EYE4_UNREACHABLE;
+    }
+    for (int t = 0; t < 6; ++t) {
+        const int i = 5 - t;
+        for (int k = i + 1; k < 6; ++k) {
+            z[i] -= work.G[k][i] * z[k];
+        }
+        z[i] = z[i] / work.G[i][i];
+        moved[i] = V_dot[i] + z[i];
+    }
+    status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    status = eye4_within(residual, 6, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    int lacking;
+    eye4_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
+    for (int s = 0; s < EYE4_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->residual[i] = residual[i];
+    }
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
+    eye4_real part[6];
+    for (int i = 0; i < 6; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    eye4_real largest = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        const eye4_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[5] = 1.0;
+        largest = 1.0;
+    }
+    eye4_real square = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const eye4_real length = eye4_sqrt(square);
+    eye4_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
+    for (int k = 0; k < 6; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 6; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += work.G[i][k] * u[k];
+        }
+    }
+    out->rank = rank;
+    out->damped_by = damping;
+    for (int i = 0; i < 4; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (eye4_status)flags;
+}
+
+/* (12) */
+EYE4_CODE
+eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
+                              const eye4_inverse_options *options, const eye4_real wrench[6],
+                              eye4_real phi_ddot[EYE4_N])
+{
+    if (table == NULL || x == NULL || V_dot == NULL || options == NULL || wrench == NULL
+        || phi_ddot == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
+    if (status != EYE4_OK) { return status; }
+    eye4_real shares[1];
+    shares[0] = options->damping;
+    status = eye4_within(shares, 1, EYE4_LARGEST);
+    if (status != EYE4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return EYE4_RANGE; }
+    }
+    eye4_inverse_work work;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_demand(table, x, sine, cosine, V_dot, wrench, &work);
+    if (status != EYE4_OK) { return status; }
+    /* normal equations: W^T W y = W^T r */
+    eye4_real gram[4][4];
+    eye4_real z[4];
+    eye4_real trace = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < i + 1; ++j) {
+            eye4_real total = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                total += work.W[k][i] * work.W[k][j];
+            }
+            gram[i][j] = total;
+        }
+        trace += gram[i][i];
+        eye4_real side = 0.0;
+        for (int k = 0; k < 6; ++k) {
+            side += work.W[k][i] * work.r[k];
+        }
+        z[i] = side;
+    }
+    const eye4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int j = 0; j < 4; ++j) {
+        eye4_real pivot = gram[j][j] + lambda2;
+        const eye4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        eye4_real rest = z[j];
+        for (int k = 0; k < j; ++k) {
+            pivot -= gram[j][k] * gram[k][j];
+            rest -= gram[k][j] * z[k];
+        }
+        z[j] = rest;
+        if (!(pivot > least)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+        gram[j][j] = pivot;
+        for (int i = j + 1; i < 4; ++i) {
+            eye4_real below = gram[i][j];
+            for (int k = 0; k < j; ++k) {
+                below -= gram[i][k] * gram[k][j];
+            }
+            gram[i][j] = below;
+            gram[j][i] = below / pivot;
+        }
+    }
+    for (int t = 0; t < 4; ++t) {
+        const int i = 3 - t;
+        eye4_real rest = z[i] / gram[i][i];
+        for (int k = i + 1; k < 4; ++k) {
+            rest -= gram[i][k] * z[k];
+        }
+        z[i] = rest;
+    }
+    eye4_real answer[EYE4_N];
+    for (int s = 0; s < EYE4_N; ++s) {
+        eye4_real y = z[s];
+        answer[s] = y * work.scale[s];
+    }
+    status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = answer[s];
+    }
+    return EYE4_OK;
+}
+
+/* The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor
+ * U, (12). */
+EYE4_CODE
+static eye4_status eye4_demand_turning(const eye4_table *table, const eye4_state *x,
+                                       const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
+                                       const eye4_real wrench[6], eye4_inverse_work *restrict work)
+{
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real F[6];  /* wrench (7); then b = F - M V_r - J phi' */
+    eye4_external(wrench, F);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    eye4_real rho[3];  /* mass centre from O1, in E1 */
+    rho[0] = table->mass_inverse * sum.mu[0];
+    rho[1] = table->mass_inverse * sum.mu[1];
+    rho[2] = table->mass_inverse * sum.mu[2];
+    eye4_real S[6];  /* inertia left when v* is eliminated: about the mass centre */
+    S[0] = sum.J[0] - sum.mu[1] * rho[1] - sum.mu[2] * rho[2];
+    S[1] = sum.J[1] - sum.mu[0] * rho[0] - sum.mu[2] * rho[2];
+    S[2] = sum.J[2] - sum.mu[0] * rho[0] - sum.mu[1] * rho[1];
+    S[3] = sum.J[3] + sum.mu[1] * rho[0];
+    S[4] = sum.J[4] + sum.mu[2] * rho[0];
+    S[5] = sum.J[5] + sum.mu[2] * rho[1];
+    work->G[0][0] = S[0];
+    if (!(work->G[0][0] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[0] = 1.0 / work->G[0][0];
+    work->G[1][0] = S[3] * work->sigma[0];
+    work->G[2][0] = S[4] * work->sigma[0];
+    work->G[1][1] = S[1] - work->G[1][0] * S[3];
+    if (!(work->G[1][1] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[1] = 1.0 / work->G[1][1];
+    const eye4_real rest = S[5] - work->G[2][0] * S[3];
+    work->G[2][1] = rest * work->sigma[1];
+    work->G[2][2] = S[2] - work->G[2][0] * S[4] - work->G[2][1] * rest;
+    if (!(work->G[2][2] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[2] = 1.0 / work->G[2][2];
+    eye4_real moment[3];  /* of b, then of each column of I, when v* is eliminated */
+    moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
+    moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
+    moment[2] = F[0] * rho[1] + F[5] - F[1] * rho[0];
+    const eye4_real r_2 = moment[1] - work->G[1][0] * moment[0];
+    work->r[0] = moment[0];  work->r[1] = r_2;
+    work->r[2] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * r_2;
+    eye4_real column[6];  /* I_s */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real s_phi = sine[s];
+        const eye4_real c_phi = cosine[s];
+        column[0] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
+        column[1] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
+        column[2] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
+        column[3] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
+            + table->flywheel[s].t_0[0];
+        column[4] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
+            + table->flywheel[s].t_0[1];
+        column[5] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
+            + table->flywheel[s].t_0[2];
+        moment[0] = column[1] * rho[2] + column[3] - column[2] * rho[1];
+        moment[1] = column[2] * rho[0] + column[4] - column[0] * rho[2];
+        moment[2] = column[0] * rho[1] + column[5] - column[1] * rho[0];
+        const eye4_real W_2 = moment[1] - work->G[1][0] * moment[0];
+        work->W[0][s] = moment[0];
+        work->W[1][s] = W_2;
+        work->W[2][s] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * W_2;
+    }
+    return EYE4_OK;
+}
+
+/* Scales what demand_turning gives by the norms of inertia and spin inertias. */
+EYE4_CODE
+static void eye4_scale_turning(const eye4_table *table, eye4_inverse_work *restrict work)
+{
+    for (int s = 0; s < EYE4_N; ++s) {
+        work->scale[s] = 1.0 / eye4_sqrt(table->flywheel[s].spin);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const eye4_real root = eye4_sqrt(work->G[i][i]);
+        work->G[i][i] = root;
+        for (int k = i + 1; k < 3; ++k) {
+            work->G[k][i] = work->G[k][i] * root;
+        }
+        work->r[i] = work->r[i] / root;
+        for (int s = 0; s < EYE4_N; ++s) {
+            work->W[i][s] = work->W[i][s] / root * work->scale[s];
+        }
+    }
+}
+
+/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
+ * condition. */
+EYE4_CODE
+static void eye4_orthogonalise_3(eye4_inverse_work *restrict work)
+{
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            work->U[i][j] = 0.0;
+        }
+        work->U[i][i] = 1.0;
+    }
+    for (int sweep = 0; sweep < 9; ++sweep) {
+        for (int p = 0; p < 2; ++p) {
+            for (int q = p + 1; q < 3; ++q) {
+                eye4_real a, b, g;
+                a = 0.0;
+                b = 0.0;
+                g = 0.0;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    a += work->W[p][j] * work->W[p][j];
+                    b += work->W[q][j] * work->W[q][j];
+                    g += work->W[p][j] * work->W[q][j];
+                }
+                /* tangent of the smaller angle that makes the rows orthogonal */
+                const eye4_real size = ((b - a < 0.0) ? -(b - a) : b - a) + 2.0 * ((g < 0.0) ? -g : g);
+                /* scaled to size 1, so that no square underflows */
+                const eye4_real unit = (size > 0.0) ? size : 1.0;
+                const eye4_real d = (b - a) / unit;
+                const eye4_real h = 2.0 * g / unit;
+                const eye4_real root = eye4_sqrt(d * d + h * h);
+                const eye4_real below = (d < 0.0) ? d - root : d + root;
+                const eye4_real t = (((below < 0.0) ? -below : below) > 0.0)
+                    ? h / ((((below < 0.0) ? -below : below) > 0.0) ? below : 1.0) : 0.0;
+                const eye4_real c = 1.0 / eye4_sqrt(1.0 + t * t);
+                const eye4_real s = c * t;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    const eye4_real x = work->W[p][j];
+                    const eye4_real y = work->W[q][j];
+                    work->W[p][j] = c * x - s * y;
+                    work->W[q][j] = s * x + c * y;
+                }
+                for (int j = 0; j < 3; ++j) {
+                    const eye4_real x = work->U[j][p];
+                    const eye4_real y = work->U[j][q];
+                    work->U[j][p] = c * x - s * y;  work->U[j][q] = s * x + c * y;
+                }
+                const eye4_real x = work->r[p];
+                const eye4_real y = work->r[q];
+                work->r[p] = c * x - s * y;  work->r[q] = s * x + c * y;
+            }
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        eye4_real total = 0.0;
+        for (int j = 0; j < EYE4_N; ++j) {
+            total += work->W[i][j] * work->W[i][j];
+        }
+        work->sigma[i] = eye4_sqrt(total);
+    }
+}
+
+/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
+EYE4_CODE
+static void eye4_solve_gram_3(eye4_real gram[restrict 3][3], eye4_real z[restrict 3], eye4_real least)
+{
+    for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < j; ++k) {
+            gram[j][j] -= gram[j][k] * gram[j][k];
+        }
+        const eye4_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
+        gram[j][j] = eye4_sqrt(pivot);
+        for (int i = j + 1; i < 3; ++i) {
+            for (int k = 0; k < j; ++k) {
+                gram[i][j] -= gram[i][k] * gram[j][k];
+            }
+            gram[i][j] = gram[i][j] / gram[j][j];
+        }
+        for (int k = 0; k < j; ++k) {
+            z[j] -= gram[j][k] * z[k];
+        }
+        z[j] = z[j] / gram[j][j];
+    }
+    for (int t = 0; t < 3; ++t) {
+        const int i = 2 - t;
+        for (int k = i + 1; k < 3; ++k) {
+            z[i] -= gram[k][i] * z[k];
+        }
+        z[i] = z[i] / gram[i][i];
+    }
+}
+
+/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
+ * share, (12). */
+EYE4_CODE
+static void eye4_allocate_3(const eye4_inverse_work *work, const eye4_inverse_options *options, int rank,
+                            eye4_real phi_ddot[restrict EYE4_N], int limited[restrict EYE4_N])
+{
+    eye4_real share[EYE4_N];  /* 1/weight */
+    eye4_real give[EYE4_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
+    eye4_real step[EYE4_N];  /* increment of the free flywheels */
+    eye4_real row[3];  /* factor of each row; 0: the row is left out */
+    eye4_real gram[3][3];
+    eye4_real z[3];
+    /* until the end phi_ddot holds y = D phi'' */
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = 0.0;
+        limited[s] = 0;
+        share[s] = 1.0 / options->weight[s];
+    }
+    for (int pass = 0; pass < 8; ++pass) {
+        eye4_real most = 0.0;
+        for (int s = 0; s < EYE4_N; ++s) {
+            if (pass >= 7) {
+                share[s] = 1.0;
+            }
+            give[s] = (limited[s] > 0) ? 0.0 : share[s];
+            most = (give[s] > most) ? give[s] : most;
+        }
+        const eye4_real regular = 1.0e-12 * most;
+        /* lower bound that keeps the diagonal positive */
+        const eye4_real least = (most > 0.0) ? regular : 1.0;
+        for (int i = 0; i < 3; ++i) {
+            row[i] = 0.0;
+            if (i < rank) {
+                row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
+            }
+        }
+        for (int i = 0; i < 3; ++i) {
+            eye4_real left = work->r[i];
+            for (int s = 0; s < EYE4_N; ++s) {
+                left -= work->W[i][s] * phi_ddot[s];
+            }
+            z[i] = row[i] * left;
+        }
+        eye4_real weighed[EYE4_N];  /* a row of W Omega^-1 */
+        for (int i = 0; i < 3; ++i) {
+            for (int s = 0; s < EYE4_N; ++s) {
+                weighed[s] = work->W[i][s] * give[s];
+            }
+            for (int j = 0; j < i + 1; ++j) {
+                eye4_real total = 0.0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    total += weighed[s] * work->W[j][s];
+                }
+                gram[i][j] = row[i] * row[j] * total;
+            }
+            gram[i][i] += least;
+        }
+        eye4_solve_gram_3(gram, z, least);
+        for (int i = 0; i < 3; ++i) {
+            z[i] = row[i] * z[i];
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            eye4_real total = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                total += work->W[i][s] * z[i];
+            }
+            step[s] = give[s] * total;
+        }
+        if (pass < 1) {
+            for (int s = 0; s < EYE4_N; ++s) {
+                phi_ddot[s] = step[s];
+                if (((step[s] < 0.0) ? -step[s] : step[s]) * work->scale[s] > options->limit[s]) {
+                    const eye4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+        } else {
+            /* go as far as all limits allow; hold the flywheel that reaches its limit */
+            eye4_real length = 1.0;
+            int stopped = -1;
+            for (int s = 0; s < EYE4_N; ++s) {
+                const eye4_real moved = (phi_ddot[s] + step[s]) * work->scale[s];
+                if (limited[s] == 0 && ((moved < 0.0) ? -moved : moved) > options->limit[s]
+                    && ((step[s] < 0.0) ? -step[s] : step[s]) > 0.0) {
+                    const eye4_real room = options->limit[s] / work->scale[s]
+                        - ((moved < 0.0) ? -phi_ddot[s] : phi_ddot[s]);
+                    const eye4_real part = room / ((step[s] < 0.0) ? -step[s] : step[s]);
+                    if (part < length) {
+                        length = (part > 0.0) ? part : 0.0;
+                        stopped = s;
+                    }
+                }
+            }
+            for (int s = 0; s < EYE4_N; ++s) {
+                phi_ddot[s] += length * step[s];
+                if (stopped == s) {
+                    const eye4_real bound = options->limit[s] / work->scale[s];
+                    phi_ddot[s] = (step[s] < 0.0) ? -bound : bound;
+                    limited[s] = 1;
+                }
+            }
+            /* after a full step, release the held flywheel that would lower the residual most */
+            if (stopped < 0) {
+                eye4_real left[3];
+                eye4_real wanted = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    wanted += work->r[i] * work->r[i];
+                    left[i] = (i < rank) ? work->r[i] : 0.0;
+                    if (i < rank) {
+                        for (int s = 0; s < EYE4_N; ++s) {
+                            left[i] -= work->W[i][s] * phi_ddot[s];
+                        }
+                    }
+                }
+                eye4_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                int freed = -1;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    if (limited[s] > 0) {
+                        eye4_real slope = 0.0;
+                        eye4_real size = 0.0;
+                        for (int i = 0; i < 3; ++i) {
+                            slope += work->W[i][s] * left[i];
+                            size += work->W[i][s] * work->W[i][s];
+                        }
+                        const eye4_real inward = (phi_ddot[s] > 0.0) ? -slope : slope;
+                        if (inward > 0.0 && inward * inward > best * size) {
+                            best = inward * inward / size;
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed >= 0) {
+                    limited[freed] = 0;
+                }
+            }
+        }
+    }
+    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
+     * later */
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real found = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = found;
+        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
+            && ((found < 0.0) ? -found : found) <= EYE4_LARGEST)) {
+            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        }
+    }
+}
+
+/* Matrix and right-hand side of the rows of the task pointing that are demanded, scaled. */
+EYE4_CODE
+static void eye4_project_pointing(const eye4_real demand[3], const int use[3],
+                                  eye4_inverse_work *restrict work, eye4_real L[restrict 3][3])
+{
+    eye4_real Y[3][3];  /* rows: columns of G^-1 S^T, then of Q */
+    eye4_real known[3];  /* s - a, then L^-1 (s - a) */
+    known[0] = 0.0 - demand[0];  known[1] = 0.0 - demand[1];  known[2] = 0.0 - demand[2];
+    Y[0][0] = 1.0;  Y[0][1] = 0.0;  Y[0][2] = 0.0;
+    Y[1][0] = 0.0;  Y[1][1] = 1.0;  Y[1][2] = 0.0;
+    Y[2][0] = 0.0;  Y[2][1] = 0.0;  Y[2][2] = 1.0;
+    for (int j = 0; j < 3; ++j) {
+        /* forward substitution; then orthogonal to the rows before, twice, so that no digit is lost */
+        for (int i = 0; i < 3; ++i) {
+            eye4_real rest = (use[j] > 0) ? Y[j][i] : 0.0;
+            for (int k = 0; k < i; ++k) {
+                rest -= work->G[i][k] * Y[j][k];
+            }
+            Y[j][i] = rest / work->G[i][i];
+        }
+        for (int i = 0; i < j; ++i) {
+            L[j][i] = 0.0;
+        }
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int i = 0; i < j; ++i) {
+                eye4_real along = 0.0;
+                for (int k = 0; k < 3; ++k) {
+                    along += Y[i][k] * Y[j][k];
+                }
+                for (int k = 0; k < 3; ++k) {
+                    Y[j][k] -= along * Y[i][k];
+                }
+                L[j][i] += along;
+            }
+        }
+        eye4_real square = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            square += Y[j][k] * Y[j][k];
+        }
+        const eye4_real length = eye4_sqrt(square);
+        L[j][j] = (length > 0.0) ? length : 1.0;  /* a free row demands nothing */
+        for (int k = 0; k < 3; ++k) {
+            Y[j][k] = Y[j][k] / L[j][j];
+        }
+        eye4_real left = (use[j] > 0) ? known[j] : 0.0;  /* of L known = s - a */
+        for (int i = 0; i < j; ++i) {
+            left -= L[j][i] * known[i];
+        }
+        known[j] = left / L[j][j];
+    }
+    eye4_real kept[3];
+    /* W = Q^T X, r = Q^T x + L^-1 (s - a) */
+    for (int s = 0; s < EYE4_N; ++s) {
+        for (int i = 0; i < 3; ++i) {
+            kept[i] = work->W[i][s];
+        }
+        for (int j = 0; j < 3; ++j) {
+            eye4_real total = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                total += Y[j][i] * kept[i];
+            }
+            work->W[j][s] = total;
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        kept[i] = work->r[i];
+    }
+    for (int j = 0; j < 3; ++j) {
+        eye4_real total = known[j];
+        for (int i = 0; i < 3; ++i) {
+            total += Y[j][i] * kept[i];
+        }
+        work->r[j] = total;
+    }
+}
+
+/* Flywheel accelerations for the task pointing: what no row names is free, found by the dynamics. Least
+ * error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi''. */
+EYE4_CODE
+eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
+                                  const eye4_inverse_options *options, const eye4_real wrench[6],
+                                  eye4_inverse_pointing_result *out)
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
+    if (status != EYE4_OK) { return status; }
+    eye4_real shares[2];
+    shares[0] = options->near;     shares[1] = options->damping;
+    status = eye4_within(shares, 2, EYE4_LARGEST);
+    if (status != EYE4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return EYE4_RANGE; }
+    }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->limit[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+    }
+    eye4_inverse_work work;
+    eye4_real L[3][3];  /* factor of the norm of the demand */
+    eye4_real answer[EYE4_N];  /* phi'' */
+    int limited[EYE4_N];
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_demand_turning(table, x, sine, cosine, wrench, &work);
+    if (status != EYE4_OK) { return status; }
+    eye4_scale_turning(table, &work);
+    eye4_project_pointing(demand, options->use_pointing, &work, L);
+    int demanded = 0;  /* rows that are not free */
+    for (int j = 0; j < 3; ++j) {
+        if (options->use_pointing[j] > 0) {
+            demanded = demanded + 1;
+        }
+    }
+    eye4_real wanted = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        wanted += work.r[i] * work.r[i];
+    }
+    eye4_orthogonalise_3(&work);
+    /* sort the singular values in descending order, by exchanging neighbours */
+    for (int pass = 0; pass < 2; ++pass) {
+        for (int i = 0; i < 2; ++i) {
+            if (work.sigma[i] < work.sigma[i + 1]) {
+                const eye4_real kept_sigma = work.sigma[i];
+                work.sigma[i] = work.sigma[i + 1];  work.sigma[i + 1] = kept_sigma;
+                const eye4_real kept_r = work.r[i];
+                work.r[i] = work.r[i + 1];  work.r[i + 1] = kept_r;
+                for (int j = 0; j < EYE4_N; ++j) {
+                    const eye4_real kept = work.W[i][j];
+                    work.W[i][j] = work.W[i + 1][j];
+                    work.W[i + 1][j] = kept;
+                }
+                for (int j = 0; j < 3; ++j) {
+                    const eye4_real kept = work.U[j][i];
+                    work.U[j][i] = work.U[j][i + 1];  work.U[j][i + 1] = kept;
+                }
+            }
+        }
+    }
+    eye4_real asked[3];  /* the demand in these rows, before damping */
+    for (int i = 0; i < 3; ++i) {
+        asked[i] = work.r[i];
+    }
+    int flags, rank;
+    eye4_real damping;
+    flags = 0;
+    rank = 0;
+    damping = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+            rank = rank + 1;
+            const eye4_real ratio = work.sigma[i] / work.sigma[0];
+            if (ratio < options->near) {
+                flags = flags | EYE4_NEAR_SINGULAR;
+                if (options->damping > 0.0) {
+                    flags = flags | EYE4_DAMPED;
+                    const eye4_real lambda = options->damping * work.sigma[0] * (1.0 - ratio / options->near);
+                    const eye4_real square = work.sigma[i] * work.sigma[i];
+                    work.r[i] = work.r[i] * (square / (square + lambda * lambda));
+                    damping = (lambda > damping) ? lambda : damping;
+                }
+            }
+        }
+    }
+    eye4_allocate_3(&work, options, rank, answer, limited);
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (limited[s] > 0) {
+            flags = flags | EYE4_LIMITED;
+        }
+    }
+    if (rank < demanded && rank < 4) {
+        flags = flags | EYE4_RANK_DEFICIENT;
+    }
+    eye4_real left = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        eye4_real rest = asked[i];
+        for (int s = 0; s < EYE4_N; ++s) {
+            rest -= work.W[i][s] * (answer[s] / work.scale[s]);
+        }
+        left += rest * rest;
+    }
+    if (left > 1.0e-18 * wanted) {
+        flags = flags | EYE4_UNREACHABLE;
+    }
+    status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    eye4_real moved[6];  /* V* that results, by (8) */
+    status = eye4_accelerate(table, x, sine, cosine, answer, wrench, moved);
+    if (status != EYE4_OK) { return status; }
+    eye4_real residual[3];
+    const eye4_real left_1 = demand[0] - moved[3];
+    residual[0] = (options->use_pointing[0] > 0) ? left_1 : 0.0;
+    const eye4_real left_2 = demand[1] - moved[4];
+    residual[1] = (options->use_pointing[1] > 0) ? left_2 : 0.0;
+    const eye4_real left_3 = demand[2] - moved[5];
+    residual[2] = (options->use_pointing[2] > 0) ? left_3 : 0.0;
+    status = eye4_within(moved, 6, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    status = eye4_within(residual, 3, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    int lacking;
+    eye4_excessive(table, x, sine, cosine, moved, answer, options, &lacking);
+    flags = flags | lacking;
+    for (int s = 0; s < EYE4_N; ++s) {
+        out->phi_ddot[s] = answer[s];
+        out->limited[s] = limited[s];
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->V_dot[i] = moved[i];
+    }
+    const int last = (demanded > 0) ? demanded - 1 : 0;
+    /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
+    eye4_real part[3];
+    for (int i = 0; i < 3; ++i) {
+        part[i] = (i < rank) ? 0.0 : work.r[i];
+    }
+    eye4_real largest = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const eye4_real size = (part[i] < 0.0) ? -part[i] : part[i];
+        largest = (size > largest) ? size : largest;
+    }
+    if (!(largest > 0.0)) {
+        part[last] = 1.0;
+        largest = 1.0;
+    }
+    eye4_real square = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        part[i] = part[i] / largest;
+        square += part[i] * part[i];
+    }
+    const eye4_real length = eye4_sqrt(square);
+    eye4_real u[3];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
+    for (int k = 0; k < 3; ++k) {
+        u[k] = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            u[k] += work.U[k][i] * part[i];
+        }
+        u[k] = u[k] / length;
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->hardest[i] = 0.0;
+        for (int k = 0; k < i + 1; ++k) {
+            out->hardest[i] += L[i][k] * u[k];
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->residual[i] = residual[i];
+    }
+    out->rank = rank;
+    out->damped_by = damping;
+    for (int i = 0; i < 3; ++i) {
+        out->sigma[i] = work.sigma[i];
+    }
+    return (eye4_status)flags;
+}
+
+/* Flywheel accelerations for the task pointing, without diagnostics: normal equations. */
+EYE4_CODE
+eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state *x,
+                                       const eye4_real demand[3], const eye4_inverse_options *options,
+                                       const eye4_real wrench[6], eye4_real phi_ddot[EYE4_N])
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL || wrench == NULL
+        || phi_ddot == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
+    if (status != EYE4_OK) { return status; }
+    eye4_real shares[1];
+    shares[0] = options->damping;
+    status = eye4_within(shares, 1, EYE4_LARGEST);
+    if (status != EYE4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return EYE4_RANGE; }
+    }
+    eye4_inverse_work work;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_demand_turning(table, x, sine, cosine, wrench, &work);
+    if (status != EYE4_OK) { return status; }
+    int demanded = 0;  /* rows that are not free */
+    for (int j = 0; j < 3; ++j) {
+        if (options->use_pointing[j] > 0) {
+            demanded = demanded + 1;
+        }
+    }
+    eye4_real answer[EYE4_N];
+    if (demanded > 2) {
+        /* all of omega* is demanded: r = U^-1 (moment - inertia omega*) */
+        const eye4_real turn_1 = demand[0];
+        const eye4_real turn_2 = demand[1];
+        const eye4_real turn_3 = demand[2];
+        work.r[0] = work.r[0] - work.G[0][0] * (turn_1 + work.G[1][0] * turn_2 + work.G[2][0] * turn_3);
+        work.r[1] = work.r[1] - work.G[1][1] * (turn_2 + work.G[2][1] * turn_3);
+        work.r[2] = work.r[2] - work.G[2][2] * turn_3;
+        /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is
+         * there */
+        for (int s = 0; s < EYE4_N; ++s) {
+            const eye4_real give = table->flywheel[s].spin_inv / options->weight[s];
+            for (int i = 0; i < 3; ++i) {
+                work.I_[i][s] = work.W[i][s] * give;
+            }
+        }
+        eye4_real gram[3][3];
+        eye4_real z[3];
+        eye4_real trace = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                eye4_real total = 0.0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    total += work.I_[i][s] * work.W[j][s];
+                }
+                gram[i][j] = total;
+            }
+            trace += gram[i][i] * work.sigma[i];
+            z[i] = work.r[i];
+        }
+        const eye4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+        for (int i = 0; i < 3; ++i) {
+            gram[i][i] += lambda2 * work.G[i][i];
+        }
+        for (int j = 0; j < 3; ++j) {
+            eye4_real pivot = gram[j][j];
+            const eye4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+            eye4_real rest = z[j];
+            for (int k = 0; k < j; ++k) {
+                pivot -= gram[j][k] * gram[k][j];
+                rest -= gram[k][j] * z[k];
+            }
+            z[j] = rest;
+            if (!(pivot > least)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+            gram[j][j] = 1.0 / pivot;
+            for (int i = j + 1; i < 3; ++i) {
+                eye4_real below = gram[i][j];
+                for (int k = 0; k < j; ++k) {
+                    below -= gram[i][k] * gram[k][j];
+                }
+                gram[i][j] = below;
+                gram[j][i] = below * gram[j][j];
+            }
+        }
+        for (int t = 0; t < 3; ++t) {
+            const int i = 2 - t;
+            eye4_real rest = z[i] * gram[i][i];
+            for (int k = i + 1; k < 3; ++k) {
+                rest -= gram[i][k] * z[k];
+            }
+            z[i] = rest;
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            eye4_real y = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                y += work.I_[i][s] * z[i];
+            }
+            answer[s] = y;
+        }
+    } else {
+        eye4_scale_turning(table, &work);
+        eye4_real L[3][3];  /* factor of the norm of the demand */
+        eye4_project_pointing(demand, options->use_pointing, &work, L);
+        /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is
+         * there */
+        for (int s = 0; s < EYE4_N; ++s) {
+            const eye4_real give = 1.0 / options->weight[s];
+            for (int i = 0; i < 3; ++i) {
+                work.I_[i][s] = work.W[i][s] * give;
+            }
+        }
+        eye4_real gram[3][3];
+        eye4_real z[3];
+        eye4_real trace = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < i + 1; ++j) {
+                eye4_real total = 0.0;
+                for (int s = 0; s < EYE4_N; ++s) {
+                    total += work.I_[i][s] * work.W[j][s];
+                }
+                gram[i][j] = total;
+            }
+            trace += gram[i][i];
+            z[i] = work.r[i];
+        }
+        const eye4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+        for (int i = 0; i < 3; ++i) {
+            gram[i][i] += (options->use_pointing[i] > 0) ? lambda2 : 1.0;
+        }
+        for (int j = 0; j < 3; ++j) {
+            eye4_real pivot = gram[j][j];
+            const eye4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+            eye4_real rest = z[j];
+            for (int k = 0; k < j; ++k) {
+                pivot -= gram[j][k] * gram[k][j];
+                rest -= gram[k][j] * z[k];
+            }
+            z[j] = rest;
+            if (!(pivot > least)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+            gram[j][j] = 1.0 / pivot;
+            for (int i = j + 1; i < 3; ++i) {
+                eye4_real below = gram[i][j];
+                for (int k = 0; k < j; ++k) {
+                    below -= gram[i][k] * gram[k][j];
+                }
+                gram[i][j] = below;
+                gram[j][i] = below * gram[j][j];
+            }
+        }
+        for (int t = 0; t < 3; ++t) {
+            const int i = 2 - t;
+            eye4_real rest = z[i] * gram[i][i];
+            for (int k = i + 1; k < 3; ++k) {
+                rest -= gram[i][k] * z[k];
+            }
+            z[i] = rest;
+        }
+        for (int s = 0; s < EYE4_N; ++s) {
+            eye4_real y = 0.0;
+            for (int i = 0; i < 3; ++i) {
+                y += work.I_[i][s] * z[i];
+            }
+            answer[s] = y * work.scale[s];
+        }
+    }
+    status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        phi_ddot[s] = answer[s];
+    }
+    return EYE4_OK;
+}
+
+/* How the turning part of the motion depends on the drive torques, scaled, at V* = 0. */
+EYE4_CODE
+static eye4_status eye4_torque_demand_turning(const eye4_table *table, const eye4_state *x,
+                                              const eye4_real sine[EYE4_N], const eye4_real cosine[EYE4_N],
+                                              const eye4_real preferred[EYE4_N], const int locked[EYE4_N],
+                                              const eye4_real wrench[6], eye4_inverse_work *restrict work,
+                                              eye4_real tau_0[restrict EYE4_N])
+{
+    eye4_sums sum;
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real F[6];  /* wrench (7); then F_c */
+    eye4_external(wrench, F);
+    eye4_subtract_rates(table, &sum, x->V, F);
+    eye4_schur K;  /* mass matrix with free flywheels eliminated */
+    K.A[0] = table->mass;  K.A[1] = table->mass;  K.A[2] = table->mass;
+    K.A[3] = 0.0;          K.A[4] = 0.0;          K.A[5] = 0.0;
+    K.B[0] = 0.0;         K.B[1] = -sum.mu[2];  K.B[2] = sum.mu[1];
+    K.B[3] = sum.mu[2];   K.B[4] = 0.0;         K.B[5] = -sum.mu[0];
+    K.B[6] = -sum.mu[1];  K.B[7] = sum.mu[0];   K.B[8] = 0.0;
+    K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
+    K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
+    eye4_real origin_acceleration[3];  /* omega x v */
+    origin_acceleration[0] = x->V[4] * x->V[2] - x->V[5] * x->V[1];
+    origin_acceleration[1] = x->V[5] * x->V[0] - x->V[3] * x->V[2];
+    origin_acceleration[2] = x->V[3] * x->V[1] - x->V[4] * x->V[0];
+    eye4_real spun[6];  /* six numbers: J . spun = -omega . J omega / 2 for every inertia J */
+    spun[0] = -0.5 * (x->V[3] * x->V[3]);
+    spun[1] = -0.5 * (x->V[4] * x->V[4]);
+    spun[2] = -0.5 * (x->V[5] * x->V[5]);
+    spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
+    eye4_coupling drive;
+    for (int s = 0; s < EYE4_N; ++s) {
+        eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
+        const eye4_real spin = table->flywheel[s].spin;
+        tau_0[s] = spin * preferred[s] + drive.bias;
+        work->scale[s] = 1.0 / eye4_sqrt(spin);
+        if (locked[s] == 0) {
+            eye4_eliminate(drive.I_, table->flywheel[s].spin_inv, preferred[s], &K, F);
+        }
+        /* a locked flywheel takes no part */
+        for (int i = 0; i < 6; ++i) {
+            work->I_[i][s] = (locked[s] == 0) ? drive.I_[i] : 0.0;
+        }
+    }
+    eye4_real A_inv[6];
+    const eye4_real c11 = K.A[1] * K.A[2] - K.A[5] * K.A[5];
+    const eye4_real c22 = K.A[0] * K.A[2] - K.A[4] * K.A[4];
+    const eye4_real c33 = K.A[0] * K.A[1] - K.A[3] * K.A[3];
+    const eye4_real c12 = K.A[4] * K.A[5] - K.A[2] * K.A[3];
+    const eye4_real c13 = K.A[3] * K.A[5] - K.A[1] * K.A[4];
+    const eye4_real c23 = K.A[3] * K.A[4] - K.A[0] * K.A[5];
+    const eye4_real det = K.A[0] * c11 + K.A[3] * c12 + K.A[4] * c13;
+    if (!(K.A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+        && det <= EYE4_LARGEST))) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    const eye4_real r = 1.0 / det;
+    A_inv[0] = c11 * r;  A_inv[1] = c22 * r;  A_inv[2] = c33 * r;
+    A_inv[3] = c12 * r;  A_inv[4] = c13 * r;  A_inv[5] = c23 * r;
+    eye4_real U[9];  /* A^-1 B^T */
+    eye4_real S[6];  /* D - B A^-1 B^T */
+    U[0] = A_inv[0] * K.B[0] + A_inv[3] * K.B[1] + A_inv[4] * K.B[2];
+    U[1] = A_inv[0] * K.B[3] + A_inv[3] * K.B[4] + A_inv[4] * K.B[5];
+    U[2] = A_inv[0] * K.B[6] + A_inv[3] * K.B[7] + A_inv[4] * K.B[8];
+    U[3] = A_inv[1] * K.B[1] + A_inv[3] * K.B[0] + A_inv[5] * K.B[2];
+    U[4] = A_inv[1] * K.B[4] + A_inv[3] * K.B[3] + A_inv[5] * K.B[5];
+    U[5] = A_inv[1] * K.B[7] + A_inv[3] * K.B[6] + A_inv[5] * K.B[8];
+    U[6] = A_inv[2] * K.B[2] + A_inv[4] * K.B[0] + A_inv[5] * K.B[1];
+    U[7] = A_inv[2] * K.B[5] + A_inv[4] * K.B[3] + A_inv[5] * K.B[4];
+    U[8] = A_inv[2] * K.B[8] + A_inv[4] * K.B[6] + A_inv[5] * K.B[7];
+    S[0] = K.D[0] - K.B[0] * U[0] - K.B[1] * U[3] - K.B[2] * U[6];
+    S[1] = K.D[1] - K.B[3] * U[1] - K.B[4] * U[4] - K.B[5] * U[7];
+    S[2] = K.D[2] - K.B[6] * U[2] - K.B[7] * U[5] - K.B[8] * U[8];
+    S[3] = K.D[3] - K.B[0] * U[1] - K.B[1] * U[4] - K.B[2] * U[7];
+    S[4] = K.D[4] - K.B[0] * U[2] - K.B[1] * U[5] - K.B[2] * U[8];
+    S[5] = K.D[5] - K.B[3] * U[2] - K.B[4] * U[5] - K.B[5] * U[8];
+    work->G[0][0] = S[0];
+    if (!(work->G[0][0] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[0] = 1.0 / work->G[0][0];
+    work->G[1][0] = S[3] * work->sigma[0];
+    work->G[2][0] = S[4] * work->sigma[0];
+    work->G[1][1] = S[1] - work->G[1][0] * S[3];
+    if (!(work->G[1][1] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[1] = 1.0 / work->G[1][1];
+    const eye4_real rest = S[5] - work->G[2][0] * S[3];
+    work->G[2][1] = rest * work->sigma[1];
+    work->G[2][2] = S[2] - work->G[2][0] * S[4] - work->G[2][1] * rest;
+    if (!(work->G[2][2] > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    work->sigma[2] = 1.0 / work->G[2][2];
+    eye4_real moment[3];  /* of F, then of each column of I, when v* is eliminated */
+    moment[0] = F[3] - U[0] * F[0] - U[3] * F[1] - U[6] * F[2];
+    moment[1] = F[4] - U[1] * F[0] - U[4] * F[1] - U[7] * F[2];
+    moment[2] = F[5] - U[2] * F[0] - U[5] * F[1] - U[8] * F[2];
+    const eye4_real r_2 = moment[1] - work->G[1][0] * moment[0];
+    work->r[0] = moment[0];  work->r[1] = r_2;
+    work->r[2] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * r_2;
+    for (int s = 0; s < EYE4_N; ++s) {
+        moment[0] = work->I_[3][s] - U[0] * work->I_[0][s] - U[3] * work->I_[1][s] - U[6] * work->I_[2][s];
+        moment[1] = work->I_[4][s] - U[1] * work->I_[0][s] - U[4] * work->I_[1][s] - U[7] * work->I_[2][s];
+        moment[2] = work->I_[5][s] - U[2] * work->I_[0][s] - U[5] * work->I_[1][s] - U[8] * work->I_[2][s];
+        const eye4_real W_2 = moment[1] - work->G[1][0] * moment[0];
+        work->W[0][s] = moment[0];
+        work->W[1][s] = W_2;
+        work->W[2][s] = moment[2] - work->G[2][0] * moment[0] - work->G[2][1] * W_2;
+    }
+    eye4_scale_turning(table, work);
+    return EYE4_OK;
+}
+
+/* Least error of W y = r within bounds, then least weighted norm of y. */
+EYE4_CODE
+static void eye4_bounded_least_squares_3(const eye4_real W[12], const eye4_real r[3],
+                                         const eye4_real low[EYE4_N], const eye4_real high[EYE4_N],
+                                         const eye4_real weight[EYE4_N], eye4_real y[restrict EYE4_N],
+                                         int held[restrict EYE4_N])
+{
+    for (int s = 0; s < 4; ++s) {
+        y[s] = (low[s] > 0.0) ? low[s] : ((high[s] < 0.0) ? high[s] : 0.0);
+        held[s] = (!(low[s] < high[s])) ? 1 : 0;
+    }
+    eye4_real gram[3][3];  /* of rows, or of fewer free unknowns; then its factor */
+    eye4_real z[3];  /* (r - W y)/lambda */
+    eye4_real left[3];  /* right-hand side, and what solves it */
+    int free[3];  /* free unknowns where these are fewer than rows */
+    int many;  /* number of free unknowns */
+    eye4_real goal[EYE4_N];  /* solution of the free unknowns */
+    eye4_real largest = 0.0;  /* diagonal element of W Omega^-1 W^T */
+    for (int i = 0; i < 3; ++i) {
+        eye4_real whole = 0.0;
+        for (int s = 0; s < 4; ++s) {
+            whole += W[i * 4 + s] * W[i * 4 + s] / weight[s];
+        }
+        largest = (whole > largest) ? whole : largest;
+    }
+    const eye4_real lambda = (largest > 0.0) ? 1.0e-12 * largest : 1.0;
+    int going = 1;
+    for (int pass = 0; pass < 28; ++pass) {
+        if (going > 0) {
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < i + 1; ++j) {
+                    gram[i][j] = 0.0;
+                }
+            }
+            many = 0;
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    if (many < 3) {
+                        free[many] = s;
+                    }
+                    many = many + 1;
+                }
+            }
+            eye4_real total;
+            if (many < 3) {
+                for (int k = 0; k < many; ++k) {
+                    for (int l = 0; l < k + 1; ++l) {
+                        total = (k == l) ? lambda * weight[free[k]] : 0.0;
+                        for (int i = 0; i < 3; ++i) {
+                            total += W[i * 4 + free[k]] * W[i * 4 + free[l]];
+                        }
+                        gram[k][l] = total;
+                    }
+                }
+            } else {
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = 0; j < i + 1; ++j) {
+                        total = (i == j) ? lambda : 0.0;
+                        for (int s = 0; s < 4; ++s) {
+                            if (held[s] == 0) {
+                                total += W[i * 4 + s] * W[j * 4 + s] / weight[s];
+                            }
+                        }
+                        gram[i][j] = total;
+                    }
+                }
+            }
+            const int unknowns = (many < 3) ? many : 3;
+            for (int j = 0; j < unknowns; ++j) {
+                /* rounding, of a singular matrix */
+                const eye4_real least = 2.220446049250313e-16 * gram[j][j] + 9.5367431640625e-7 * lambda;
+                for (int k = 0; k < j; ++k) {
+                    gram[j][j] -= gram[j][k] * gram[j][k];
+                }
+                gram[j][j] = eye4_sqrt((gram[j][j] > least) ? gram[j][j] : least);
+                for (int i = j + 1; i < unknowns; ++i) {
+                    for (int k = 0; k < j; ++k) {
+                        gram[i][j] -= gram[i][k] * gram[j][k];
+                    }
+                    gram[i][j] = gram[i][j] / gram[j][j];
+                }
+            }
+            /* held unknowns keep their values; the free ones start from 0 */
+            for (int s = 0; s < 4; ++s) {
+                goal[s] = (held[s] == 0) ? 0.0 : y[s];
+            }
+            for (int i = 0; i < 3; ++i) {
+                z[i] = 0.0;
+            }
+            eye4_real missing[3];  /* r - W goal */
+            for (int round = 0; round < 4; ++round) {
+                for (int i = 0; i < 3; ++i) {
+                    missing[i] = r[i];
+                    for (int s = 0; s < 4; ++s) {
+                        missing[i] -= W[i * 4 + s] * goal[s];
+                    }
+                }
+                if (many >= 3 && round < 3) {
+                    for (int i = 0; i < 3; ++i) {
+                        left[i] = missing[i];
+                    }
+                    for (int i = 0; i < unknowns; ++i) {
+                        for (int k = 0; k < i; ++k) {
+                            left[i] -= gram[i][k] * left[k];
+                        }
+                        left[i] = left[i] / gram[i][i];
+                    }
+                    for (int t = 0; t < unknowns; ++t) {
+                        const int i = unknowns - 1 - t;
+                        for (int k = i + 1; k < unknowns; ++k) {
+                            left[i] -= gram[k][i] * left[k];
+                        }
+                        left[i] = left[i] / gram[i][i];
+                    }
+                    for (int i = 0; i < 3; ++i) {
+                        z[i] += left[i];
+                    }
+                    for (int s = 0; s < 4; ++s) {
+                        if (held[s] == 0) {
+                            for (int i = 0; i < 3; ++i) {
+                                goal[s] += W[i * 4 + s] * left[i] / weight[s];
+                            }
+                        }
+                    }
+                }
+                if (many < 3) {
+                    /* what the last round leaves of the demand gives the multipliers */
+                    for (int i = 0; i < 3; ++i) {
+                        z[i] = missing[i] / lambda;
+                    }
+                    if (round < 3) {
+                        for (int k = 0; k < many; ++k) {
+                            left[k] = 0.0;
+                            for (int i = 0; i < 3; ++i) {
+                                left[k] += W[i * 4 + free[k]] * missing[i];
+                            }
+                        }
+                        for (int i = 0; i < unknowns; ++i) {
+                            for (int k = 0; k < i; ++k) {
+                                left[i] -= gram[i][k] * left[k];
+                            }
+                            left[i] = left[i] / gram[i][i];
+                        }
+                        for (int t = 0; t < unknowns; ++t) {
+                            const int i = unknowns - 1 - t;
+                            for (int k = i + 1; k < unknowns; ++k) {
+                                left[i] -= gram[k][i] * left[k];
+                            }
+                            left[i] = left[i] / gram[i][i];
+                        }
+                        for (int k = 0; k < many; ++k) {
+                            goal[free[k]] += left[k];
+                        }
+                    }
+                }
+            }
+            eye4_real length;
+            int stopped;
+            length = 1.0;
+            stopped = -1;
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    if (goal[s] > high[s] || goal[s] < low[s]) {
+                        const eye4_real room = (goal[s] > high[s]) ? high[s] - y[s] : low[s] - y[s];
+                        const eye4_real part = room / (goal[s] - y[s]);
+                        if (part < length) {
+                            length = (part > 0.0) ? part : 0.0;
+                            stopped = s;
+                        }
+                    }
+                }
+            }
+            for (int s = 0; s < 4; ++s) {
+                if (held[s] == 0) {
+                    const eye4_real moved = (length < 1.0) ? y[s] + length * (goal[s] - y[s]) : goal[s];
+                    y[s] = (moved > high[s]) ? high[s] : ((moved < low[s]) ? low[s] : moved);
+                }
+            }
+            if (stopped >= 0) {
+                const int up = goal[stopped] > high[stopped];
+                y[stopped] = (up) ? high[stopped] : low[stopped];
+                held[stopped] = (up) ? 1 : -1;
+            }
+            if (stopped < 0) {
+                int freed;
+                eye4_real best;
+                freed = -1;
+                best = 0.0;
+                for (int s = 0; s < 4; ++s) {
+                    if (!(held[s] == 0)) {
+                        eye4_real pull;  /* W^T z - Omega y: where the objective falls */
+                        eye4_real size;  /* sum of its terms, for rounding */
+                        pull = -(weight[s] * y[s]);
+                        size = (weight[s] * y[s] < 0.0) ? -(weight[s] * y[s]) : weight[s] * y[s];
+                        for (int i = 0; i < 3; ++i) {
+                            const eye4_real term = W[i * 4 + s] * z[i];
+                            pull += term;
+                            size += (term < 0.0) ? -term : term;
+                        }
+                        const eye4_real inward = (held[s] > 0) ? -pull : pull;
+                        if (inward > 9.5367431640625e-7 * size && inward * inward > best * weight[s]) {
+                            best = inward * inward / weight[s];
+                            freed = s;
+                        }
+                    }
+                }
+                if (freed < 0) {
+                    going = 0;
+                } else {
+                    held[freed] = 0;
+                }
+            }
+        }
+    }
+}
+
+/* Largest f of 0 to 1 for which W y = start + f towards has a solution within the bounds; -1: none has. */
+EYE4_CODE
+static eye4_real eye4_largest_share_3(const eye4_real W[12], const eye4_real low[EYE4_N],
+                                      const eye4_real high[EYE4_N], const eye4_real start[3],
+                                      const eye4_real towards[3], eye4_real y[restrict EYE4_N])
+{
+    eye4_real tableau[3][6];  /* columns: y - low, then f, then the values of the basis */
+    eye4_real upper[5];  /* upper bounds of the variables; the lower ones are 0 */
+    int at_upper[5];  /* 1 where a variable outside the basis is at its upper bound */
+    int inside[5];  /* 1 where a variable is in the basis */
+    int basis[3];  /* variable of each row; -1: its artificial one */
+    for (int j = 0; j < 4; ++j) {
+        upper[j] = high[j] - low[j];
+    }
+    upper[4] = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        eye4_real value, largest;
+        value = start[i];
+        largest = (towards[i] < 0.0) ? -towards[i] : towards[i];
+        for (int j = 0; j < 4; ++j) {
+            tableau[i][j] = W[i * 4 + j];
+            value -= W[i * 4 + j] * low[j];
+            largest = (((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) > largest)
+                ? ((W[i * 4 + j] < 0.0) ? -W[i * 4 + j] : W[i * 4 + j]) : largest;
+        }
+        tableau[i][4] = -towards[i];  tableau[i][5] = value;
+        largest = (((value < 0.0) ? -value : value) > largest) ? ((value < 0.0) ? -value : value) : largest;
+        const eye4_real whole = (largest > 0.0) ? largest : 1.0;
+        const eye4_real factor = (value < 0.0) ? -1.0 / whole : 1.0 / whole;
+        for (int j = 0; j < 6; ++j) {
+            tableau[i][j] = tableau[i][j] * factor;
+        }
+    }
+    for (int j = 0; j < 5; ++j) {
+        at_upper[j] = 0;
+        inside[j] = 0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        basis[i] = -1;
+    }
+    int raising;  /* 0: artificial variables fall; 1: f rises */
+    int going;
+    raising = 0;
+    going = 1;
+    for (int pass = 0; pass < 48; ++pass) {
+        if (going > 0) {
+            int enter;
+            eye4_real best;
+            enter = -1;
+            best = 4.0e-12;
+            for (int j = 0; j < 5; ++j) {
+                if (inside[j] == 0 && upper[j] > 0.0) {
+                    eye4_real gain = (raising > 0 && j == 4) ? 1.0 : 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        if (raising > 0 && basis[i] == 4) {
+                            gain = -tableau[i][j];
+                        }
+                        if (raising == 0 && basis[i] < 0) {
+                            gain += tableau[i][j];
+                        }
+                    }
+                    gain = (at_upper[j] > 0) ? -gain : gain;
+                    if (gain > best && !(pass >= 24 && enter >= 0)) {
+                        best = gain;
+                        enter = j;
+                    }
+                }
+            }
+            if (enter < 0) {
+                if (raising > 0) {
+                    going = 0;
+                } else {
+                    eye4_real left = 0.0;
+                    for (int i = 0; i < 3; ++i) {
+                        if (basis[i] < 0) {
+                            left += tableau[i][5];
+                        }
+                    }
+                    if (left > 1.0e-9) { return -1.0; }
+                    raising = 1;
+                }
+            } else {
+                const eye4_real direction = (at_upper[enter] > 0) ? -1.0 : 1.0;
+                eye4_real reach;
+                int leave;
+                reach = upper[enter];
+                leave = -1;
+                eye4_real steepest = 0.0;
+                for (int i = 0; i < 3; ++i) {
+                    const eye4_real slope = tableau[i][enter] * direction;
+                    const eye4_real value = tableau[i][5];
+                    eye4_real top = 0.0;
+                    if (!(basis[i] < 0)) {
+                        top = upper[basis[i]];
+                    }
+                    eye4_real room = -1.0;
+                    if (slope > 4.0e-12) {
+                        room = ((value > 0.0) ? value : 0.0) / slope;
+                    }
+                    if (slope < -4.0e-12 && (basis[i] >= 0 || raising > 0)) {
+                        room = ((top > value) ? top - value : 0.0) / -slope;
+                    }
+                    if (room >= 0.0 && (room < reach
+                        || (!(room > reach) && (leave >= 0
+                        && ((slope < 0.0) ? -slope : slope) > steepest)))) {
+                        reach = room;
+                        leave = i;
+                        steepest = (slope < 0.0) ? -slope : slope;
+                    }
+                }
+                const eye4_real moved = direction * reach;
+                for (int i = 0; i < 3; ++i) {
+                    tableau[i][5] -= tableau[i][enter] * moved;
+                }
+                if (leave < 0) {
+                    at_upper[enter] = 1 - at_upper[enter];
+                } else {
+                    if (basis[leave] >= 0) {
+                        inside[basis[leave]] = 0;
+                        at_upper[basis[leave]] = (tableau[leave][enter] * direction < 0.0
+                            && upper[basis[leave]] > 0.0) ? 1 : 0;
+                    }
+                    const eye4_real begun = (eye4_real)at_upper[enter] * upper[enter];
+                    basis[leave] = enter;
+                    inside[enter] = 1;
+                    const eye4_real unit = tableau[leave][enter];
+                    for (int j = 0; j < 5; ++j) {
+                        tableau[leave][j] = tableau[leave][j] / unit;
+                    }
+                    tableau[leave][5] = begun + moved;
+                    for (int i = 0; i < 3; ++i) {
+                        if (!(i == leave)) {
+                            const eye4_real share = tableau[i][enter];
+                            for (int j = 0; j < 5; ++j) {
+                                tableau[i][j] -= share * tableau[leave][j];
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    /* out of passes before the start was reached */
+    if (raising == 0) { return -1.0; }
+    for (int j = 0; j < 4; ++j) {
+        y[j] = (at_upper[j] > 0) ? high[j] : low[j];
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (basis[i] >= 0 && basis[i] < 4) {
+            const eye4_real value = low[basis[i]] + tableau[i][5];
+            y[basis[i]] = (value > high[basis[i]]) ? high[basis[i]]
+                : ((value < low[basis[i]]) ? low[basis[i]] : value);
+        }
+    }
+    eye4_real share = (at_upper[4] > 0) ? 1.0 : 0.0;
+    for (int i = 0; i < 3; ++i) {
+        if (basis[i] == 4) {
+            share = tableau[i][5];
+        }
+    }
+    return (share > 1.0) ? 1.0 : ((share < 0.0) ? 0.0 : share);
+}
+
+/* Drive torques for the task pointing, within what the motors have. Least error in the norm of (S K_c^-1
+ * S^T)^-1, K_c = K - sum I I^T / Theta_ff of the free flywheels; then torques nearest to those of the
+ * preferred accelerations. */
+EYE4_CODE
+eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
+                                     const eye4_inverse_options *options, const int locked[EYE4_N],
+                                     const eye4_real wrench[6], eye4_torque_for_pointing_result *out)
+{
+    if (table == NULL || x == NULL || demand == NULL || options == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = eye4_none_locked; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(demand, 3, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(options->weight, EYE4_N, EYE4_MAX_WEIGHT);
+    if (status != EYE4_OK) { return status; }
+    eye4_real shares[1];
+    shares[0] = options->damping;
+    status = eye4_within(shares, 1, EYE4_LARGEST);
+    if (status != EYE4_OK) { return status; }
+    if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->weight[s] >= 1.0e-6)) { return EYE4_RANGE; }
+    }
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (!(options->most[s] > 0.0 || options->most[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_torque[s] > 0.0 || options->motor_torque[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
+            || options->motor_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+        if (!(options->motor_power[s] > 0.0 || options->motor_power[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->motor_power[s] < 0.0) { return EYE4_BAD_ARGUMENT; }
+    }
+    status = eye4_within(options->target_speed, EYE4_N, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    {
+        if (!(options->target_rate >= -EYE4_MAX_SPEED && options->target_rate <= EYE4_MAX_SPEED)) {
+            if (options->target_rate >= -EYE4_LARGEST
+                && options->target_rate <= EYE4_LARGEST) { return EYE4_RANGE; }
+            return EYE4_NOT_FINITE;
+        }
+    }
+    {
+        if (!(options->avoid_speed >= -EYE4_MAX_SPEED && options->avoid_speed <= EYE4_MAX_SPEED)) {
+            if (options->avoid_speed >= -EYE4_LARGEST
+                && options->avoid_speed <= EYE4_LARGEST) { return EYE4_RANGE; }
+            return EYE4_NOT_FINITE;
+        }
+    }
+    if (options->target_rate < 0.0 || options->avoid_speed < 0.0) { return EYE4_BAD_ARGUMENT; }
+    eye4_real preferred[EYE4_N];  /* accelerations towards the wanted speeds */
+    for (int s = 0; s < 4; ++s) {
+        const eye4_real speed = x->phi_dot[s];
+        eye4_real target = options->target_speed[s];
+        if (((target < 0.0) ? -target : target) < options->avoid_speed) {
+            /* a wanted speed that is to be avoided: the end of its side, or of the side where the flywheel
+             * is */
+            const eye4_real side = (target <= 0.0 && target >= 0.0) ? speed : target;
+            target = (side < 0.0) ? -options->avoid_speed : options->avoid_speed;
+        }
+        preferred[s] = options->target_rate * (target - speed);
+    }
+    eye4_inverse_work work;
+    eye4_real L[3][3];  /* factor of the norm of the demand */
+    eye4_real tau_0[EYE4_N];  /* torques of the preferred accelerations */
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    status = eye4_torque_demand_turning(table, x, sine, cosine, preferred, locked, wrench, &work, tau_0);
+    if (status != EYE4_OK) { return status; }
+    eye4_project_pointing(demand, options->use_pointing, &work, L);
+    eye4_real W[12];  /* rows, one after the other */
+    eye4_real r[3];
+    for (int i = 0; i < 3; ++i) {
+        r[i] = work.r[i];
+        for (int s = 0; s < EYE4_N; ++s) {
+            W[i * 4 + s] = work.W[i][s];
+        }
+    }
+    eye4_real least[EYE4_N];  /* bounds of tau */
+    eye4_real most[EYE4_N];
+    eye4_real low[EYE4_N];  /* bounds of y */
+    eye4_real high[EYE4_N];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real speed = x->phi_dot[s];
+        const eye4_real size = (speed < 0.0) ? -speed : speed;
+        const eye4_real whole = (options->motor_torque[s] < EYE4_MAX_WRENCH) ? options->motor_torque[s]
+            : EYE4_MAX_WRENCH;
+        const eye4_real part = 1.0 - size / options->motor_speed[s];
+        eye4_real driving = (part > 0.0) ? whole * part : 0.0;
+        if (driving * size > options->motor_power[s]) {
+            driving = options->motor_power[s] / size;
+        }
+        most[s] = (speed > 0.0) ? driving : whole;
+        least[s] = (speed < 0.0) ? -driving : -whole;
+    }
+    for (int s = 0; s < EYE4_N; ++s) {
+        low[s] = (least[s] - tau_0[s]) * work.scale[s];
+        high[s] = (most[s] - tau_0[s]) * work.scale[s];
+        if (locked[s] != 0) {
+            low[s] = 0.0;
+            high[s] = 0.0;
+        }
+    }
+    eye4_real y[EYE4_N];
+    int held[EYE4_N];
+    int flags;
+    eye4_real share = 1.0;
+    eye4_bounded_least_squares_3(W, r, low, high, options->weight, y, held);
+    eye4_real left, wanted;
+    left = 0.0;
+    wanted = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        eye4_real rest = r[i];
+        for (int s = 0; s < 4; ++s) {
+            rest -= W[i * 4 + s] * y[s];
+        }
+        left += rest * rest;
+        wanted += r[i] * r[i];
+    }
+    flags = (left > 1.0e-18 * wanted) ? EYE4_UNREACHABLE : 0;
+    if (flags > 0) {
+        if (options->keep_direction != 0) {
+            eye4_real start[3];
+            eye4_real towards[3];
+            /* r = start + towards: that of demand 0, and -L^-1 demand */
+            for (int i = 0; i < 3; ++i) {
+                towards[i] = (options->use_pointing[i] > 0) ? -demand[i] : 0.0;
+                for (int k = 0; k < i; ++k) {
+                    towards[i] -= L[i][k] * towards[k];
+                }
+                towards[i] = towards[i] / L[i][i];
+                start[i] = r[i] - towards[i];
+            }
+            share = eye4_largest_share_3(W, low, high, start, towards, y);
+            if (share < 0.0) {
+                share = 0.0;
+                eye4_bounded_least_squares_3(W, start, low, high, options->weight, y, held);
+            } else {
+                for (int s = 0; s < 4; ++s) {
+                    held[s] = (y[s] >= high[s]) ? 1 : ((y[s] <= low[s]) ? -1 : 0);
+                }
+            }
+        }
+    }
+    eye4_real tau[EYE4_N];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real found = tau_0[s] + y[s] / work.scale[s];
+        tau[s] = (found > most[s]) ? most[s] : ((found < least[s]) ? least[s] : found);
+        if (held[s] > 0) {
+            tau[s] = most[s];
+        }
+        if (held[s] < 0) {
+            tau[s] = least[s];
+        }
+        if (locked[s] != 0) {
+            tau[s] = 0.0;
+            held[s] = 0;
+        }
+        if (held[s] != 0) {
+            flags = flags | EYE4_LIMITED;
+        }
+    }
+    eye4_real moved[6];  /* V* that results */
+    eye4_real spins[EYE4_N];
+    status = eye4_solve_coupled(table, x, sine, cosine, tau, locked, wrench, moved, spins);
+    if (status != EYE4_OK) { return status; }
+    eye4_real residual[3];
+    const eye4_real left_1 = demand[0] - moved[3];
+    residual[0] = (options->use_pointing[0] > 0) ? left_1 : 0.0;
+    const eye4_real left_2 = demand[1] - moved[4];
+    residual[1] = (options->use_pointing[1] > 0) ? left_2 : 0.0;
+    const eye4_real left_3 = demand[2] - moved[5];
+    residual[2] = (options->use_pointing[2] > 0) ? left_3 : 0.0;
+    status = eye4_within(tau, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    status = eye4_within(spins, EYE4_N, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    status = eye4_within(moved, 6, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    status = eye4_within(residual, 3, EYE4_LARGEST);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        out->tau[s] = tau[s];
+        out->phi_ddot[s] = spins[s];
+        out->limited[s] = (held[s] == 0) ? 0 : 1;
+    }
+    for (int i = 0; i < 6; ++i) {
+        out->V_dot[i] = moved[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        out->residual[i] = residual[i];
+    }
+    out->share = share;
+    return (eye4_status)flags;
+}
+
+/* Reading of an accelerometer and a gyro at one instrument or point. */
+EYE4_CODE
+static void eye4_sense(const eye4_sensor *sensor, const eye4_real r[3], const eye4_real V[6],
+                       const eye4_real V_dot[6], const eye4_real C[9], eye4_points_result *restrict out)
+{
+    eye4_real velocity[3];  /* in E1 */
+    eye4_real force[3];  /* acceleration minus gravity, in E1 */
+    velocity[0] = sensor->origin[2] * V[4] + V[0] - sensor->origin[1] * V[5];
+    velocity[1] = sensor->origin[0] * V[5] + V[1] - sensor->origin[2] * V[3];
+    velocity[2] = sensor->origin[1] * V[3] + V[2] - sensor->origin[0] * V[4];
+    force[0] = sensor->origin[2] * V_dot[4] + V[4] * velocity[2] + V_dot[0] - sensor->origin[1] * V_dot[5]
+        - V[5] * velocity[1];
+    force[1] = sensor->origin[0] * V_dot[5] + V[5] * velocity[0] + V_dot[1] - sensor->origin[2] * V_dot[3]
+        - V[3] * velocity[2];
+    force[2] = sensor->origin[1] * V_dot[3] + V[3] * velocity[1] + V_dot[2] - sensor->origin[0] * V_dot[4]
+        - V[4] * velocity[0];
+    out->position[0] = C[0] * sensor->origin[0] + C[1] * sensor->origin[1] + C[2] * sensor->origin[2] + r[0];
+    out->position[1] = C[3] * sensor->origin[0] + C[4] * sensor->origin[1] + C[5] * sensor->origin[2] + r[1];
+    out->position[2] = C[6] * sensor->origin[0] + C[7] * sensor->origin[1] + C[8] * sensor->origin[2] + r[2];
+    out->C[0][0] = C[0] * sensor->axes[0] + C[1] * sensor->axes[3] + C[2] * sensor->axes[6];
+    out->C[0][1] = C[0] * sensor->axes[1] + C[1] * sensor->axes[4] + C[2] * sensor->axes[7];
+    out->C[0][2] = C[0] * sensor->axes[2] + C[1] * sensor->axes[5] + C[2] * sensor->axes[8];
+    out->C[1][0] = C[3] * sensor->axes[0] + C[4] * sensor->axes[3] + C[5] * sensor->axes[6];
+    out->C[1][1] = C[3] * sensor->axes[1] + C[4] * sensor->axes[4] + C[5] * sensor->axes[7];
+    out->C[1][2] = C[3] * sensor->axes[2] + C[4] * sensor->axes[5] + C[5] * sensor->axes[8];
+    out->C[2][0] = C[6] * sensor->axes[0] + C[7] * sensor->axes[3] + C[8] * sensor->axes[6];
+    out->C[2][1] = C[6] * sensor->axes[1] + C[7] * sensor->axes[4] + C[8] * sensor->axes[7];
+    out->C[2][2] = C[6] * sensor->axes[2] + C[7] * sensor->axes[5] + C[8] * sensor->axes[8];
+    out->twist[0] = sensor->axes[0] * velocity[0] + sensor->axes[3] * velocity[1]
+        + sensor->axes[6] * velocity[2];
+    out->twist[1] = sensor->axes[1] * velocity[0] + sensor->axes[4] * velocity[1]
+        + sensor->axes[7] * velocity[2];
+    out->twist[2] = sensor->axes[2] * velocity[0] + sensor->axes[5] * velocity[1]
+        + sensor->axes[8] * velocity[2];
+    out->twist[3] = sensor->axes[0] * V[3] + sensor->axes[3] * V[4] + sensor->axes[6] * V[5];
+    out->twist[4] = sensor->axes[1] * V[3] + sensor->axes[4] * V[4] + sensor->axes[7] * V[5];
+    out->twist[5] = sensor->axes[2] * V[3] + sensor->axes[5] * V[4] + sensor->axes[8] * V[5];
+    out->specific_force[0] = sensor->axes[0] * force[0] + sensor->axes[3] * force[1]
+        + sensor->axes[6] * force[2];
+    out->specific_force[1] = sensor->axes[1] * force[0] + sensor->axes[4] * force[1]
+        + sensor->axes[7] * force[2];
+    out->specific_force[2] = sensor->axes[2] * force[0] + sensor->axes[5] * force[1]
+        + sensor->axes[8] * force[2];
+    out->angular_acceleration[0] = sensor->axes[0] * V_dot[3] + sensor->axes[3] * V_dot[4]
+        + sensor->axes[6] * V_dot[5];
+    out->angular_acceleration[1] = sensor->axes[1] * V_dot[3] + sensor->axes[4] * V_dot[4]
+        + sensor->axes[7] * V_dot[5];
+    out->angular_acceleration[2] = sensor->axes[2] * V_dot[3] + sensor->axes[5] * V_dot[4]
+        + sensor->axes[8] * V_dot[5];
+}
+
+/* Readings of an accelerometer and a gyro at each instrument and point. */
+EYE4_CODE
+eye4_status eye4_points(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
+                        eye4_points_result out[EYE4_SENSORS])
+{
+    if (table == NULL || x == NULL || V_dot == NULL || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    eye4_real C[9];  /* attitude */
+    eye4_rotation(x->attitude, C);
+    for (int k = 0; k < EYE4_SENSORS; ++k) {
+        eye4_sense(&table->sensor[k], x->position, x->V, V_dot, C, &out[k]);
+    }
+    return EYE4_OK;
+}
+
+/* Attitude quaternion of three angles. */
+EYE4_CODE
+eye4_status eye4_quaternion(const eye4_real angles[3], eye4_real attitude[4])
+{
+    if (angles == NULL || attitude == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status;
+    if (!(angles[0] * angles[0] + angles[1] * angles[1]
+        + angles[2] * angles[2] < EYE4_MAX_PHASE * EYE4_MAX_PHASE)) {
+        status = eye4_within(angles, 3, EYE4_MAX_PHASE);
+        if (status != EYE4_OK) { return status; }
+    }
+    eye4_real s_psi, c_psi;
+    eye4_sincos(0.5 * angles[0], &s_psi, &c_psi);
+    eye4_real s_theta, c_theta;
+    eye4_sincos(0.5 * angles[1], &s_theta, &c_theta);
+    eye4_real s_phi, c_phi;
+    eye4_sincos(0.5 * angles[2], &s_phi, &c_phi);
+    attitude[0] = c_phi * c_psi * c_theta + s_phi * s_psi * s_theta;
+    attitude[1] = c_psi * c_theta * s_phi - c_phi * s_psi * s_theta;
+    attitude[2] = c_phi * c_psi * s_theta + c_theta * s_phi * s_psi;
+    attitude[3] = c_phi * c_theta * s_psi - c_psi * s_phi * s_theta;
+    return EYE4_OK;
+}
+
+/* (10) */
+EYE4_CODE
+eye4_status eye4_state_from_coordinates(const eye4_real position[3], const eye4_real angles[3],
+                                        const eye4_real q_dot[6], const eye4_real q_ddot[6], eye4_state *x,
+                                        eye4_real V_dot[6])
+{
+    if (position == NULL || angles == NULL || q_dot == NULL || q_ddot == NULL || x == NULL
+        || V_dot == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status;
+    if (!(position[0] * position[0] + position[1] * position[1]
+        + position[2] * position[2] < EYE4_MAX_POSITION * EYE4_MAX_POSITION)) {
+        status = eye4_within(position, 3, EYE4_MAX_POSITION);
+        if (status != EYE4_OK) { return status; }
+    }
+    status = eye4_within(q_dot, 6, EYE4_MAX_SPEED);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(q_ddot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    eye4_real attitude[4];
+    eye4_real C[9];
+    eye4_real v[3];  /* C^T r' */
+    eye4_real a[3];  /* C^T r'' */
+    eye4_real omega[3];  /* B (psi', theta', phi') */
+    status = eye4_quaternion(angles, attitude);
+    if (status != EYE4_OK) { return status; }
+    eye4_real s_theta, c_theta;
+    eye4_sincos(angles[1], &s_theta, &c_theta);
+    eye4_real s_phi, c_phi;
+    eye4_sincos(angles[2], &s_phi, &c_phi);
+    const eye4_real singular = c_theta;
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return EYE4_SINGULAR_ATTITUDE; }
+    eye4_rotation(attitude, C);
+    v[0] = C[0] * q_dot[0] + C[3] * q_dot[1] + C[6] * q_dot[2];
+    v[1] = C[1] * q_dot[0] + C[4] * q_dot[1] + C[7] * q_dot[2];
+    v[2] = C[2] * q_dot[0] + C[5] * q_dot[1] + C[8] * q_dot[2];
+    a[0] = C[0] * q_ddot[0] + C[3] * q_ddot[1] + C[6] * q_ddot[2];
+    a[1] = C[1] * q_ddot[0] + C[4] * q_ddot[1] + C[7] * q_ddot[2];
+    a[2] = C[2] * q_ddot[0] + C[5] * q_ddot[1] + C[8] * q_ddot[2];
+    omega[0] = q_dot[5] - q_dot[3] * s_theta;
+    omega[1] = q_dot[3] * c_theta * s_phi + q_dot[4] * c_phi;
+    omega[2] = q_dot[3] * c_phi * c_theta - q_dot[4] * s_phi;
+    /* V* = A q'' + D q': v* = C^T r'' - omega x v */
+    V_dot[0] = v[1] * omega[2] + a[0] - v[2] * omega[1];
+    V_dot[1] = v[2] * omega[0] + a[1] - v[0] * omega[2];
+    V_dot[2] = v[0] * omega[1] + a[2] - v[1] * omega[0];
+    V_dot[3] = q_ddot[5] - q_ddot[3] * s_theta - q_dot[3] * c_theta * q_dot[4];
+    V_dot[4] = q_ddot[3] * c_theta * s_phi + q_ddot[4] * c_phi
+        + q_dot[3] * (c_phi * c_theta * q_dot[5] - s_phi * s_theta * q_dot[4]) - q_dot[4] * q_dot[5] * s_phi;
+    V_dot[5] = q_ddot[3] * c_phi * c_theta
+        + q_dot[3] * (-c_phi * s_theta * q_dot[4] - c_theta * q_dot[5] * s_phi) - q_ddot[4] * s_phi
+        - q_dot[4] * c_phi * q_dot[5];
+    x->position[0] = position[0];  x->position[1] = position[1];  x->position[2] = position[2];
+    x->attitude[0] = attitude[0];  x->attitude[1] = attitude[1];  x->attitude[2] = attitude[2];
+    x->attitude[3] = attitude[3];
+    x->V[0] = v[0];      x->V[3] = omega[0];  x->V[1] = v[1];
+    x->V[4] = omega[1];  x->V[2] = v[2];      x->V[5] = omega[2];
+    return EYE4_OK;
+}
+
+/* I0 = K A, J0 = K D + M A, (11). */
+EYE4_CODE
+static void eye4_products(const eye4_matrices_result *m, eye4_generalized_result *restrict out)
+{
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            eye4_real I0, J0;
+            I0 = 0.0;
+            J0 = 0.0;
+            for (int k = 0; k < 6; ++k) {
+                I0 += m->K[i][k] * out->A[k][j];
+                J0 += m->K[i][k] * out->D[k][j] + m->M[i][k] * out->A[k][j];
+            }
+            out->I0[i][j] = I0;
+            out->J0[i][j] = J0;
+        }
+    }
+}
+
+/* (10), (11) */
+EYE4_CODE
+eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const eye4_real angles[3],
+                             const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                             eye4_generalized_result *out)
+{
+    if (table == NULL || x == NULL || angles == NULL || phi_ddot == NULL || wrench == NULL
+        || out == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status;
+    eye4_state y;  /* the state with the attitude of the angles */
+    eye4_real V_dot[6];
+    eye4_matrices_result m;
+    y = *x;
+    status = eye4_quaternion(angles, y.attitude);
+    if (status != EYE4_OK) { return status; }
+    eye4_real s_theta, c_theta;
+    eye4_sincos(angles[1], &s_theta, &c_theta);
+    eye4_real s_phi, c_phi;
+    eye4_sincos(angles[2], &s_phi, &c_phi);
+    const eye4_real singular = c_theta;  /* A has no inverse where this is 0 */
+    status = eye4_forward(table, &y, phi_ddot, wrench, V_dot);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_matrices(table, &y, wrench, &m);
+    if (status != EYE4_OK) { return status; }
+    if (((singular < 0.0) ? -singular : singular) < 1.0e-6) { return EYE4_SINGULAR_ATTITUDE; }
+    eye4_real C[9];
+    eye4_rotation(y.attitude, C);
+    const eye4_real singular_inv = 1.0 / singular;
+    /* q' = A^-1 V */
+    out->q_dot[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
+    out->q_dot[1] = C[3] * x->V[0] + C[4] * x->V[1] + C[5] * x->V[2];
+    out->q_dot[2] = C[6] * x->V[0] + C[7] * x->V[1] + C[8] * x->V[2];
+    out->q_dot[3] = x->V[4] * s_phi * singular_inv + x->V[5] * c_phi * singular_inv;
+    out->q_dot[4] = x->V[4] * c_phi - x->V[5] * s_phi;
+    out->q_dot[5] = x->V[3] + x->V[4] * s_phi * s_theta * singular_inv
+        + x->V[5] * c_phi * s_theta * singular_inv;
+    out->A[0][0] = C[0];  out->A[0][1] = C[3];  out->A[0][2] = C[6];
+    out->A[0][3] = 0.0;   out->A[0][4] = 0.0;   out->A[0][5] = 0.0;
+    out->A[1][0] = C[1];  out->A[1][1] = C[4];  out->A[1][2] = C[7];
+    out->A[1][3] = 0.0;   out->A[1][4] = 0.0;   out->A[1][5] = 0.0;
+    out->A[2][0] = C[2];  out->A[2][1] = C[5];  out->A[2][2] = C[8];
+    out->A[2][3] = 0.0;   out->A[2][4] = 0.0;   out->A[2][5] = 0.0;
+    out->A[3][0] = 0.0;       out->A[3][1] = 0.0;       out->A[3][2] = 0.0;
+    out->A[3][3] = -s_theta;  out->A[3][4] = 0.0;       out->A[3][5] = 1.0;
+    out->A[4][0] = 0.0;              out->A[4][1] = 0.0;              out->A[4][2] = 0.0;
+    out->A[4][3] = c_theta * s_phi;  out->A[4][4] = c_phi;            out->A[4][5] = 0.0;
+    out->A[5][0] = 0.0;              out->A[5][1] = 0.0;              out->A[5][2] = 0.0;
+    out->A[5][3] = c_phi * c_theta;  out->A[5][4] = -s_phi;           out->A[5][5] = 0.0;
+    out->D[0][0] = C[1] * x->V[5] - C[2] * x->V[4];
+    out->D[0][1] = C[4] * x->V[5] - C[5] * x->V[4];
+    out->D[0][2] = C[7] * x->V[5] - C[8] * x->V[4];
+    out->D[0][3] = 0.0;  out->D[0][4] = 0.0;  out->D[0][5] = 0.0;
+    out->D[1][0] = C[2] * x->V[3] - C[0] * x->V[5];
+    out->D[1][1] = C[5] * x->V[3] - C[3] * x->V[5];
+    out->D[1][2] = C[8] * x->V[3] - C[6] * x->V[5];
+    out->D[1][3] = 0.0;  out->D[1][4] = 0.0;  out->D[1][5] = 0.0;
+    out->D[2][0] = C[0] * x->V[4] - C[1] * x->V[3];
+    out->D[2][1] = C[3] * x->V[4] - C[4] * x->V[3];
+    out->D[2][2] = C[6] * x->V[4] - C[7] * x->V[3];
+    out->D[2][3] = 0.0;  out->D[2][4] = 0.0;  out->D[2][5] = 0.0;
+    out->D[3][0] = 0.0;  out->D[3][1] = 0.0;  out->D[3][2] = 0.0;
+    out->D[3][3] = -c_theta * out->q_dot[4];
+    out->D[3][4] = 0.0;  out->D[3][5] = 0.0;
+    out->D[4][0] = 0.0;  out->D[4][1] = 0.0;  out->D[4][2] = 0.0;
+    out->D[4][3] = c_phi * c_theta * out->q_dot[5] - s_phi * s_theta * out->q_dot[4];
+    out->D[4][4] = -out->q_dot[5] * s_phi;
+    out->D[4][5] = 0.0;
+    out->D[5][0] = 0.0;  out->D[5][1] = 0.0;  out->D[5][2] = 0.0;
+    out->D[5][3] = -c_phi * s_theta * out->q_dot[4] - c_theta * out->q_dot[5] * s_phi;
+    out->D[5][4] = -c_phi * out->q_dot[5];
+    out->D[5][5] = 0.0;
+    eye4_real rest[6];  /* V* - D q' */
+    for (int i = 0; i < 6; ++i) {
+        rest[i] = V_dot[i] - out->D[i][0] * out->q_dot[0] - out->D[i][1] * out->q_dot[1]
+            - out->D[i][2] * out->q_dot[2] - out->D[i][3] * out->q_dot[3] - out->D[i][4] * out->q_dot[4]
+            - out->D[i][5] * out->q_dot[5];
+    }
+    /* q'' = A^-1 (V* - D q') */
+    out->q_ddot[0] = C[0] * rest[0] + C[1] * rest[1] + C[2] * rest[2];
+    out->q_ddot[1] = C[3] * rest[0] + C[4] * rest[1] + C[5] * rest[2];
+    out->q_ddot[2] = C[6] * rest[0] + C[7] * rest[1] + C[8] * rest[2];
+    out->q_ddot[3] = rest[4] * s_phi * singular_inv + rest[5] * c_phi * singular_inv;
+    out->q_ddot[4] = rest[4] * c_phi - rest[5] * s_phi;
+    out->q_ddot[5] = rest[3] + rest[4] * s_phi * s_theta * singular_inv
+        + rest[5] * c_phi * s_theta * singular_inv;
+    eye4_products(&m, out);
+    return EYE4_OK;
+}
+
+/* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
+EYE4_CODE
+static eye4_status eye4_frame_of_axes(const eye4_real axis[3], const eye4_real zero[3],
+                                      eye4_real R[restrict 9])
+{
+    eye4_status status;
+    if (!(axis[0] * axis[0] + axis[1] * axis[1]
+        + axis[2] * axis[2] < EYE4_MAX_PARAMETER * EYE4_MAX_PARAMETER)) {
+        status = eye4_within(axis, 3, EYE4_MAX_PARAMETER);
+        if (status != EYE4_OK) { return status; }
+    }
+    if (!(zero[0] * zero[0] + zero[1] * zero[1]
+        + zero[2] * zero[2] < EYE4_MAX_PARAMETER * EYE4_MAX_PARAMETER)) {
+        status = eye4_within(zero, 3, EYE4_MAX_PARAMETER);
+        if (status != EYE4_OK) { return status; }
+    }
+    eye4_real e1[3];
+    eye4_real e2[3];
+    const eye4_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    if (!(axis2 > 1.0e-30)) { return EYE4_RANGE; }
+    const eye4_real axis2_root = 1.0 / eye4_sqrt(axis2);
+    e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
+    const eye4_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
+    if (!(zero2 > 1.0e-30)) { return EYE4_RANGE; }
+    const eye4_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];  /* of zero along the axis */
+    eye4_real across[3];
+    across[0] = zero[0] - along * e1[0];
+    across[1] = zero[1] - along * e1[1];
+    across[2] = zero[2] - along * e1[2];
+    const eye4_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
+    if (!(across2 > 2.5e-19 * zero2)) { return EYE4_RANGE; }
+    const eye4_real across2_root = 1.0 / eye4_sqrt(across2);
+    e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
+    R[0] = e1[0];  R[1] = e2[0];
+    R[2] = e1[1] * e2[2] - e1[2] * e2[1];
+    R[3] = e1[1];  R[4] = e2[1];
+    R[5] = e1[2] * e2[0] - e1[0] * e2[2];
+    R[6] = e1[2];  R[7] = e2[2];
+    R[8] = e1[0] * e2[1] - e1[1] * e2[0];
+    return EYE4_OK;
+}
+
+/* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
+EYE4_CODE
+static void eye4_carry(eye4_real m, const eye4_real b[3], const eye4_real J[6], const eye4_real O[3],
+                       const eye4_real R[9], eye4_real mu[restrict 3], eye4_real J1[restrict 6],
+                       eye4_real t[restrict 3])
+{
+    eye4_real b1[3];  /* R b */
+    eye4_real RJ[9];  /* R J */
+    eye4_real Jr[6];  /* R J R^T */
+    b1[0] = R[0] * b[0] + R[1] * b[1] + R[2] * b[2];
+    b1[1] = R[3] * b[0] + R[4] * b[1] + R[5] * b[2];
+    b1[2] = R[6] * b[0] + R[7] * b[1] + R[8] * b[2];
+    RJ[0] = J[0] * R[0] + J[3] * R[1] + J[4] * R[2];
+    RJ[1] = J[1] * R[1] + J[3] * R[0] + J[5] * R[2];
+    RJ[2] = J[2] * R[2] + J[4] * R[0] + J[5] * R[1];
+    RJ[3] = J[0] * R[3] + J[3] * R[4] + J[4] * R[5];
+    RJ[4] = J[1] * R[4] + J[3] * R[3] + J[5] * R[5];
+    RJ[5] = J[2] * R[5] + J[4] * R[3] + J[5] * R[4];
+    RJ[6] = J[0] * R[6] + J[3] * R[7] + J[4] * R[8];
+    RJ[7] = J[1] * R[7] + J[3] * R[6] + J[5] * R[8];
+    RJ[8] = J[2] * R[8] + J[4] * R[6] + J[5] * R[7];
+    Jr[0] = RJ[0] * R[0] + RJ[1] * R[1] + RJ[2] * R[2];
+    Jr[1] = RJ[3] * R[3] + RJ[4] * R[4] + RJ[5] * R[5];
+    Jr[2] = RJ[6] * R[6] + RJ[7] * R[7] + RJ[8] * R[8];
+    Jr[3] = RJ[0] * R[3] + RJ[1] * R[4] + RJ[2] * R[5];
+    Jr[4] = RJ[0] * R[6] + RJ[1] * R[7] + RJ[2] * R[8];
+    Jr[5] = RJ[3] * R[6] + RJ[4] * R[7] + RJ[5] * R[8];
+    /* T Theta T^T: about O1 */
+    mu[0] = O[0] * m + b1[0];  mu[1] = O[1] * m + b1[1];  mu[2] = O[2] * m + b1[2];
+    J1[0] = Jr[0] + O[1] * b1[1] + O[1] * mu[1] + O[2] * b1[2] + O[2] * mu[2];
+    J1[1] = Jr[1] + O[0] * b1[0] + O[0] * mu[0] + O[2] * b1[2] + O[2] * mu[2];
+    J1[2] = Jr[2] + O[0] * b1[0] + O[0] * mu[0] + O[1] * b1[1] + O[1] * mu[1];
+    J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
+    J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
+    J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
+    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+        + (Jr[4] - O[2] * b1[0]) * R[6];
+    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+        + (Jr[5] - O[2] * b1[1]) * R[6];
+    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+        + (Jr[5] - O[1] * b1[2]) * R[3];
+}
+
+/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
+ * inertia. */
+EYE4_CODE
+static eye4_status eye4_check_inertia(eye4_real mass, const eye4_real c[3], const eye4_real J[6])
+{
+    eye4_real size = 0.0;  /* largest element of J */
+    for (int k = 0; k < 6; ++k) {
+        size = (((J[k] < 0.0) ? -J[k] : J[k]) > size) ? ((J[k] < 0.0) ? -J[k] : J[k]) : size;
+    }
+    const eye4_real b1 = mass * c[0];
+    const eye4_real b2 = mass * c[1];
+    const eye4_real b3 = mass * c[2];
+    /* P = tr(J)/2 E - J - m c c^T + t |J| E */
+    const eye4_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
+    const eye4_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
+    const eye4_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const eye4_real P12 = -J[3] - b1 * c[1];
+    const eye4_real P13 = -J[4] - b1 * c[2];
+    const eye4_real P23 = -J[5] - b2 * c[2];
+    /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
+    if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
+        + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
+        > 2.225073858507201e-299) {
+        if (!(P11 > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+        const eye4_real l21 = P12 / P11;
+        const eye4_real l31 = P13 / P11;
+        const eye4_real d2 = P22 - l21 * P12;
+        if (!(d2 > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+        const eye4_real p32 = P23 - l31 * P12;
+        const eye4_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
+        if (!(d3 > 0.0)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    }
+    return EYE4_OK;
+}
+
+/* Are the mass properties finite and physically possible? */
+EYE4_CODE
+static eye4_status eye4_check_body(const eye4_body *body)
+{
+    eye4_status status;
+    eye4_real masses[1];
+    masses[0] = body->mass;
+    status = eye4_within(masses, 1, EYE4_MAX_PARAMETER);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(body->center_of_mass, 3, EYE4_MAX_PARAMETER);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(body->inertia, 6, EYE4_MAX_PARAMETER);
+    if (status != EYE4_OK) { return status; }
+    if (body->mass < 0.0) { return EYE4_RANGE; }
+    return eye4_check_inertia(body->mass, body->center_of_mass, body->inertia);
+}
+
+/* Origin and axes (at phi = 0) of a flywheel in E1. */
+EYE4_CODE
+static eye4_status eye4_place_flywheel(const eye4_flywheel *w, eye4_real O[restrict 3],
+                                       eye4_real R[restrict 9])
+{
+    eye4_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < EYE4_MAX_PARAMETER * EYE4_MAX_PARAMETER)) {
+        status = eye4_within(w->position, 3, EYE4_MAX_PARAMETER);
+        if (status != EYE4_OK) { return status; }
+    }
+    status = eye4_frame_of_axes(w->axis, w->zero, R);
+    if (status != EYE4_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    return EYE4_OK;
+}
+
+/* Origin and axes of a point in E1. */
+EYE4_CODE
+static eye4_status eye4_place_point(const eye4_point *w, eye4_real O[restrict 3], eye4_real R[restrict 9])
+{
+    eye4_status status;
+    if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
+        + w->position[2] * w->position[2] < EYE4_MAX_PARAMETER * EYE4_MAX_PARAMETER)) {
+        status = eye4_within(w->position, 3, EYE4_MAX_PARAMETER);
+        if (status != EYE4_OK) { return status; }
+    }
+    status = eye4_frame_of_axes(w->axis, w->zero, R);
+    if (status != EYE4_OK) { return status; }
+    O[0] = w->position[0];  O[1] = w->position[1];  O[2] = w->position[2];
+    return EYE4_OK;
+}
+
+/* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
+EYE4_CODE
+static eye4_status eye4_check_parameters(const eye4_parameters *parameters)
+{
+    eye4_status status;
+    eye4_real mass;
+    /* largest moment of inertia that products in the equations can reach; it must not overflow */
+    eye4_real size;
+    eye4_real O[3];
+    eye4_real R[9];
+    status = eye4_check_body(&parameters->carrier);
+    if (status != EYE4_OK) { return status; }
+    mass = parameters->carrier.mass;
+    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
+    for (int s = 0; s < EYE4_N; ++s) {
+        status = eye4_check_body(&parameters->flywheel[s].body);
+        if (status != EYE4_OK) { return status; }
+        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+        status = eye4_place_flywheel(&parameters->flywheel[s], O, R);
+        if (status != EYE4_OK) { return status; }
+        mass += parameters->flywheel[s].body.mass;
+        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
+            + parameters->flywheel[s].body.inertia[2]
+            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
+    }
+    for (int k = 0; k < 2; ++k) {
+        status = eye4_place_point(&parameters->point[k], O, R);
+        if (status != EYE4_OK) { return status; }
+    }
+    if (!(mass >= 1.0e-30)) { return EYE4_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= 1.0e60)) { return EYE4_RANGE; }
+    return EYE4_OK;
+}
+
+/* (2) */
+EYE4_CODE
+eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
+{
+    if (parameters == NULL || table == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_parameters(parameters);
+    if (status != EYE4_OK) { return status; }
+    /* all checks passed: from here on the table is written and nothing can fail */
+    eye4_real mass;
+    eye4_real first_moment[3];
+    eye4_real inertia[6];
+    mass = 0.0;
+    first_moment[0] = 0.0;  first_moment[1] = 0.0;  first_moment[2] = 0.0;
+    inertia[0] = 0.0;  inertia[1] = 0.0;  inertia[2] = 0.0;
+    inertia[3] = 0.0;  inertia[4] = 0.0;  inertia[5] = 0.0;
+    /* carrier: its frame is E1 */
+    eye4_real O[3];  /* origin of a body in E1 */
+    eye4_real R[9];  /* axes of a body in E1 */
+    eye4_real b[3];  /* first moment in the body's frame */
+    eye4_real mu[3];
+    eye4_real J1[6];
+    eye4_real t[3];
+    O[0] = 0.0;  O[1] = 0.0;  O[2] = 0.0;
+    R[0] = 1.0;  R[1] = 0.0;  R[2] = 0.0;
+    R[3] = 0.0;  R[4] = 1.0;  R[5] = 0.0;
+    R[6] = 0.0;  R[7] = 0.0;  R[8] = 1.0;
+    b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
+    b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
+    b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
+    eye4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    mass += parameters->carrier.mass;
+    first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+    inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+    inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+    /* flywheels: constant part to the totals, harmonics to the row */
+    for (int s = 0; s < EYE4_N; ++s) {
+        (void)eye4_place_flywheel(&parameters->flywheel[s], O, R);
+        b[0] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[0];
+        b[1] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[1];
+        b[2] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[2];
+        eye4_real bh[3];  /* first moment of one harmonic, in mounting axes */
+        eye4_real Jh[6];  /* its inertia */
+        /* harmonic 0 of Theta(phi) */
+        bh[0] = b[0];  bh[1] = 0.0;   bh[2] = 0.0;
+        Jh[0] = parameters->flywheel[s].body.inertia[0];
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
+        eye4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        mass += parameters->flywheel[s].body.mass;
+        first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
+        inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
+        inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
+        /* harmonic c of Theta(phi) */
+        bh[0] = 0.0;   bh[1] = b[1];  bh[2] = b[2];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = parameters->flywheel[s].body.inertia[3];
+        Jh[4] = parameters->flywheel[s].body.inertia[4];
+        Jh[5] = 0.0;
+        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+            table->flywheel[s].t_c);
+        /* harmonic s of Theta(phi) */
+        bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
+        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
+        Jh[3] = -parameters->flywheel[s].body.inertia[4];
+        Jh[4] = parameters->flywheel[s].body.inertia[3];
+        Jh[5] = 0.0;
+        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+            table->flywheel[s].t_s);
+        /* harmonic 2c of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = parameters->flywheel[s].body.inertia[5];
+        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        /* harmonic 2s of Theta(phi) */
+        bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
+        Jh[0] = 0.0;
+        Jh[1] = -parameters->flywheel[s].body.inertia[5];
+        Jh[2] = parameters->flywheel[s].body.inertia[5];
+        Jh[3] = 0.0;  Jh[4] = 0.0;
+        Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
+        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+    }
+    table->mass = mass;
+    table->mass_inverse = 1.0 / mass;
+    table->first_moment[0] = first_moment[0];
+    table->first_moment[1] = first_moment[1];
+    table->first_moment[2] = first_moment[2];
+    table->inertia[0] = inertia[0];  table->inertia[1] = inertia[1];  table->inertia[2] = inertia[2];
+    table->inertia[3] = inertia[3];  table->inertia[4] = inertia[4];  table->inertia[5] = inertia[5];
+    /* poses of instruments and points */
+    for (int k = 0; k < 2; ++k) {
+        (void)eye4_place_point(&parameters->point[k], O, R);
+        table->sensor[k].origin[0] = O[0];  table->sensor[k].origin[1] = O[1];
+        table->sensor[k].origin[2] = O[2];
+        table->sensor[k].axes[0] = R[0];  table->sensor[k].axes[1] = R[1];  table->sensor[k].axes[2] = R[2];
+        table->sensor[k].axes[3] = R[3];  table->sensor[k].axes[4] = R[4];  table->sensor[k].axes[5] = R[5];
+        table->sensor[k].axes[6] = R[6];  table->sensor[k].axes[7] = R[7];  table->sensor[k].axes[8] = R[8];
+    }
+    return EYE4_OK;
+}
+
+/* L^T V: a twist carried to Os, in mounting axes. */
+EYE4_CODE
+static void eye4_carry_twist(const eye4_mount *mount, const eye4_real V[6], eye4_real U[restrict 6])
+{
+    eye4_real velocity[3];  /* velocity of Os */
+    velocity[0] = mount->origin[2] * V[4] + V[0] - mount->origin[1] * V[5];
+    velocity[1] = mount->origin[0] * V[5] + V[1] - mount->origin[2] * V[3];
+    velocity[2] = mount->origin[1] * V[3] + V[2] - mount->origin[0] * V[4];
+    U[0] = mount->axes[0] * velocity[0] + mount->axes[3] * velocity[1] + mount->axes[6] * velocity[2];
+    U[1] = mount->axes[1] * velocity[0] + mount->axes[4] * velocity[1] + mount->axes[7] * velocity[2];
+    U[2] = mount->axes[2] * velocity[0] + mount->axes[5] * velocity[1] + mount->axes[8] * velocity[2];
+    U[3] = mount->axes[0] * V[3] + mount->axes[3] * V[4] + mount->axes[6] * V[5];
+    U[4] = mount->axes[1] * V[3] + mount->axes[4] * V[4] + mount->axes[7] * V[5];
+    U[5] = mount->axes[2] * V[3] + mount->axes[5] * V[4] + mount->axes[8] * V[5];
+}
+
+/* Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s). */
+EYE4_CODE
+static void eye4_mount_wrench(const eye4_mount *mount, eye4_real s, eye4_real c, eye4_real phi_dot,
+                              eye4_real phi_ddot, const eye4_real V[6], const eye4_real V_dot[6],
+                              eye4_real W[restrict 6])
+{
+    eye4_real U[6];  /* twist of the mount at Os */
+    eye4_real turned[6];  /* in Es */
+    eye4_real turned_dot[6];
+    eye4_real V_s[6];  /* twist of the flywheel, in Es */
+    eye4_real V_s_dot[6];
+    eye4_real Z_s[6];  /* its momentum screw */
+    eye4_carry_twist(mount, V, U);
+    turned[0] = U[0];                 turned[1] = U[1] * c + U[2] * s;  turned[2] = U[2] * c - U[1] * s;
+    turned[3] = U[3];                 turned[4] = U[4] * c + U[5] * s;  turned[5] = U[5] * c - U[4] * s;
+    eye4_carry_twist(mount, V_dot, U);
+    turned_dot[0] = U[0];
+    turned_dot[1] = U[1] * c + U[2] * s;
+    turned_dot[2] = U[2] * c - U[1] * s;
+    turned_dot[3] = U[3];
+    turned_dot[4] = U[4] * c + U[5] * s;
+    turned_dot[5] = U[5] * c - U[4] * s;
+    V_s[0] = turned[0];            V_s[1] = turned[1];            V_s[2] = turned[2];
+    V_s[3] = turned[3] + phi_dot;  V_s[4] = turned[4];            V_s[5] = turned[5];
+    V_s_dot[0] = turned_dot[0];
+    V_s_dot[1] = phi_dot * turned[2] + turned_dot[1];
+    V_s_dot[2] = turned_dot[2] - phi_dot * turned[1];
+    V_s_dot[3] = phi_ddot + turned_dot[3];
+    V_s_dot[4] = phi_dot * turned[5] + turned_dot[4];
+    V_s_dot[5] = turned_dot[5] - phi_dot * turned[4];
+    Z_s[0] = V_s[0] * mount->mass + V_s[4] * mount->first_moment[2] - V_s[5] * mount->first_moment[1];
+    Z_s[1] = V_s[1] * mount->mass + V_s[5] * mount->first_moment[0] - V_s[3] * mount->first_moment[2];
+    Z_s[2] = V_s[2] * mount->mass + V_s[3] * mount->first_moment[1] - V_s[4] * mount->first_moment[0];
+    Z_s[3] = mount->inertia[0] * V_s[3] + mount->inertia[3] * V_s[4] + mount->inertia[4] * V_s[5]
+        + V_s[2] * mount->first_moment[1] - V_s[1] * mount->first_moment[2];
+    Z_s[4] = mount->inertia[1] * V_s[4] + mount->inertia[3] * V_s[3] + mount->inertia[5] * V_s[5]
+        + V_s[0] * mount->first_moment[2] - V_s[2] * mount->first_moment[0];
+    Z_s[5] = mount->inertia[2] * V_s[5] + mount->inertia[4] * V_s[3] + mount->inertia[5] * V_s[4]
+        + V_s[1] * mount->first_moment[0] - V_s[0] * mount->first_moment[1];
+    W[0] += V_s[4] * Z_s[2] + V_s_dot[0] * mount->mass + V_s_dot[4] * mount->first_moment[2] - V_s[5] * Z_s[1]
+        - V_s_dot[5] * mount->first_moment[1];
+    W[1] += V_s[5] * Z_s[0] + V_s_dot[1] * mount->mass + V_s_dot[5] * mount->first_moment[0] - V_s[3] * Z_s[2]
+        - V_s_dot[3] * mount->first_moment[2];
+    W[2] += V_s[3] * Z_s[1] + V_s_dot[2] * mount->mass + V_s_dot[3] * mount->first_moment[1] - V_s[4] * Z_s[0]
+        - V_s_dot[4] * mount->first_moment[0];
+    W[3] += mount->inertia[0] * V_s_dot[3] + mount->inertia[3] * V_s_dot[4] + mount->inertia[4] * V_s_dot[5]
+        + V_s[1] * Z_s[2] + V_s[4] * Z_s[5] + V_s_dot[2] * mount->first_moment[1] - V_s[2] * Z_s[1]
+        - V_s[5] * Z_s[4] - V_s_dot[1] * mount->first_moment[2];
+    W[4] += mount->inertia[1] * V_s_dot[4] + mount->inertia[3] * V_s_dot[3] + mount->inertia[5] * V_s_dot[5]
+        + V_s[2] * Z_s[0] + V_s[5] * Z_s[3] + V_s_dot[0] * mount->first_moment[2] - V_s[0] * Z_s[2]
+        - V_s[3] * Z_s[5] - V_s_dot[2] * mount->first_moment[0];
+    W[5] += mount->inertia[2] * V_s_dot[5] + mount->inertia[4] * V_s_dot[3] + mount->inertia[5] * V_s_dot[4]
+        + V_s[0] * Z_s[1] + V_s[3] * Z_s[4] + V_s_dot[1] * mount->first_moment[0] - V_s[1] * Z_s[0]
+        - V_s[4] * Z_s[3] - V_s_dot[0] * mount->first_moment[1];
+    eye4_real own[6];  /* in Es */
+    own[0] = W[0];  own[1] = W[1];  own[2] = W[2];
+    own[3] = W[3];  own[4] = W[4];  own[5] = W[5];
+    W[0] = own[0];                   W[1] = own[1] * c - own[2] * s;  W[2] = own[1] * s + own[2] * c;
+    W[3] = own[3];                   W[4] = own[4] * c - own[5] * s;  W[5] = own[4] * s + own[5] * c;
+}
+
+/* Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure. */
+EYE4_CODE
+eye4_status eye4_mounts(const eye4_mount_table *mounting, const eye4_state *x, const eye4_real V_dot[6],
+                        const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                        eye4_real mount_wrench[24])
+{
+    if (mounting == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL || wrench == NULL
+        || mount_wrench == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(V_dot, 6, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_real W[6];
+    for (int s = 0; s < EYE4_N; ++s) {
+        W[0] = 0.0;  W[1] = 0.0;  W[2] = 0.0;
+        W[3] = 0.0;  W[4] = 0.0;  W[5] = 0.0;
+        eye4_mount_wrench(&mounting->flywheel[s], sine[s], cosine[s], x->phi_dot[s], phi_ddot[s], x->V, V_dot,
+            W);
+        for (int j = 0; j < 6; ++j) {
+            mount_wrench[s * 6 + j] = W[j];
+        }
+    }
+    return EYE4_OK;
+}
+
+/* Makes the second table, which the function mounts needs. */
+EYE4_CODE
+eye4_status eye4_prepare_mounts(const eye4_parameters *parameters, eye4_mount_table *mounting)
+{
+    if (parameters == NULL || mounting == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_parameters(parameters);
+    if (status != EYE4_OK) { return status; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        mounting->flywheel[s].mass = parameters->flywheel[s].body.mass;
+        mounting->flywheel[s].first_moment[0] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[0];
+        mounting->flywheel[s].first_moment[1] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[1];
+        mounting->flywheel[s].first_moment[2] = parameters->flywheel[s].body.mass
+            * parameters->flywheel[s].body.center_of_mass[2];
+        mounting->flywheel[s].inertia[0] = parameters->flywheel[s].body.inertia[0];
+        mounting->flywheel[s].inertia[1] = parameters->flywheel[s].body.inertia[1];
+        mounting->flywheel[s].inertia[2] = parameters->flywheel[s].body.inertia[2];
+        mounting->flywheel[s].inertia[3] = parameters->flywheel[s].body.inertia[3];
+        mounting->flywheel[s].inertia[4] = parameters->flywheel[s].body.inertia[4];
+        mounting->flywheel[s].inertia[5] = parameters->flywheel[s].body.inertia[5];
+        (void)eye4_place_flywheel(&parameters->flywheel[s], mounting->flywheel[s].origin,
+            mounting->flywheel[s].axes);
+    }
+    return EYE4_OK;
+}
+
+/* Sets to = x + h rate with phases in [-pi, pi], and keeps in the carry what rounding takes from the sums. */
+EYE4_CODE
+static void eye4_advance_carried(const eye4_state *x, const eye4_state *rate, eye4_real h,
+                                 eye4_step_carry *restrict carry, eye4_state *restrict to)
+{
+    for (int i = 0; i < 3; ++i) {
+        const eye4_real step = h * rate->position[i] + carry->rounding[i];
+        const eye4_real sum = x->position[i] + step;
+        const eye4_real sum_b = sum - x->position[i];
+        carry->rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const eye4_real step = h * rate->attitude[i] + carry->rounding[i + 3];
+        const eye4_real sum = x->attitude[i] + step;
+        const eye4_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const eye4_real step = h * rate->V[i] + carry->rounding[i + 7];
+        const eye4_real sum = x->V[i] + step;
+        const eye4_real sum_b = sum - x->V[i];
+        carry->rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < EYE4_N; ++i) {
+        const eye4_real start = eye4_wrapped(x->phi[i]);
+        const eye4_real step = h * rate->phi[i] + carry->rounding[i + 13];
+        const eye4_real sum = start + step;
+        const eye4_real sum_b = sum - start;
+        const eye4_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
+        const eye4_real left = sum - k * 6.283185303211212;
+        const eye4_real within = left + -(k * 3.968374318722146e-9);
+        const eye4_real within_b = within - left;
+        carry->rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < EYE4_N; ++i) {
+        const eye4_real step = h * rate->phi_dot[i] + carry->rounding[i + 17];
+        const eye4_real sum = x->phi_dot[i] + step;
+        const eye4_real sum_b = sum - x->phi_dot[i];
+        carry->rounding[i + 17] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+}
+
+/* Normalizes the quaternion, rounding kept in the carry; RANGE if the state is out of range. */
+EYE4_CODE
+static eye4_status eye4_finish_carried(eye4_state *restrict x, eye4_step_carry *restrict carry)
+{
+    eye4_status status;
+    const eye4_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return EYE4_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const eye4_real excess = (1.0 - square) / (eye4_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const eye4_real step = x->attitude[i] * excess + carry->rounding[i + 3];
+        const eye4_real sum = x->attitude[i] + step;
+        const eye4_real sum_b = sum - x->attitude[i];
+        carry->rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        x->attitude[i] = sum;
+    }
+    status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    return EYE4_OK;
+}
+
+/* State after one time step under drive torques and wrenches, held constant; sums are compensated by a
+ * carry. */
+EYE4_CODE
+eye4_status eye4_step_carried(const eye4_table *table, const eye4_state *x, const eye4_real tau[EYE4_N],
+                              const int locked[EYE4_N], const eye4_real wrench[6], eye4_real dt, int order,
+                              eye4_step_carry *carry, eye4_state *next)
+{
+    if (table == NULL || x == NULL || tau == NULL || wrench == NULL || carry == NULL
+        || next == NULL) { return EYE4_BAD_ARGUMENT; }
+    if (locked == NULL) { locked = eye4_none_locked; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(tau, EYE4_N, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
+        if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    if (!(dt > 0.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return EYE4_BAD_ARGUMENT; }
+    status = eye4_within(carry->rounding, 21, EYE4_MAX_ROUNDING);
+    if (status != EYE4_OK) { return status; }
+    eye4_state y;  /* state of a stage; then the new state */
+    eye4_state total;  /* sum of the rates at the stages */
+    status = eye4_stages(table, x, tau, locked, wrench, dt, order, &y, &total);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    eye4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    eye4_step_carry kept;  /* the new carry */
+    kept = *carry;
+    eye4_advance_carried(x, &total, over, &kept, &y);
+    status = eye4_finish_carried(&y, &kept);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    *carry = kept;
+    *next = y;
+    const eye4_real most = (order == 2) ? EYE4_MAX_TURN_2 : EYE4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return EYE4_COARSE; }
+    return EYE4_OK;
+}
+
+/* State after one time step under given flywheel accelerations and wrenches, held constant; sums are
+ * compensated by a carry. */
+EYE4_CODE
+eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *x,
+                                     const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                     eye4_real dt, int order, eye4_step_carry *carry, eye4_state *next)
+{
+    if (table == NULL || x == NULL || phi_ddot == NULL || wrench == NULL || carry == NULL
+        || next == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_motion(x, phi_ddot, EYE4_MAX_ACCELERATION);
+    if (status != EYE4_OK) { return status; }
+    status = eye4_within(wrench, 6, EYE4_MAX_WRENCH);
+    if (status != EYE4_OK) { return status; }
+    if (!(dt >= -EYE4_MAX_STEP && dt <= EYE4_MAX_STEP)) {
+        if (dt >= -EYE4_LARGEST && dt <= EYE4_LARGEST) { return EYE4_RANGE; }
+        return EYE4_NOT_FINITE;
+    }
+    if (!(dt > 0.0)) { return EYE4_BAD_ARGUMENT; }
+    if (!(order == 4 || order == 2)) { return EYE4_BAD_ARGUMENT; }
+    status = eye4_within(carry->rounding, 21, EYE4_MAX_ROUNDING);
+    if (status != EYE4_OK) { return status; }
+    eye4_state y;  /* state of a stage; then the new state */
+    eye4_state total;  /* sum of the rates at the stages */
+    status = eye4_stages_driven(table, x, phi_ddot, wrench, dt, order, &y, &total);
+    if (status != EYE4_OK) { return status; }
+    const eye4_real over = (order == 2) ? dt : dt / 6.0;  /* times the sum: the increment */
+    /* square of the fastest turning, (rad/s)^2 */
+    eye4_real fastest = x->V[3] * x->V[3] + x->V[4] * x->V[4] + x->V[5] * x->V[5];
+    for (int s = 0; s < EYE4_N; ++s) {
+        const eye4_real square = x->phi_dot[s] * x->phi_dot[s];
+        fastest = (square > fastest) ? square : fastest;
+    }
+    eye4_step_carry kept;  /* the new carry */
+    kept = *carry;
+    eye4_advance_carried(x, &total, over, &kept, &y);
+    status = eye4_finish_carried(&y, &kept);
+    if (status != EYE4_OK) { return EYE4_RANGE; }
+    *carry = kept;
+    *next = y;
+    const eye4_real most = (order == 2) ? EYE4_MAX_TURN_2 : EYE4_MAX_TURN_4;  /* rad */
+    if (dt * dt * fastest > most * most) { return EYE4_COARSE; }
+    return EYE4_OK;
+}
+
+/* Velocity of the mass centre of all bodies, rotation of the flywheels included. */
+EYE4_CODE
+eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_state *x,
+                                         eye4_real center_of_mass_velocity[3])
+{
+    if (table == NULL || x == NULL || center_of_mass_velocity == NULL) { return EYE4_BAD_ARGUMENT; }
+    eye4_status status = eye4_check_state(x);
+    if (status != EYE4_OK) { return status; }
+    eye4_real C[9];  /* attitude */
+    eye4_rotation(x->attitude, C);
+    eye4_sums sum;
+    eye4_real sine[EYE4_N];
+    eye4_real cosine[EYE4_N];
+    eye4_sincos_each(x->phi, sine, cosine);
+    eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
+    eye4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
+    own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
+    own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];
+    own_velocity[2] = table->mass * x->V[2] + sum.mu[1] * x->V[3] + sum.mu_dot[2] - sum.mu[0] * x->V[4];
+    own_velocity[0] = own_velocity[0] * table->mass_inverse;
+    own_velocity[1] = own_velocity[1] * table->mass_inverse;
+    own_velocity[2] = own_velocity[2] * table->mass_inverse;
+    center_of_mass_velocity[0] = C[0] * own_velocity[0] + C[1] * own_velocity[1] + C[2] * own_velocity[2];
+    center_of_mass_velocity[1] = C[3] * own_velocity[0] + C[4] * own_velocity[1] + C[5] * own_velocity[2];
+    center_of_mass_velocity[2] = C[6] * own_velocity[0] + C[7] * own_velocity[1] + C[8] * own_velocity[2];
+    return EYE4_OK;
+}
+
+/* ---- tables ---- */
+
+EYE4_CONST
+const eye4_parameters eye4_default_parameters =
+{
+    .carrier = {
+        .mass = 77.2,
+        .center_of_mass = { 0.005, -0.004, 0.01 },
+        .inertia = { 6.5289551999999995, 6.359649999999999, 4.6131652, 0.061544, -0.04386, 0.053088 },
+    },
+    .flywheel = {
+        /*     mass      center_of_mass[3]                                             inertia[6]                                                                                position[3]            axis[3]              zero[3] */
+        { { 0.7, { 0.0,  5.7142857142857145e-6,                   0.0 }, { 0.0015915, 0.00087533, 0.00088408, -4.898587196589413e-24,                -8.0e-8, 0.0 } }, {  0.15,  0.15, -0.3 }, {  1.0,  1.0, 1.0 }, { -1.0,  1.0, 0.0 } },  /* rw1 */
+        { { 0.7, { 0.0, -1.9544008190038214e-6,  5.369672118776619e-6 }, { 0.0015915, 0.00087533, 0.00088408,  -6.553216354311934e-8,   4.588611490808369e-8, 0.0 } }, { -0.15,  0.15, -0.3 }, { -1.0,  1.0, 1.0 }, { -1.0, -1.0, 0.0 } },  /* rw2 */
+        { { 0.7, { 0.0,  -5.369672118776619e-6, -1.954400819003821e-6 }, { 0.0015915, 0.00087533, 0.00088408, -3.9999999999999994e-8,   -6.92820323027551e-8, 0.0 } }, { -0.15, -0.15, -0.3 }, { -1.0, -1.0, 1.0 }, {  1.0, -1.0, 0.0 } },  /* rw3 */
+        { { 0.7, { 0.0,   3.277579636291692e-6, -4.680868824508525e-6 }, { 0.0015915, 0.00087533, 0.00088408,   7.878462024097665e-8, -1.3891854213354422e-8, 0.0 } }, {  0.15, -0.15, -0.3 }, {  1.0, -1.0, 1.0 }, {  1.0,  1.0, 0.0 } },  /* rw4 */
+    },
+    .point = {
+        /*      position[3]                       axis[3]                            zero[3] */
+        { {  0.0, 0.0, 0.32 }, {               1.0, 0.0,                -0.0 }, { 0.0, 1.0, 0.0 } },
+        { { 0.22, 0.0,  0.3 }, { 0.766044443118978, 0.0, -0.6427876096865393 }, { 0.0, 1.0, 0.0 } },
+    },
+};
+
+EYE4_CONST
+const eye4_table eye4_default =
+{
+    .mass = 80.00000000000001,
+    .mass_inverse = 0.012499999999999997,
+    .first_moment = { 0.386, -0.3088, -0.0679999999999999 },
+    .inertia = { 6.848423080000001, 6.679117880000001, 4.743633080000001, 0.061544, -0.043859999999999996, 0.05308800000000001 },
+    .flywheel = {
+        /*                       mu_c[3]                                                                  mu_s[3]                                                                     J_c[6]                                                                                                                                           J_s[6]                                                                                                                                            J_2c[6]                                                                                                                                           J_2s[6]                                                                                                       t_0[3]                                                                    t_c[3]                                                                    t_s[3]                                                     spin                   spin_inv */
+        { {  -2.82842712474619e-6,   2.82842712474619e-6,                   0.0 }, { -1.632993161855452e-6,  -1.632993161855452e-6,   3.265986323710904e-6 }, {   8.862404990871395e-7,  -8.108157757605745e-7, -7.542472332656519e-8,  3.771236166328257e-8,  -8.673843182554983e-7,  8.296719565922157e-7 }, {  -2.514809469257396e-6,  -2.38417001630896e-6, -9.797958971132711e-7,   4.898979485566356e-7, -1.0124557603503803e-6,  -9.471360338761622e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6, -1.4583333333333282e-6, -1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, { 3.2659863237109094e-8,  3.2659863237109094e-8, -6.531972647421811e-8 }, { -9.050966799187809e-7, -7.919595949289332e-7, -8.485281374238571e-7 }, 0.0015915, 628.3380458686773 },  /* rw1 */
+        { { 2.5018906745813174e-6, -5.671325733975157e-7, 3.0690232479788333e-6 }, {   2.09933554228706e-6,   3.216368652822337e-6, -1.1170331105352773e-6 }, { -2.0866914302895153e-6, -2.5601052856971486e-6,  -8.77445130375235e-7, -4.387225651876175e-7,  1.2268586223034933e-6, -5.929244044745992e-7 }, {   1.628556764384804e-6, 1.0877721772099917e-7, 2.7332561685769567e-7,  1.3666280842884783e-7,   4.964247031488017e-7,  1.1357524113185243e-6 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6,  1.4583333333333282e-6, -1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {  8.624267944608287e-7,  -7.697503200064976e-7, -7.598897733319024e-7 }, { -2.845207259006359e-7, 3.4941349192825823e-7, 2.3670692770381675e-7 }, 0.0015915, 628.3380458686773 },  /* rw2 */
+        { { -3.216368652822337e-6,   2.09933554228706e-6, -1.117033110535277e-6 }, { -5.671325733975159e-7, -2.5018906745813174e-6, -3.0690232479788333e-6 }, {  1.0573893010926638e-7,  1.6351304621678673e-6,  2.697902066863649e-7, -1.348951033431825e-7, -1.1324655624269925e-6,  4.949055593429354e-7 }, {  2.5542687894984124e-6, 2.0869784441331195e-6,  8.829946127303675e-7, -4.4149730636518375e-7,  -5.927808975527972e-7, -1.2297768704028614e-6 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6,  1.4583333333333282e-6,  1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, { -3.467822576724941e-7, -2.9021371517757017e-7, 2.3364517268264644e-7 }, { -7.646957660293005e-7, -8.626753557406277e-7,  7.646957660293005e-7 }, 0.0015915, 628.3380458686773 },  /* rw3 */
+        { { 2.9599888375343928e-6, 2.8464946384671696e-7, -2.675339373687676e-6 }, { 1.3802654629955996e-6,  3.2535582597209537e-6,  1.8732927967253542e-6 }, {  1.5906848409933824e-6,   2.435421585294822e-6,  7.895044463496124e-7, 3.9475222317480613e-7,    1.31818690240252e-6, -2.804680389317403e-7 }, { -2.1258399306339494e-6,  -7.58378116754884e-7, -4.877089867168042e-7,  -2.438544933584021e-7,   1.573267581990524e-7,  1.2441630100838638e-6 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6, -1.4583333333333282e-6,  1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, {  7.564540233670597e-7,  -6.450357449158567e-7,  6.837309069395329e-7 }, { -5.090364074178722e-7,  5.286824560529078e-7, -4.223683721507198e-7 }, 0.0015915, 628.3380458686773 },  /* rw4 */
+    },
+    .sensor = {
+        /*      origin[3]                          axes[9] */
+        { {  0.0, 0.0, 0.32 }, {                1.0, 0.0,                0.0, 0.0, 1.0, -0.0,                -0.0, 0.0,                1.0 } },  /* telescope */
+        { { 0.22, 0.0,  0.3 }, { 0.7660444431189782, 0.0, 0.6427876096865394, 0.0, 1.0, -0.0, -0.6427876096865394, 0.0, 0.7660444431189782 } },  /* tracker */
+    },
+};
+
+EYE4_CONST
+const eye4_inverse_options eye4_default_options =
+{
+    .weight = { 1.0, 1.0, 1.0, 1.0 },
+    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_torque = { 0.1, 0.1, 0.1, 0.1 },
+    .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
+    .near = 1.0e-6,
+    .damping = 0.0,
+    .use_pointing = { 1, 1, 1 },
+    .motor_power = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .target_speed = { 0.0, 0.0, 0.0, 0.0 },
+    .target_rate = 0.0,
+    .avoid_speed = 0.0,
+    .keep_direction = 0,
+};

@@ -1,0 +1,60 @@
+#!/bin/sh
+# eye4_eva.sh: what Frama-C Eva proves of eye4.c, driver by driver. Needs frama-c (Debian: frama-c-base).
+# mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+#
+# sh eye4_eva.sh             all that is claimed; exit status 1 where anything is not proved
+# sh eye4_eva.sh tried       the other functions: what is not proved of them is printed, and is no error
+# sh eye4_eva.sh any_forward ...  these drivers; see eye4_eva.c
+# EVA_LOGS=DIR keeps the output of Frama-C. One line per driver: name, alarms, unproved properties of its results, seconds.
+set -u
+cd "$(dirname "$0")" || exit 2
+command -v frama-c >/dev/null || { echo "no frama-c: on Debian, apt-get install frama-c-base" >&2; exit 2; }
+logs=${EVA_LOGS:-$(mktemp -d)} || exit 2
+failed=0
+
+claimed="normal_forward any_forward bits_forward normal_momentum any_momentum normal_torque any_torque normal_coupled any_coupled bits_step normal_wrap any_wrap bits_wrap normal_prepare bits_prepare routine_sincos routine_sqrt"
+tried="normal_wrench any_wrench bits_wrench normal_matrices any_matrices bits_matrices bits_momentum bits_torque bits_coupled normal_step any_step normal_step_driven any_step_driven bits_step_driven normal_phase_of_counts any_phase_of_counts bits_phase_of_counts normal_speed_of_counts any_speed_of_counts bits_speed_of_counts normal_accumulate any_accumulate bits_accumulate normal_forward_jacobian any_forward_jacobian bits_forward_jacobian normal_coupled_jacobian any_coupled_jacobian bits_coupled_jacobian normal_inverse any_inverse bits_inverse normal_inverse_fast any_inverse_fast bits_inverse_fast normal_inverse_pointing any_inverse_pointing bits_inverse_pointing normal_inverse_fast_pointing any_inverse_fast_pointing bits_inverse_fast_pointing normal_torque_for_pointing any_torque_for_pointing bits_torque_for_pointing normal_points any_points bits_points normal_quaternion any_quaternion bits_quaternion normal_state_from_coordinates any_state_from_coordinates bits_state_from_coordinates normal_generalized any_generalized bits_generalized any_prepare normal_mounts any_mounts bits_mounts normal_prepare_mounts any_prepare_mounts bits_prepare_mounts normal_step_carried any_step_carried bits_step_carried normal_step_driven_carried any_step_driven_carried bits_step_driven_carried normal_center_of_mass_velocity any_center_of_mass_velocity bits_center_of_mass_velocity"
+
+# Checks are followed path by path (slevel, split-return), arithmetic is not: the paths would multiply. A status that
+# tells of a result, COARSE, is kept apart from those of a refusal, which leaves results untouched.
+split="eye4_within:0,eye4_check_state:0,eye4_check_motion:0,eye4_factor3:0,eye4_factor_carrier:0,eye4_accelerate:0,eye4_factor_schur:0,eye4_solve_coupled:0,eye4_finish:0,eye4_rate:0,eye4_stages:0,eye4_rate_driven:0,eye4_stages_driven:0,eye4_factor:0,eye4_demand:0,eye4_demand_turning:0,eye4_torque_demand_turning:0,eye4_frame_of_axes:0,eye4_check_inertia:0,eye4_check_body:0,eye4_place_flywheel:0,eye4_place_point:0,eye4_check_parameters:0,eye4_finish_carried:0,eye4_forward:0:32,eye4_wrench:0:32,eye4_matrices:0:32,eye4_momentum:0:32,eye4_torque:0:32,eye4_coupled:0:32,eye4_step:0:32,eye4_step_driven:0:32,eye4_wrap:0:32,eye4_phase_of_counts:0:32,eye4_speed_of_counts:0:32,eye4_accumulate:0:32,eye4_forward_jacobian:0:32,eye4_coupled_jacobian:0:32,eye4_inverse:0:32,eye4_inverse_fast:0:32,eye4_inverse_pointing:0:32,eye4_inverse_fast_pointing:0:32,eye4_torque_for_pointing:0:32,eye4_points:0:32,eye4_quaternion:0:32,eye4_state_from_coordinates:0:32,eye4_generalized:0:32,eye4_prepare:0:32,eye4_mounts:0:32,eye4_prepare_mounts:0:32,eye4_step_carried:0:32,eye4_step_driven_carried:0:32,eye4_center_of_mass_velocity:0:32,quaternion:full,one_of_all:full,normal_state:full,any_state:full,bits_state:full,normal_encoder:full,any_encoder:full,bits_encoder:full,normal_inverse_options:full,any_inverse_options:full,bits_inverse_options:full,normal_parameters:full,any_parameters:full,bits_parameters:full,normal_step_carry:full,any_step_carry:full,bits_step_carry:full"
+merged="eye4_sincos:0,eye4_sqrt:0,eye4_unwound:0,eye4_wrapped:0,eye4_rotation:0,eye4_sincos_each:0,eye4_sum_mass:0,eye4_sum_steady_spin:0,eye4_sum_spin:0,eye4_external:0,eye4_momentum_screw:0,eye4_subtract_rates:0,eye4_solve3:0,eye4_solve_carrier:0,eye4_velocity_matrix:0,eye4_couple:0,eye4_eliminate:0,eye4_balance:0,eye4_solve_schur:0,eye4_solve_coupled:0,eye4_advance:0,eye4_twist_slope:0,eye4_row_slope:0,eye4_orthogonalise:0,eye4_solve_gram:0,eye4_allocate:0,eye4_excessive:0,eye4_scale_turning:0,eye4_orthogonalise_3:0,eye4_solve_gram_3:0,eye4_allocate_3:0,eye4_project_pointing:0,eye4_bounded_least_squares_3:0,eye4_largest_share_3:0,eye4_sense:0,eye4_products:0,eye4_carry:0,eye4_check_inertia:0,eye4_carry_twist:0,eye4_mount_wrench:0,eye4_advance_carried:0"
+
+prove() {
+    case $1 in
+    normal_* | any_*) special=non-finite asked='check|precondition.*' ;;
+    *) special=none asked=check ;;  # a contract that the body is not shown to keep is no fault of the driver
+    esac
+    begun=$(date +%s)
+    set -- "$1" -cpp-extra-args=-I. -machdep x86_64 -no-unicode \
+        -eva -eva-precision 3 -eva-min-loop-unroll 21 -eva-slevel 4000 -eva-slevel-function "$merged" -eva-split-return-function "$split" \
+        -warn-special-float "$special" -eva-msg-key=-initial-state,-final-states -main "eye4_eva_$1"
+    case $1 in
+    routine_* | bits_*) ;;
+    *) set -- "$@" -eva-use-spec "eye4_sincos,eye4_sincos_each" \
+        -eva-builtin "eye4_sqrt:Frama_C_sqrt" ;;
+    esac
+    driver=$1
+    shift
+    ${EVA_LIMIT:+timeout "$EVA_LIMIT"} frama-c "$@" eye4_eva.c >"$logs/$driver.log" 2>&1
+    ended=$?
+    alarms=$(sed -n 's/^ *\([0-9]*\) alarms\{0,1\} generated.*/\1/p' "$logs/$driver.log")
+    unproved=$(grep -c -E "($asked) got status (unknown|invalid)" "$logs/$driver.log")
+    # A driver that never comes back from the function has proved nothing.
+    if [ "$ended" -ne 0 ] || [ -z "$alarms" ] || ! grep -q 'show_each_returned' "$logs/$driver.log"; then
+        alarms=failed
+    fi
+    echo "$driver alarms $alarms unproved $unproved seconds $(($(date +%s) - begun))"
+    [ "$alarms $unproved" = "0 0" ] || failed=1
+}
+
+case ${1-} in
+"") for driver in $claimed; do prove "$driver"; done ;;
+tried)
+    for driver in $tried; do prove "$driver"; done
+    failed=0
+    ;;
+*) for driver in "$@"; do prove "$driver"; done ;;
+esac
+[ -n "${EVA_LOGS-}" ] || rm -rf "$logs"
+exit $failed

@@ -1,0 +1,101 @@
+/* eye4_recorder.h: flight recorder of the stand "eye4". It logs the raw inputs of every step, so that
+ * `mahovik replay` repeats the run on the desk bit for bit.
+ * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+ *
+ * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
+ *
+ *     eye4_recorder log = { .write = my_write, .context = &my_device };
+ *     eye4_recorder_start(&log, &eye4_default, &x);
+ *     for (;;) { eye4_recorder_step(&log, &eye4_default, &x, ...); }
+ *
+ * If other code writes the state between two steps (measured phases, an observer's correction), this is noticed and
+ * logged. A changed table needs a new start. start may be called again at any time: a log can be replayed from each
+ * start, so call it now and then if the log is a ring buffer.
+ *
+ * A write that fails (storage full, a link down) is counted in `lost`, and the steps continue: the log then has a gap, which
+ * replay reports. If `lost` has grown, call start again: the log can be replayed from there.
+ *
+ * A log is a sequence of records, little-endian; a real is its bits, 8 bytes; every record ends in
+ * u32 check, the FNV-1a hash of its bytes before.
+ *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
+ *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
+ *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
+ *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
+ * modulo 2^32, from 2166136261.
+ * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
+#ifndef EYE4_RECORDER_H
+#define EYE4_RECORDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "eye4.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define EYE4_RECORDER_FORMAT 2u           /* version of the log format */
+#define EYE4_RECORDER_SOURCE 0xf84ecf1du  /* FNV-1a hash of the texts of eye4.h and eye4.c */
+#define EYE4_RECORD_BYTES    277  /* longest record of a step; most have 48 */
+
+/* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
+enum {
+    EYE4_RECORD_POSITION = 1,                 /* position was written */
+    EYE4_RECORD_ATTITUDE = 2,                 /* attitude was written */
+    EYE4_RECORD_V = 4,                        /* V was written */
+    EYE4_RECORD_PHI = 8,                      /* phi was written */
+    EYE4_RECORD_PHI_DOT = 16,                 /* phi_dot was written */
+    EYE4_RECORD_SETTINGS = 32,                /* dt and order, when they change */
+    EYE4_RECORD_STREAM = 64,                  /* the table's stream, when it changes */
+    EYE4_RECORD_DRIVEN = 128,                 /* by step_driven: phi_ddot instead of tau */
+    EYE4_RECORD_LOCKS = 256,                  /* any flywheel is locked: a bit each */
+    EYE4_RECORD_WRENCH = 512                  /* any run-time wrench is not zero */
+};
+
+/* A log in progress. The caller sets the first two members; the others begin as zero. */
+typedef struct eye4_recorder {
+    int (*write)(void *context, const unsigned char *bytes, size_t count);  /* stores or sends; one call per step; 0: success */
+    void *context;          /* passed to write */
+    uint32_t lost;          /* failed writes; the caller may set it to 0 */
+    uint32_t count;         /* number of the next step, modulo 2^32 */
+    eye4_state seen;  /* the state as it was left */
+    uint64_t dt;            /* bits of the last time step */
+    int order;              /* the last order */
+    int fresh;              /* not 0: no step since the last start */
+} eye4_recorder;
+
+/* recorder_start: writes a start record: identities, the state, and the table if it is not the default.
+ *   log    in and out; write and context must be set
+ *   table  the prepared table
+ *   x      state before the next step
+ * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
+ * Stack: at most 608 bytes, and that of write. */
+eye4_status eye4_recorder_start(eye4_recorder *log, const eye4_table *table, const eye4_state *x);
+
+/* recorder_step: calls step and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step. A refused step is logged too.
+ * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 4384 bytes, and that of write. */
+eye4_status eye4_recorder_step(eye4_recorder *log, const eye4_table *table, eye4_state *x,
+                               const eye4_real tau[EYE4_N], const int locked[EYE4_N],
+                               const eye4_real wrench[6], eye4_real dt, int order);
+
+/* recorder_step_driven: calls step_driven and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_driven. A refused step is logged too.
+ * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 3504 bytes, and that of write. */
+eye4_status eye4_recorder_step_driven(eye4_recorder *log, const eye4_table *table, eye4_state *x,
+                                      const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                      eye4_real dt, int order);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,83 @@
+"""A project of an attitude loop: the stand's C, the loop, and a `main` that closes it with the exact plant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from mahovik.core.emit.attitude import AttitudePrinter, AttitudeTables, needed_functions
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.templates import source_text, template
+from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.board import board_files
+from mahovik.core.toolchain.targets import Target
+from mahovik.out.export.target import makefile
+from mahovik.use.control.attitude import AttitudeDesign, Wishes, design_attitude
+
+HOST = "board_host.c"
+"""Console of this machine, for the same program without an emulator."""
+
+
+@dataclass(frozen=True)
+class ExportedAttitude:
+    """Files of the project by name; public functions of the stand in it; settings, with their messages."""
+
+    files: dict[str, str]
+    only: tuple[str, ...]
+    design: AttitudeDesign
+
+
+def attitude_sources(stand: Stand, wishes: Wishes, real: str) -> ExportedAttitude:
+    """C of the stand, of the loop and of its example. UsageError: as `design_attitude`."""
+    design = design_attitude(stand, wishes)
+    tables = AttitudeTables(design.task, design.dumps, design.settings)
+    only = needed_functions(tables)
+    generated = generate_all(stand, real, only=only)
+    printer = AttitudePrinter(stand, generated.layout, tables)
+    main = printer.rendered(
+        "attitude_main.c.j2",
+        slew="30",
+        momentum=f"{design.momentum:g}",
+        fails=stand.flywheels[0].name,
+        number=0,
+        failure={"none": "WORKS"}.get(design.failure, design.failure.upper()),
+        parts=design.parts,
+        speeds=printer.listed(design.speeds),
+        goal=printer.listed(design.goal),
+        names=", ".join(f'"{wheel.name}"' for wheel in stand.flywheels),
+        **design.samples,
+    )
+    return ExportedAttitude({**generated.files, **printer.files(), "main.c": main}, only, design)
+
+
+def attitude_project(stand: Stand, target: Target, wishes: Wishes, real: str) -> ExportedAttitude:
+    """The whole project. UsageError: as `design_attitude`. Raises StandError."""
+    made = attitude_sources(stand, wishes, real)
+    hosted = target.family == "hosted"
+    files = {**made.files, **board_files(target)}
+    host = "" if hosted else HOST
+    name, task = stand.name, made.design.task.name
+    page = template("board/attitude.md.j2").render(
+        name=name,
+        real=real,
+        task=task,
+        dumps=made.design.dumps,
+        title=target.title,
+        compiler=target.compiler[0],
+        emulator=" ".join(target.emulator[:3]) or "this machine",
+        hosted=hosted,
+        command=f"mahovik export attitude STAND.toml --task {task} --target {target.name} --real {real}",
+        packages=", ".join(target.packages),
+        lines=made.design.lines,
+        wheel=stand.flywheels[0].name,
+        settings=list(made.design.settings),
+        files=sorted(
+            {*files, host} - {"", f"{name}.h", f"{name}.c", f"{name}_attitude.h", f"{name}_attitude.c", "main.c"}
+        ),
+    )
+    files |= {
+        "Makefile": makefile(target, files, f"Attitude loop of {name} ({real})", host=host),
+        "README.md": page,
+    }
+    if host:
+        files[HOST] = source_text("board/hosted/board.c")
+    return ExportedAttitude(files, made.only, made.design)

@@ -1,0 +1,269 @@
+"""Settings of an attitude loop, and the scenario of its example, from the stand and a few wishes.
+
+The loop demands of the task of a stand the angular acceleration that quaternion feedback wants (Wie, Weiss,
+Arapostathis, 1989): errors of the attitude obey s^2 + 2 zeta omega s + omega^2. A reference turns about the eigenaxis,
+no faster than a part (`PART`) of what the flywheels reach in every direction with one of them missing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from mahovik.core.stand.capacity import momentum_capacity, torque_capacity
+from mahovik.core.stand.envelope import Array, envelope
+from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.model import Flywheel, Motor, Stand, Task
+from mahovik.core.stand.whole import mass_properties, placed_bodies
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+
+Failure = Literal["coasts", "held", "none"]
+
+ROWS = ("wx", "wy", "wz")
+"""Components that the task of a loop demands, in any order."""
+
+PART = 0.25
+"""Part of the reach of the flywheels that a reference uses: the rest is for errors and stored momentum."""
+
+PREFERRED = 0.1
+"""Preferred speed as a part of the no-load speed."""
+
+SPEED = 100.0
+"""Preferred speed of flywheels without a no-load speed, rad/s."""
+
+SLOWEST = 0.01, 0.05
+"""Angular acceleration (rad/s2) and velocity (rad/s) of a reference where motors have no limits."""
+
+FASTEST = 0.1
+"""Largest angular velocity of a reference, rad/s."""
+
+TURN = 0.8
+"""Largest turn of a flywheel in a step of the plant at the largest speed that is expected, rad."""
+
+MOST_STEP = 0.3
+"""Largest bandwidth times sample period: above it the sampled loop differs from the continuous one."""
+
+INTEGRAL = 0.25
+"""Rate of the integral as a part of the bandwidth: poles at -0.66 omega and (-0.47 +- 0.40 i) omega for damping 0.8."""
+
+SETTLE = 25.0
+"""Settling time of the example times the bandwidth in rad/s: e^-11 is left of an error."""
+
+SLEW = math.radians(30.0)
+"""Slew of the example, about the axis of E1 along which the flywheels hold most momentum: there they hold it."""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What the settings are computed from.
+
+    task        name; None: the stand's only one
+    rate        samples a second, Hz
+    bandwidth   of the loop, Hz; damping: its ratio
+    momentum    angular momentum of the example's carrier and flywheels, N m s
+    failure     of the first flywheel, half-way
+    """
+
+    task: str | None = None
+    rate: float = 50.0
+    bandwidth: float = 0.1
+    damping: float = 0.8
+    momentum: float = 1.0
+    failure: Failure = "coasts"
+
+
+@dataclass(frozen=True)
+class AttitudeDesign:
+    """Settings of the loop as the members of its struct, and numbers of the example.
+
+    task      the demanded rows are wx, wy, wz, in its order
+    dumps     the carrier takes a run-time wrench, so that momentum can be dumped
+    speeds    of the flywheels at the beginning, rad/s
+    parts     steps of the plant in a sample
+    lines     what was computed, a line each
+    """
+
+    task: Task
+    dumps: bool
+    settings: Mapping[str, float | tuple[float, ...]]
+    speeds: tuple[float, ...]
+    goal: tuple[float, ...]
+    momentum: float
+    failure: Failure
+    parts: int
+    samples: Mapping[str, int]
+    lines: tuple[str, ...]
+
+
+def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
+    """Settings of the loop. UsageError: no such task, no flywheels that reach it, wishes out of bounds."""
+    task = attitude_task(stand, wishes.task)
+    period, omega = _checked(wishes)
+    axes = np.array([p.axes[:, 0] for p in placed_bodies(stand) if isinstance(p.body, Flywheel)]).reshape(-1, 3)
+    spins = np.array([float(inertia_about_origin(wheel)[0, 0]) for wheel in stand.flywheels])
+    if np.linalg.matrix_rank(axes, tol=1e-6) < 3:
+        raise UsageError(
+            f'stand "{stand.name}": {len(stand.flywheels)} flywheels whose spin axes do not span space cannot turn the '
+            "carrier in every direction; expected three at least, with axes that lie in no plane"
+        )
+    motors = [wheel.motor for wheel in stand.flywheels]
+    preferred = _preferred(axes, spins, motors)
+    capacity = momentum_capacity(stand).alone
+    along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
+    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (wishes.momentum * along)
+    _check_speeds(stand, speeds, wishes.momentum)
+    fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
+    dumps = stand.carrier.wrench_input
+    torque = min((m.torque for m in motors if m is not None and m.torque is not None), default=0.1) / 2
+    settings: dict[str, float | tuple[float, ...]] = {
+        "period": period,
+        "bandwidth": omega,
+        "damping": wishes.damping,
+        "integral": INTEGRAL * omega,
+        "integral_most": 0.1,
+        "closing_rate": fastest,
+        "slew_rate": fastest,
+        "slew_acceleration": quickest,
+        "preferred": tuple(float(v) for v in preferred),
+        "preferred_rate": 0.02 if preferred.any() else 0.0,
+        "avoid": 0.1 * float(np.abs(preferred).max()),
+        "viscous": tuple(0.0 if m is None else m.viscous for m in motors),
+        "coulomb": tuple(0.0 if m is None else m.coulomb for m in motors),
+        "coulomb_speed": tuple(1.0 if m is None else m.coulomb_speed for m in motors),
+    }
+    samples = {"told": max(1, round(0.1 / period)), "settle": round(SETTLE / (omega * period)) + 4}
+    samples["last"] = samples["settle"] // 4
+    if dumps:
+        dump_rate, end = omega / 5, 1e-3 * max(wishes.momentum, 0.1)
+        settings |= {
+            "wanted_momentum": (0.0, 0.0, 0.0),
+            "dump_rate": dump_rate,
+            "dump_torque": torque,
+            "dump_begin": 5 * end,
+            "dump_end": end,
+        }
+        time = wishes.momentum / torque + math.log(max(torque / dump_rate / end, 1.0)) / dump_rate
+        samples["dump"] = round(1.1 * time / period) + samples["settle"]
+    half = SLEW / 2
+    most = max(float(np.abs(speeds).max()), PREFERRED * _no_load(motors)) * 2
+    design = AttitudeDesign(
+        task, dumps, settings, tuple(float(v) for v in speeds),
+        (math.cos(half), *(math.sin(half) * float(a) for a in along)), wishes.momentum, wishes.failure,
+        max(1, math.ceil(period * most / TURN)), samples, (),
+    )  # fmt: skip
+    return _described(stand, design)
+
+
+def attitude_task(stand: Stand, name: str | None) -> Task:
+    """The task of a loop: of that name, or the only one. UsageError: none, several, or other rows than wx, wy, wz."""
+    names = [task.name for task in stand.tasks]
+    if name is None and len(names) != 1:
+        found = f"tasks {', '.join(names)}: give --task NAME" if names else "no task: add [task.pointing] to its file"
+        raise UsageError(f'stand "{stand.name}": {found}, with rows = ["wx", "wy", "wz"]')
+    wanted = name if name is not None else names[0]
+    task = next((each for each in stand.tasks if each.name == wanted), None)
+    if task is None:
+        raise UsageError(f'--task {wanted}: stand "{stand.name}" has no such task{suggestion(wanted, names)}')
+    rows = [f"{row.of}.{row.component}" if row.of else row.component for row in task.rows]
+    if sorted(rows) != list(ROWS):
+        raise UsageError(
+            f'task "{task.name}": its rows are {", ".join(rows)}; an attitude loop demands the angular acceleration of '
+            "the carrier alone: expected wx, wy, wz"
+        )
+    return task
+
+
+def _checked(wishes: Wishes) -> tuple[float, float]:
+    """Sample period (s) and bandwidth (rad/s)."""
+    for option, value, most in (
+        ("--rate", wishes.rate, 1e5),
+        ("--bandwidth", wishes.bandwidth, 1e3),
+        ("--damping", wishes.damping, 10.0),
+    ):
+        if not 0.0 < value <= most:
+            raise UsageError(f"{option} {value:g}: expected a number above 0, at most {most:g}")
+    if not 0.0 <= wishes.momentum <= 1e6:
+        raise UsageError(f"--momentum {wishes.momentum:g}: expected N m s, 0 or more")
+    period, omega = 1.0 / wishes.rate, 2 * math.pi * wishes.bandwidth
+    if omega * period > MOST_STEP:
+        least = omega / MOST_STEP
+        raise UsageError(
+            f"--rate {wishes.rate:g}: too slow for a bandwidth of {wishes.bandwidth:g} Hz; expected {least:.3g} Hz or "
+            "more"
+        )
+    if 1.0 / wishes.rate > 10.0 or wishes.damping < 0.2:
+        raise UsageError("--rate, --damping: expected at least 0.1 Hz and 0.2")
+    return period, omega
+
+
+def _limits(stand: Stand, speed: float) -> tuple[float, float]:
+    """Angular velocity and acceleration of a reference: a part of what is reached with one flywheel missing.
+
+    `speed`: largest speed of a flywheel at its beginning, rad/s, which takes a part of momentum and torque.
+    """
+    left = max(0.1, 1.0 - speed / _no_load([wheel.motor for wheel in stand.flywheels]))
+    inertia = mass_properties(stand).principal_inertia[-1]
+    reach = [_reach_without_one(c.envelope.vectors) for c in (momentum_capacity(stand), torque_capacity(stand))]
+    rate = min(PART * left * reach[0] / inertia, FASTEST) if reach[0] > 0 else SLOWEST[1]
+    return rate, PART * left * reach[1] / inertia if reach[1] > 0 else SLOWEST[0]
+
+
+def _reach_without_one(vectors: tuple[tuple[float, float, float], ...]) -> float:
+    """Radius of the largest sphere in the envelope without its weightiest vector; with all where three are needed."""
+    columns = np.array(vectors)
+    least = min(envelope(np.delete(columns, s, axis=0)).radius for s in range(len(columns)))
+    return least if least > 0.0 else envelope(columns).radius
+
+
+def _preferred(axes: Array, spins: Array, motors: list[Motor | None]) -> Array:
+    """Speeds (N), rad/s, whose momenta cancel, as equal as that allows; zero where three axes leave no such speeds."""
+    columns = axes.T * spins
+    project = np.eye(len(spins)) - np.linalg.pinv(columns) @ columns
+    if np.abs(project).max() < 1e-9:
+        return np.zeros(len(spins))
+    tries = [np.where(column < 0.0, -1.0, 1.0) for column in project]
+    best = min(tries, key=lambda signs: float(np.linalg.norm(columns @ signs)))
+    free: Array = project @ best
+    largest = float(np.abs(free).max())
+    return free * (PREFERRED * _no_load(motors) / largest if largest > 1e-9 else 0.0)
+
+
+def _no_load(motors: list[Motor | None]) -> float:
+    """Least no-load speed, rad/s."""
+    return min((m.speed for m in motors if m is not None and m.speed is not None), default=SPEED / PREFERRED)
+
+
+def _check_speeds(stand: Stand, speeds: Array, momentum: float) -> None:
+    for wheel, speed in zip(stand.flywheels, speeds, strict=True):
+        most = math.inf if wheel.motor is None or wheel.motor.speed is None else 0.7 * wheel.motor.speed
+        if abs(speed) > most:
+            raise UsageError(
+                f'--momentum {momentum:g}: flywheel "{wheel.name}" would turn at {abs(speed):.4g} rad/s, above 70 % '
+                "of its no-load speed; expected less momentum"
+            )
+
+
+def _described(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
+    """The design with its lines."""
+    s = made.settings
+    lines = [
+        f"attitude loop: task {made.task.name}, {1 / _number(s['period']):g} Hz; bandwidth "
+        f"{_number(s['bandwidth']) / (2 * math.pi):.4g} Hz, damping {_number(s['damping']):g}",
+        f"attitude loop: slews of at most {math.degrees(_number(s['slew_rate'])):.3g} deg/s and "
+        f"{math.degrees(_number(s['slew_acceleration'])):.3g} deg/s2",
+    ]
+    if made.dumps:
+        lines.append(f"attitude loop: momentum is dumped by at most {_number(s['dump_torque']):.3g} N m")
+    else:
+        lines.append(f'attitude loop: the carrier of "{stand.name}" has no wrench_input: momentum is not dumped')
+    return AttitudeDesign(**{**vars(made), "lines": tuple(lines)})
+
+
+def _number(value: float | tuple[float, ...]) -> float:
+    assert not isinstance(value, tuple)
+    return value

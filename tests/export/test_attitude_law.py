@@ -1,0 +1,305 @@
+"""The C of an attitude loop beside the same law in NumPy, on random states; what it does with what is no input."""
+
+from __future__ import annotations
+
+import ctypes as ct
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import mahovik
+from export import attitude_law as law
+from export.attitudes import (
+    Attitude,
+    Config,
+    Course,
+    Demand,
+    Loop,
+    N,
+    Reference,
+    Result,
+    State,
+    exported,
+    numbers,
+    stand,
+    written,
+)
+from mahovik.core.stand.state import rest_state
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.momentum import momentum
+from mahovik.stands import path
+
+OK, LIMITED, UNREACHABLE, NOT_FINITE, RANGE, BAD_ARGUMENT = 0, 4, 8, -1, -2, -5
+SPEED = 200 * math.pi  # rad/s; no-load speed of the motors
+quick = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture(scope="module")
+def c(tmp_path_factory: pytest.TempPathFactory) -> Attitude:
+    return Attitude(written(exported(), tmp_path_factory.mktemp("attitude")))
+
+
+seeds = st.integers(0, 2**32 - 1).map(np.random.default_rng)
+
+
+def unit(rng: Any) -> list[float]:
+    q = rng.normal(size=4)
+    return [float(v) for v in q / np.linalg.norm(q)]
+
+
+def state(rng: Any, attitude: Any, rate: Any = (0.0, 0.0, 0.0), most: float = 0.6) -> Any:
+    x = State()
+    x.attitude[:] = attitude
+    x.V[:] = [0.0, 0.0, 0.0, *rate]
+    x.phi[:] = rng.uniform(-3, 3, N)
+    x.phi_dot[:] = rng.uniform(-most, most, N) * SPEED
+    return x
+
+
+def begun(c: Attitude, config: Any, attitude: Any, goal: Any = None) -> Any:
+    loop = Loop()
+    assert c.call("reset", ct.byref(config), numbers(*attitude), ct.byref(loop)) == OK
+    if goal is not None:
+        assert c.call("slew", ct.byref(config), numbers(*goal), ct.byref(loop)) == OK
+    return loop
+
+
+def reference_at(c: Attitude, course: Any, t: float) -> Any:
+    out = Reference()
+    assert c.call("reference_at", ct.byref(course), ct.c_double(t), ct.byref(out)) == OK
+    return out
+
+
+@quick
+@given(seeds, st.floats(-0.2, 1.2))
+def test_a_slew_is_the_turn_of_scipy(c: Attitude, rng: Any, share: float) -> None:
+    config, begin, goal = c.config(), unit(rng), unit(rng)
+    course = begun(c, config, begin, goal).course
+    _, duration = law.slew(begin, goal, config, 0.0)
+    assert course.duration == pytest.approx(duration, rel=1e-6)  # the largest slope is found on a grid
+    assert 0 <= course.angle <= math.pi
+    found = reference_at(c, course, share * course.duration)
+    wanted, _ = law.slew(begin, goal, config, share * duration)
+    turned = law.rotation(found.attitude)
+    assert (turned.inv() * wanted.turned).magnitude() < 1e-6 * max(1.0, abs(share))
+    exact, _ = law.slew(begin, goal, _same_time(config, course), share * course.duration)
+    assert (turned.inv() * exact.turned).magnitude() < 1e-12
+    np.testing.assert_allclose(found.rate[:], exact.rate, atol=1e-12)
+    np.testing.assert_allclose(found.acceleration[:], exact.acceleration, atol=1e-12)
+    assert np.linalg.norm(found.rate[:]) <= config.slew_rate * (1 + 1e-12)
+    assert np.linalg.norm(found.acceleration[:]) <= config.slew_acceleration * (1 + 1e-12)
+
+
+def _same_time(config: Any, course: Any) -> Any:
+    """Settings whose turn lasts as long as that of the C."""
+    made = Config.from_buffer_copy(config)
+    made.slew_rate = 1e9
+    made.slew_acceleration = 10 / math.sqrt(3) * course.angle / course.duration**2
+    return made
+
+
+@quick
+@given(seeds)
+def test_rates_are_the_derivatives_of_the_reference(c: Attitude, rng: Any) -> None:
+    """Central differences of the attitude: the axes of the rates and their signs."""
+    course = begun(c, c.config(), unit(rng), unit(rng)).course
+    t, h = course.duration * float(rng.uniform(0.1, 0.9)), 1e-3
+    before, now, after = (reference_at(c, course, t + d) for d in (-h, 0.0, h))
+    turned = (law.rotation(before.attitude).inv() * law.rotation(after.attitude)).as_rotvec() / (2 * h)
+    np.testing.assert_allclose(now.rate[:], turned, atol=1e-8)
+    changed = (np.array(after.rate) - np.array(before.rate)) / (2 * h)
+    np.testing.assert_allclose(now.acceleration[:], changed, atol=1e-8)
+
+
+@quick
+@given(seeds, st.floats(0.0, 1.0))
+def test_the_demand_is_that_of_the_law(c: Attitude, rng: Any, share: float) -> None:
+    config = c.config(closing_rate=0.05)
+    course = begun(c, config, unit(rng), unit(rng)).course
+    found = reference_at(c, course, share * course.duration)
+    wanted = law.Wanted(law.rotation(found.attitude), np.array(found.rate), np.array(found.acceleration))
+    near = (wanted.turned * law.Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, 0))).as_quat()
+    attitude = (-1.0) ** rng.integers(2) * near[[3, 0, 1, 2]]  # both quaternions of the attitude give one demand
+    rate, integral, out = rng.normal(size=3) * 0.1, rng.normal(size=3) * 0.1, Demand()
+    given_arrays = numbers(*attitude), numbers(*rate), numbers(*integral)
+    assert c.call("demand_for", ct.byref(config), ct.byref(found), *given_arrays, ct.byref(out)) == OK
+    error, acceleration, limited = law.demand(config, wanted, attitude, rate, integral)
+    np.testing.assert_allclose(out.error[:], error, atol=1e-12)
+    np.testing.assert_allclose(out.wanted[:], acceleration, atol=1e-12)
+    assert bool(out.limited) == limited
+
+
+@quick
+@given(seeds, st.booleans())
+def test_the_moment_is_that_of_the_law(c: Attitude, rng: Any, dumping: bool) -> None:
+    config, h = c.config(), rng.normal(size=3) * 10.0 ** rng.uniform(-4, 1)
+    flag, out = ct.c_int(dumping), numbers(0, 0, 0)
+    assert c.call("moment", ct.byref(config), numbers(*h), ct.byref(flag), out) == OK
+    moment, now = law.moment(config, h, dumping)
+    np.testing.assert_allclose(out[:], moment, rtol=1e-12, atol=1e-18)
+    assert bool(flag.value) == now
+    assert np.linalg.norm(out[:]) <= config.dump_torque * (1 + 1e-12)
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory: pytest.TempPathFactory) -> mahovik.Model:
+    """The stand without unbalance and asymmetry: the mean over the phases of its flywheels."""
+    text = path("eye4").read_text()
+    lines = [line for line in text.splitlines() if not line.startswith("unbalance")]
+    mean = (0.00087533 + 0.00088408) / 2
+    text = "\n".join(lines).replace("[0.00087533, 0.00088408]", f"[{mean!r}, {mean!r}]")
+    file = tmp_path_factory.mktemp("balanced") / "eye4.toml"
+    file.write_text(text, encoding="utf-8")
+    return mahovik.build(mahovik.load(file))
+
+
+@quick
+@given(seeds, st.lists(st.sampled_from([0, 0, 0, 1, 2]), min_size=N, max_size=N))
+def test_a_sample_is_the_law_with_the_torques_of_a_balanced_stand(
+    c: Attitude, model: mahovik.Model, rng: Any, failed: list[int]
+) -> None:
+    config = c.config(closing_rate=0.05, wanted_momentum=rng.normal(size=3) * 0.1)
+    begin = unit(rng)
+    loop = begun(c, config, begin, unit(rng))
+    loop.tick = int(rng.integers(0, 5000))
+    loop.integral[:] = integral = rng.normal(size=3) * 0.01
+    t = min(loop.tick * config.period, loop.course.duration)
+    seen = reference_at(c, loop.course, t)
+    wanted = law.Wanted(law.rotation(seen.attitude), np.array(seen.rate), np.array(seen.acceleration))
+    near = (wanted.turned * law.Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, -1))).as_quat()
+    rate = rng.normal(size=3) * 10.0 ** rng.uniform(-4, -1)
+    x, out = state(rng, near[[3, 0, 1, 2]], rate), Result()
+    status = c.step(config, loop, x, tuple(failed), out)
+    error, acceleration, limited = law.demand(config, wanted, x.attitude[:], rate, integral)
+
+    y = model.states()
+    y["attitude"], y["V"], y["phi_dot"] = x.attitude[:], x.V[:], x.phi_dot[:]
+    found = model.momentum(y)
+    left = found.Z[3:] - np.cross(found.center_of_mass, found.Z[:3])
+    left = left - law.rotation(x.attitude).inv().apply(np.array(config.wanted_momentum))
+    np.testing.assert_allclose(out.momentum[:], left, atol=1e-12)
+    moment, _ = law.moment(config, left, False)
+    np.testing.assert_allclose(out.moment[:], moment, atol=1e-12)
+    speed, flags = np.array(x.phi_dot), np.array(failed)
+    bounds = law.bounds(config, np.full(N, 0.1), np.full(N, SPEED), speed, flags == 0)
+    tau = model.torque_for(
+        y,
+        "pointing",
+        acceleration,
+        locked=[f"rw{s + 1}" for s in range(N) if flags[s] == 2],
+        motor_torque=bounds,
+        target_speed=np.array(config.preferred),
+        target_rate=config.preferred_rate,
+        avoid_speed=config.avoid,
+        keep_direction=True,
+        wrench={"carrier": [0, 0, 0, *moment]},
+    )
+    motors = np.where(flags == 0, tau.tau + law.friction(config, speed), 0.0)
+    np.testing.assert_allclose(out.tau[:], motors, atol=1e-12, rtol=1e-9)
+    assert out.share == pytest.approx(float(tau.share), abs=1e-9)
+    most = np.where(np.array(out.tau) * speed > 0, 0.1 * (1 - np.abs(speed) / SPEED), 0.1)
+    assert np.all(np.abs(out.tau[:]) <= most * (1 + 1e-14))
+    assert (status & UNREACHABLE != 0) == (out.share < 1)
+    held = (status & UNREACHABLE != 0) or limited
+    np.testing.assert_allclose(
+        loop.integral[:], integral if held else np.clip(integral + config.period * error, -0.1, 0.1), atol=1e-13
+    )
+
+
+@settings(quick, max_examples=3)
+@given(seeds)
+def test_the_mean_table_is_the_mean_over_phases(c: Attitude, rng: Any) -> None:
+    """Harmonics up to the second: eight phases, of the literal reference."""
+    x = state(rng, unit(rng), rng.normal(size=3) * 0.1)
+    total = np.zeros(6)
+    for k in range(8):
+        phi = tuple(v + k * math.pi / 4 for v in x.phi)
+        seen = replace(
+            rest_state(stand()), quaternion=tuple(x.attitude), V=tuple(x.V), phi=phi, phi_dot=tuple(x.phi_dot)
+        )
+        total += momentum(pieces(stand(), seen)) / 8
+    np.testing.assert_allclose(c.momentum(x), total, atol=1e-12)
+
+
+# -- what is no input --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("changed", "status"),
+    [
+        ({"period": 0.0}, BAD_ARGUMENT),
+        ({"bandwidth": math.nan}, BAD_ARGUMENT),
+        ({"damping": -1.0}, BAD_ARGUMENT),
+        ({"integral": 10.0}, BAD_ARGUMENT),
+        ({"closing_rate": 0.0}, BAD_ARGUMENT),
+        ({"slew_rate": math.inf}, BAD_ARGUMENT),
+        ({"dump_end": 1.0}, BAD_ARGUMENT),
+        ({"wanted_momentum": (0.0, math.nan, 0.0)}, BAD_ARGUMENT),
+        ({"coulomb_speed": (1.0, 0.0, 1.0, 1.0)}, BAD_ARGUMENT),
+        ({"preferred": (math.nan, 0.0, 0.0, 0.0)}, NOT_FINITE),
+        ({"avoid": -1.0}, BAD_ARGUMENT),
+    ],
+)
+def test_settings_that_are_none_are_refused(c: Attitude, changed: Any, status: int) -> None:
+    loop = begun(c, c.config(), (1, 0, 0, 0))
+    _refused(c, c.config(**changed), loop, state(np.random.default_rng(1), (1, 0, 0, 0)), (0,) * N, status)
+
+
+def _refused(c: Attitude, config: Any, loop: Any, x: Any, failed: Any, status: int) -> None:
+    """Nothing is written."""
+    out = Result()
+    ct.memset(ct.byref(out), 0x55, ct.sizeof(out))
+    before = bytes(out), bytes(loop)
+    assert c.step(config, loop, x, failed, out) == status
+    assert (bytes(out), bytes(loop)) == before
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf])
+@pytest.mark.parametrize("member", ["attitude", "V", "phi", "phi_dot"])
+def test_an_estimate_that_is_no_number_is_refused(c: Attitude, member: str, value: float) -> None:
+    x = state(np.random.default_rng(2), (1, 0, 0, 0))
+    getattr(x, member)[1] = value
+    _refused(c, c.config(), begun(c, c.config(), (1, 0, 0, 0)), x, None, NOT_FINITE)
+
+
+@pytest.mark.parametrize("flag", [-1, 3])
+def test_an_unknown_flag_is_refused(c: Attitude, flag: int) -> None:
+    x = state(np.random.default_rng(3), (1, 0, 0, 0))
+    _refused(c, c.config(), begun(c, c.config(), (1, 0, 0, 0)), x, (0, flag, 0, 0), BAD_ARGUMENT)
+
+
+def test_a_course_of_no_numbers_is_refused(c: Attitude) -> None:
+    out = Reference()
+    for angle, duration, t in ((math.nan, 1, 0), (1, math.nan, 0), (-1, 1, 0), (1, 1, math.nan), (9, 1, 0)):
+        course = Course((1, 0, 0, 0), (1, 0, 0), angle, duration)
+        assert c.call("reference_at", ct.byref(course), ct.c_double(t), ct.byref(out)) == RANGE
+
+
+def test_a_slew_waits_for_the_end_of_the_one_before(c: Attitude) -> None:
+    config = c.config()
+    loop = begun(c, config, (1, 0, 0, 0), (0, 1, 0, 0))
+    goal = numbers(0, 0, 1, 0)
+    assert c.call("slew", ct.byref(config), goal, ct.byref(loop)) == BAD_ARGUMENT
+    loop.tick = math.ceil(loop.course.duration / config.period)
+    assert c.call("slew", ct.byref(config), goal, ct.byref(loop)) == OK
+    np.testing.assert_allclose(loop.course.start[:], (0, 1, 0, 0), atol=1e-15)
+    assert c.call("slew", ct.byref(config), numbers(1, 0, 0, 0.1), ct.byref(loop)) == BAD_ARGUMENT
+    loop.tick = 10**6
+    assert c.call("slew", ct.byref(config), numbers(1, 0, 0, 0.1), ct.byref(loop)) == RANGE
+    assert c.call("slew", ct.byref(config), numbers(math.nan, 0, 0, 1), ct.byref(loop)) == NOT_FINITE
+
+
+def test_with_no_wheel_left_the_torques_are_zero_and_it_says_so(c: Attitude) -> None:
+    config = c.config()
+    for way in (1, 2):
+        loop, out = begun(c, config, (1, 0, 0, 0)), Result()
+        x = state(np.random.default_rng(4), (0.999, math.sqrt(1 - 0.999**2), 0, 0))
+        assert c.step(config, loop, x, (way,) * N, out) == UNREACHABLE
+        assert out.tau[:] == [0.0] * N
+        assert out.share == 0.0
+        assert list(loop.integral) == [0.0] * 3  # it waits

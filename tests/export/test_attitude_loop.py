@@ -1,0 +1,179 @@
+"""The attitude loop closed by the exact plant: slews, failed flywheels, momentum; faults in its C are noticed."""
+
+from __future__ import annotations
+
+import ctypes as ct
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from export import attitude_law as law
+from export.attitudes import Attitude, Loop, N, Result, State, example, exported, numbers, stand, written
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand
+from mahovik.errors import UsageError
+from mahovik.out.export.attitude import attitude_sources
+from mahovik.stands import path
+from mahovik.use.control.attitude import Wishes
+from toolchain.quick import quick
+from toolchain.tools import compile_c, require, require_32_bit, run
+
+ARCSEC = 4.84813681109536e-06  # rad
+
+
+def numbers_in(line: str) -> list[float]:
+    return [float(text) for text in re.findall(r"\d+\.\d+", line)]
+
+
+@pytest.mark.parametrize(
+    ("real", "failure"), quick(2, [("double", "coasts"), ("float", "held"), ("float", "coasts"), ("double", "none")])
+)
+def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_path: Path) -> None:
+    """Within 1 arcsec after the slew and at the end; torques and speeds within the motors; 1 N m s down to 0.5 %."""
+    printed = example(written(exported(real, Wishes(failure=failure)), tmp_path))  # type: ignore[arg-type]
+    assert printed["failures"] == "failures 0"
+    assert numbers_in(printed["slew"])[0] == 30.0
+    largest, after, last = numbers_in(printed["pointing"])
+    assert max(after, last) < 1.0
+    assert largest < 150.0
+    for wheel in stand().flywheels:
+        torque, share, speed = numbers_in(printed[f"flywheel {wheel.name}"])
+        assert torque < 0.1 and share < 60.0 and 10.0 < speed < 628.0
+    begin, left, seconds = numbers_in(printed["momentum"])
+    assert begin == pytest.approx(1.0, abs=1e-3)
+    assert left < 5e-3
+    assert seconds == pytest.approx(1 / 0.05 + 30, rel=0.5)
+    assert printed["samples with a demand out of reach"].endswith(" 0")
+
+
+def test_without_a_wrench_of_the_carrier_momentum_stays_and_the_page_says_so(tmp_path: Path) -> None:
+    made = attitude_sources(load(path("sat4")), Wishes(), "double")
+    assert any("no wrench_input: momentum is not dumped" in line for line in made.design.lines)
+    header = made.files["sat4_attitude.h"]
+    assert "so momentum is not dumped here" in header
+    assert "dump_" not in header and "moment[3]" not in header
+    printed = example(written(made, tmp_path), name="sat4")
+    assert printed["failures"] == "failures 0"
+    assert "momentum" not in printed
+    assert max(numbers_in(printed["pointing"])[1:]) < 1.0
+
+
+FAULTS = {
+    "the sign of the error": ("(q[0] < 0) ? -2 : 2", "(q[0] < 0) ? 2 : -2"),
+    "what fails is not known": ("(failed[s] != EYE4_ATTITUDE_WORKS", "(failed[s] > EYE4_ATTITUDE_HELD"),
+    "the sign of the moment": ("moment[i] = -rate", "moment[i] = rate"),
+    "the moment is not balanced": ("wrench[3 + i] = made.moment[i];", "wrench[3 + i] = 0;"),
+    "the damping": ("- 2 * config->damping * config->bandwidth", "+ 2 * config->damping * config->bandwidth"),
+    "no friction": ("tau + friction(config, s, speed)", "tau - friction(config, s, speed)"),
+    "the axis of the slew": ("sign * turn[i + 1] / length", "sign * turn[3 - i] / length"),
+}
+
+
+@pytest.mark.parametrize("what", quick(1, FAULTS))
+def test_a_fault_in_the_loop_is_noticed(what: str, tmp_path: Path) -> None:
+    """The example itself finds a fault: its last line, or an error three times as large as without it."""
+    folder = written(exported(), tmp_path)
+    source = folder / "eye4_attitude.c"
+    before, after = FAULTS[what]
+    text = source.read_text()
+    assert text.count(before) == 1
+    source.write_text(text.replace(before, after))
+    printed = example(folder)
+    refused = any("refused with status" in line for line in printed.values())
+    assert refused or printed["failures"] != "failures 0" or numbers_in(printed["pointing"])[0] > 240.0
+
+
+@pytest.fixture(scope="module")
+def c(tmp_path_factory: pytest.TempPathFactory) -> Attitude:
+    return Attitude(written(exported(), tmp_path_factory.mktemp("attitude")))
+
+
+@settings(max_examples=4, deadline=None)
+@given(st.integers(0, 2**32 - 1))
+def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None:
+    """With an error of some degrees at first, and perhaps a failed flywheel: the plant is the balanced stand."""
+    rng = np.random.default_rng(seed)
+    config = c.config(period=0.1, slew_rate=0.02, slew_acceleration=1e-3)
+    begin, goal = (v / np.linalg.norm(v) for v in rng.normal(size=(2, 4)))
+    near = (law.rotation(begin) * law.Rotation.from_rotvec(rng.normal(size=3) * 0.02)).as_quat()
+    failed = tuple(int(s == 1) * int(rng.integers(3)) for s in range(N))
+    x, loop, out = State(), Loop(), Result()
+    x.attitude[:] = near[[3, 0, 1, 2]]
+    x.phi_dot[:] = (60.0, -60.0, 60.0, -60.0)
+    assert c.call("reset", ct.byref(config), numbers(*begin), ct.byref(loop)) == 0
+    assert c.call("slew", ct.byref(config), numbers(*goal), ct.byref(loop)) == 0
+    for _ in range(int(loop.course.duration / config.period) + 900):
+        assert c.step(config, loop, x, failed, out) >= 0
+        speed, tau = np.array(x.phi_dot), np.array(out.tau)
+        most = np.where(tau * speed > 0, 0.1 * (1 - np.abs(speed) / 628.3185307), 0.1)
+        assert np.all(np.abs(tau) <= most * (1 + 1e-9))
+        assert c.play(x, tau - law.friction(config, speed), failed, np.array(out.moment), config.period) >= 0
+    assert np.linalg.norm(out.demand.error[:]) < ARCSEC
+    assert (law.rotation(goal).inv() * law.rotation(x.attitude)).magnitude() < ARCSEC
+    assert np.linalg.norm(out.momentum[:]) < 5e-3
+
+
+@pytest.mark.parametrize(
+    ("text", "wishes", "message"),
+    [
+        ("", Wishes(task="pointin"), r'--task pointin: stand "eye4" has no such task, did you mean "pointing"\?'),
+        (('rows = ["wx", "wy", "wz"]', 'rows = ["wx", "wy"]'), Wishes(), "its rows are wx, wy; .* expected wx, wy, wz"),
+        (('rows = ["wx", "wy", "wz"]', 'rows = ["vx", "vy", "vz"]'), Wishes(), "expected wx, wy, wz"),
+        (("[task.pointing]", "[task.other]"), Wishes(task="pointing"), "has no such task"),
+        ("", Wishes(rate=5.0, bandwidth=1.0), "too slow for a bandwidth of 1 Hz; expected 20.9 Hz or more"),
+        ("", Wishes(momentum=3.0), "above 70 % of its no-load speed; expected less momentum"),
+        ("", Wishes(momentum=float("nan")), "--momentum nan: expected"),
+        ("", Wishes(bandwidth=0.0), "--bandwidth 0: expected a number above 0"),
+    ],
+)
+def test_wishes_that_cannot_be_met_are_refused(
+    text: tuple[str, str] | str, wishes: Wishes, message: str, tmp_path: Path
+) -> None:
+    with pytest.raises(UsageError, match=message):
+        attitude_sources(_changed(text, tmp_path), wishes, "double")
+
+
+def _changed(text: tuple[str, str] | str, folder: Path) -> Stand:
+    source = path("eye4").read_text(encoding="utf-8")
+    file = folder / "eye4.toml"
+    file.write_text(source.replace(*text) if text else source, encoding="utf-8")
+    return load(file)
+
+
+def test_stands_without_a_task_or_enough_axes_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="no task: add"):
+        attitude_sources(load(path("bench8")), Wishes(), "double")
+    text = path("eye4").read_text(encoding="utf-8")
+    two = re.sub(r'\[\[flywheel\]\]\nname = "rw[34]".*?\n\n', "", text, flags=re.DOTALL)
+    (tmp_path / "eye4.toml").write_text(two, encoding="utf-8")
+    with pytest.raises(UsageError, match="2 flywheels whose spin axes do not span space"):
+        attitude_sources(load(tmp_path / "eye4.toml"), Wishes(), "double")
+
+
+def test_clang_32_bits_cpp_and_bare_objects(tmp_path: Path) -> None:
+    folder = written(exported("float"), tmp_path)
+    source = folder / "eye4_attitude.c"
+    compile_c(require("clang", "clang"), source, "-fsyntax-only")
+    compile_c(require_32_bit(), source, "-m32", "-fsyntax-only")
+    compile_c(require("gcc", "gcc"), source, "-O2", "-c", "-o", folder / "loop.o")
+    listed = [line.split()[-2:] for line in run(require("nm", "binutils"), folder / "loop.o").splitlines()]
+    outside = {symbol for kind, symbol in listed if kind == "U"}
+    assert outside <= {"memcpy", "memset", "eye4_torque_for_pointing", "eye4_momentum", "eye4_default_options"}
+    assert {kind for kind, _ in listed} <= set("UTtRrA")
+    user = folder / "user.cpp"
+    user.write_text('#include "eye4_attitude.h"\n' * 2)
+    run(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", user)
+    code = re.sub(r"/\*.*?\*/", "", source.read_text(), flags=re.DOTALL)
+    assert "double" not in code
+
+
+def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
+    folder = written(exported(), tmp_path)
+    header = folder / "eye4.h"
+    header.write_text(re.sub(r"(PHYSICS +0x)[0-9a-f]{8}", r"\g<1>00000001", header.read_text()))
+    with pytest.raises(AssertionError, match=r"eye4_attitude.h are of different stands"):
+        compile_c(require("gcc", "gcc"), folder / "eye4_attitude.c", "-fsyntax-only")
