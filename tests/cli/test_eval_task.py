@@ -50,6 +50,27 @@ def test_without_the_task_the_same_demand_is_excessive(c: CBackend) -> None:
         assert "EXCESSIVE" in answers(backend, asked)[0]["status"]
 
 
+@pytest.mark.parametrize("size", [0.02, 0.1, 1.0])
+def test_torques_within_the_motors_by_both_backends(c: CBackend, size: float) -> None:
+    rng, most = np.random.default_rng(4), 0.2
+    statuses = set()
+    for _ in range(6):
+        task = {"task": "pointing", "demand": (size * rng.normal(size=3)).tolist()}
+        asked = {**STATE, **task, "want": ["torque_for", "points", "mounts"]}
+        (one,), (other,) = (answers(backend, asked) for backend in (c, NumpyBackend(SAT)))
+        assert one.keys() == other.keys() and one["status"] == other["status"]
+        assert one["limited"] == other["limited"]
+        for name in ("tau", "phi_ddot", "V_dot", "residual", "mount_wrench"):
+            np.testing.assert_allclose(one[name], other[name], rtol=1e-9, atol=1e-12)
+        assert np.abs(one["tau"]).max() <= most
+        coupled = {**STATE, "tau": one["tau"], "want": ["coupled"]}
+        np.testing.assert_allclose(answers(Second(SAT), coupled)[0]["V_dot"], one["V_dot"], rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(np.array(task["demand"]) - one["V_dot"][3:], one["residual"], atol=1e-12)
+        statuses.add(one["status"])
+    assert statuses <= ({"OK"} if size < 0.1 else {"OK", "LIMITED", "LIMITED|UNREACHABLE"})
+    assert size < 1.0 or "LIMITED|UNREACHABLE" in statuses
+
+
 ERRORS = [
     ({"task": "pointin", "demand": [0, 0, 0]}, 'task: unknown "pointin", did you mean "pointing"?'),
     ({"task": "pointing"}, "demand: missing, expected 3 numbers"),
@@ -59,6 +80,15 @@ ERRORS = [
     ({"task": 3, "demand": [1, 2, 3]}, "task: expected the name of a task, found 3"),
     ({**TASK, "V_dot": [0, 0, 0, 0, 0, 0]}, "V_dot, task: both given, expected one of them"),
     ({**TASK, "want": ["forward"]}, 'want: "forward" and the task both give V_dot, ask for them in two states'),
+    ({"want": ["torque_for"]}, 'want: "torque_for" needs a task, {"task": NAME, "demand": [...]}'),
+    (
+        {**TASK, "want": ["torque_for", "inverse"]},
+        'want: "inverse" and "torque_for" both give phi_ddot, ask for them in two states',
+    ),
+    (
+        {**TASK, "want": ["torque", "torque_for"]},
+        'want: "torque" and "torque_for" both give tau, ask for them in two states',
+    ),
     ({**TASK, "want": ["coupled"]}, 'want: "coupled" and the task both give V_dot, ask for them in two states'),
 ]
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import mahovik
-from mahovik.contract.functions import CONFLICTS, WANTS
+from mahovik.contract.functions import CONFLICTS, TASK_WANTS, WANTS
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, SINGULAR_BELOW, UNIT_LENGTH
 from mahovik.contract.status import STATUS_VALUES, status_words
 
@@ -60,7 +60,10 @@ def test_statuses_are_those_promised() -> None:
 
 
 def test_two_wants_that_contradict_each_other_are_those_promised() -> None:
-    assert set(CONFLICTS) == {("forward", "coupled", "V_dot"), ("coupled", "inverse", "phi_ddot")}
+    plain = {found for found in CONFLICTS if found[1] not in TASK_WANTS}
+    assert plain == {("forward", "coupled", "V_dot"), ("coupled", "inverse", "phi_ddot")}
+    of_tasks = {found[:2] for found in CONFLICTS if found[1] in TASK_WANTS}
+    assert of_tasks == {(first, "torque_for") for first in ("forward", "torque", "coupled", "inverse")}
     assert len(WANTS) == len(set(WANTS))
 
 

@@ -196,7 +196,8 @@ _ROWS = (
         "",
         (*_STATE, "demand", "options", "locked", "wrench"),
         ("tau", "phi_ddot", "V_dot", "residual", "share", "limited"),
-        ("allocation",),
+        ("reference", "allocation"),
+        want=True,
         needs="tasks",
         tasks=True,
         unread="infinity, which is no limit at all",
@@ -324,17 +325,22 @@ OF_TASKS = {row.name: row for row in _ROWS if row.needs == "tasks"}
 """Rows of functions that tasks alone have."""
 
 WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
-"""Every want of `eval`, in the order of the evaluation contract."""
+"""Every want of `eval` that a state without a task may have, in the order of the evaluation contract."""
+
+TASK_WANTS = tuple(row.name for row in OF_TASKS.values() if row.want)
+"""Wants of states with a task alone."""
 
 BATCHED = tuple(row.name for row in FUNCTIONS.values() if row.batched)
 """Functions with a batch form."""
 
+_GIVES = {name: row.gives for name, row in (FUNCTIONS | OF_TASKS).items() if row.want}
+
 CONFLICTS = tuple(
     (first, second, name)
-    for i, first in enumerate(WANTS)
-    for second in WANTS[i + 1 :]
-    for name in FUNCTIONS[first].gives
-    if name in FUNCTIONS[second].gives
+    for i, first in enumerate(_GIVES)
+    for second in tuple(_GIVES)[i + 1 :]
+    for name in _GIVES[first]
+    if name in _GIVES[second]
 )
 """Pairs of wants that give two values to one name, and the name."""
 
@@ -380,14 +386,15 @@ def row_of(function: str) -> PublicFunction:
         return FUNCTIONS[function]
     name = function.replace(f"_{task}", "", 1)
     row = OF_TASKS[name] if name in OF_TASKS else FUNCTIONS[name]
-    gives = ("phi_ddot", "V_dot", *row.gives[1:]) if row.want else row.gives
+    inverts = row.want and name in FUNCTIONS
+    gives = ("phi_ddot", "V_dot", *row.gives[1:]) if inverts else row.gives
     return replace(
         row,
         name=function,
         equation="",
         takes=tuple("demand" if name == "V_dot" else name for name in row.takes),
         gives=gives,
-        judges=("reference",) if row.want else row.judges,
+        judges=("reference",) if inverts else row.judges,
         want=False,
         sines=row.sines,
     )

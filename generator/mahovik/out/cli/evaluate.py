@@ -33,7 +33,8 @@ def evaluate(
     One JSON object per line; a result line for each, in order.
 
     A state with "task" and "demand" in place of "V_dot" is one of a task of the stand: `inverse` answers for its rows,
-    and `torque`, `mounts`, `points` take the motion that results.
+    and `torque`, `mounts`, `points` take the motion that results. `torque_for` answers in place of `inverse` with drive
+    torques within what the motors have.
 
     A state that cannot be evaluated gives an error line in its place; the exit status is then 1.
     """

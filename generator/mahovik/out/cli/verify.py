@@ -54,9 +54,11 @@ def verify(
         "--timeout", "Limit the time of the program of --with, s.", type=click.FloatRange(0.1), default=300.0
     ),
     servo: str | None = file_option("--servo", "S.toml", "Judge the C of these servos in the folder of --against."),
-    motion: str | None = file_option("--motion", "M.json", "Judge also the target of a trim, with --servo."),
+    motion: str | None = file_option(
+        "--motion", "M.json", "Judge also the duration and the target of a trim, with --servo."
+    ),
     programme: str | None = file_option(
-        "--programme", "P.json", "Judge also the matrix of a trim, with --servo and --motion."
+        "--programme", "P.json", "Judge also the matrix of a trim, or along a slew of --motion, with --servo."
     ),
     name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
     judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
@@ -165,10 +167,13 @@ def _verify_servo(
     from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
+    from mahovik.proof.verify.programme.finding import motion_finding
     from mahovik.proof.verify.servo import verify_servo
 
     if against is None:
         raise UsageError("--servo: no C is given; give its folder, as --against DIR")
+    if programme_file is not None and motion_file is None:
+        raise UsageError(f"--programme {programme_file}: needs --motion M.json, which is missing")
     for given in WITHOUT_SERVO:
         if is_given(given):
             option_name = {"worst": "-o", "command": "--with"}.get(given, f"--{given}")
@@ -179,6 +184,8 @@ def _verify_servo(
     servo = load_servo(servo_file, stand)
     programme = None if programme_file is None else load_programme(programme_file)
     motion = None if motion_file is None else load_motion(Path(motion_file), stand, programme)
+    if motion is not None and programme is not None and not (whose := motion_finding(motion, programme)).passed:
+        raise UsageError(f"{programme_file}: {whose.words}")
     with progress(f"judge servos of {stand.name}"):
         found = verify_servo(
             stand, servo, Path(against), motion=motion, programme=programme, name=name, seed=seed, count=states
@@ -233,13 +240,13 @@ def read_wants(text: str | None) -> tuple[str, ...]:
     """The wants of `--want`. Raises UsageError."""
     if text is None:
         return ()
-    from mahovik.contract.functions import WANTS
+    from mahovik.contract.functions import TASK_WANTS, WANTS
     from mahovik.nearest import suggestion
 
     names = tuple(dict.fromkeys(name.strip() for name in text.split(",")))
     for name in names:
-        if name not in WANTS:
-            raise UsageError(f'--want: unknown "{name}"{suggestion(name, WANTS)}')
+        if name not in (*WANTS, *TASK_WANTS):
+            raise UsageError(f'--want: unknown "{name}"{suggestion(name, (*WANTS, *TASK_WANTS))}')
     return names
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_TAKERS, wants_of
+from mahovik.contract.functions import CONFLICTS, TASK_CONFLICTS, TASK_TAKERS, TASK_WANTS, wants_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -23,21 +23,31 @@ ANSWERS: Mapping[str, Callable[..., Values]] = {
 }
 """Each want is answered by the module of its name: answer(at, stand, state)."""
 
+OF_TASKS: Mapping[str, Callable[..., Values]] = {
+    want: import_module(f"mahovik.proof.reference.{want}").answer for want in TASK_WANTS
+}
+"""Likewise, of a state with a task."""
+
 
 def check_want(want: Sequence[str]) -> None:
     """StateError where `want` is empty, has an unknown name, or asks for two values of one name."""
     if not want:
         raise StateError("want: empty; name at least one of " + ", ".join(ANSWERS))
     for name in want:
-        if name not in ANSWERS:
-            raise StateError(f"want: {name!r} is unknown; known are " + ", ".join(ANSWERS))
+        if name not in ANSWERS and name not in OF_TASKS:
+            raise StateError(f"want: {name!r} is unknown; known are " + ", ".join([*ANSWERS, *OF_TASKS]))
     for first, second, value in CONFLICTS:
         if first in want and second in want:
             raise StateError(f"want: {first!r} and {second!r} both give {value!r}; ask for them in two states")
 
 
-def check_task_want(want: Sequence[str]) -> None:
-    """StateError where `want` asks for another motion beside that of the task."""
+def check_task_want(want: Sequence[str], task: str) -> None:
+    """StateError where `want` asks for another motion beside that of the task, or for one of a task without a task."""
+    if not task:
+        for name in OF_TASKS:
+            if name in want:
+                raise StateError(f"want: {name!r} needs a task and its demand")
+        return
     for name in TASK_CONFLICTS:
         if name in want:
             raise StateError(f"want: {name!r} and the task both give 'V_dot'; ask for them in two states")
@@ -53,23 +63,29 @@ def finite(value: Any) -> bool:
 def evaluate(stand: Stand, state: State, want: Sequence[str], at: Pieces | None = None, cuts: Cuts = CUTS) -> Values:
     """What `want` names, under the names of the contract: arrays, floats; status a string, rank an int.
 
+    Of a task, other wants take the motion that results of `torque_for` where this is asked, else of `inverse`.
+
     `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.
 
-    StateError: `want` is empty, unknown or gives one name two values; a law is undefined; `generalized` with
-    a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not finite.
+    StateError: `want` is empty, unknown, of a task without one, or gives one name two values; a law is undefined;
+    `generalized` with a quaternion or at a singular attitude; `momentum` of a stand without mass; a result that is not
+    finite.
     """
     check_want(want)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
         at = at or pieces(stand, state)
         moved = state
+        check_task_want(want, state.task)
+        asked = [name for name in want if name in OF_TASKS]
         if state.task:
-            check_task_want(want)
-            found = task.answer(at, stand, state, cuts)
+            found = OF_TASKS[asked[0]](at, stand, state, cuts) if asked else task.answer(at, stand, state, cuts)
             moved = replace(state, V_dot=tuple(found["V_dot"]), phi_ddot=tuple(found["phi_ddot"]))
         for name in want:
-            if name == "inverse":
-                values |= found if state.task else ANSWERS[name](at, stand, state, cuts)
+            if name in OF_TASKS or (name == "inverse" and state.task):
+                values |= found
+            elif name == "inverse":
+                values |= ANSWERS[name](at, stand, state, cuts)
             else:
                 values |= ANSWERS[name](at, stand, moved if name in TASK_TAKERS else state)
     for name, value in values.items():

@@ -24,6 +24,8 @@ from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import applicable, report
 from mahovik.proof.verify.report import Report
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
+from mahovik.proof.verify.torque_want import WANT as TORQUE_FOR
+from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
 
 OPTIONAL = {"generalized": ("I0", "J0")}
 """Quantities that a program may leave out of a want that it offers: (10) and (11) do not need them."""
@@ -43,15 +45,20 @@ def verify_program(
     """Judge `command`; `{stand}` in it becomes the stand file. `wants`: those it must offer; else what it does offer.
 
     A program that dies, hangs, drops lines or prints anything else is reported with an `error`.
-    Raises UsageError where it cannot be started.
+    Raises UsageError where it cannot be started, or a want is of tasks and the stand has none.
     """
     states = draw(stand, seed, count, wrenches=False)
-    requests = _requests(states, wants or WANTS)
+    setting = TaskSetting(stand, uniform(tolerance), seed)
+    requests = _requests(states, [want for want in wants or WANTS if want != TORQUE_FOR])
+    if not wants or TORQUE_FOR in wants:
+        requests += torque_requests(setting, states)
+    if not stand.tasks and TORQUE_FOR in wants:
+        raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     try:
         found = ask(command, stand_file, requests, timeout)
     except CheckError as error:
         return report(stand, command, seed, len(states), tolerance, (), str(error))
-    rows = _rows(stand, requests, found, tolerance, bool(wants))
+    rows = _rows(setting, requests, found, tolerance, bool(wants))
     return report(stand, command, seed, len(states), tolerance, rows)
 
 
@@ -110,12 +117,19 @@ def _start(line: bytes) -> str:
 
 
 def _rows(
-    stand: Stand, requests: Sequence[Request], found: Sequence[Mapping[str, Any]], tolerance: float, required: bool
+    setting: TaskSetting,
+    requests: Sequence[Request],
+    found: Sequence[Mapping[str, Any]],
+    tolerance: float,
+    required: bool,
 ) -> list[Row]:
     """Rows of the wants it offers; one row for each it does not."""
+    stand = setting.stand
     judge = Judge(stand, uniform(tolerance), Second(stand), "program")
+    pairs = list(zip(requests, found, strict=True))
+    torques = [pair for pair in pairs if pair[0].want[0] == TORQUE_FOR]
     by_want: dict[str, list[Mapping[str, Any]]] = {}
-    for request, result in zip(requests, found, strict=True):
+    for request, result in pairs:
         by_want.setdefault(request.want[0], []).append(result)
     # of each want it offers, the optional quantities that are in no result; one that is in some must be in all
     omitted = {
@@ -123,12 +137,14 @@ def _rows(
         for want, results in by_want.items()
         if not all("error" in result for result in results)
     }
-    for request, result in zip(requests, found, strict=True):
+    for request, result in pairs:
         want = request.want[0]
-        if want in omitted:
+        if want in omitted and want != TORQUE_FOR:
             refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
             judge.compare(request, want, None if refusal else result, omitted[want], refusal)
     rows = judge.rows()
+    if TORQUE_FOR in omitted:
+        rows += torque_rows(setting, [pair[0] for pair in torques], [pair[1] for pair in torques])
     for want, names in omitted.items():
         rows += (Row(want, name, verdict="not offered", reason="in none of its results") for name in names)
     for want, results in by_want.items():

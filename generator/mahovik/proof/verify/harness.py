@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from mahovik.contract.functions import TASK_WANTS
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.identity import identities
@@ -36,7 +37,9 @@ Progress = Callable[[int, int], None]
 
 
 def applicable(state: State, want: str) -> bool:
-    """Whether the contract allows this want at the state: `generalized` needs angles."""
+    """Whether the contract allows this want at the state: `generalized` needs angles, and a task its demand."""
+    if want in TASK_WANTS:
+        return bool(state.task)
     return want != "generalized" or state.quaternion is None
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, WANTS
+from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.stand.model import Stand
@@ -24,6 +24,12 @@ if TYPE_CHECKING:
 NEAR_SINGULAR_BELOW = 1e-6
 """`NEAR_SINGULAR` in eval: smallest kept singular value below this part of the first (stand.md)."""
 
+
+_TASK_ANSWERS = {
+    "inverse": ("phi_ddot", "V_dot", "residual", "sigma", "rank"),
+    "torque_for": ("tau", "phi_ddot", "V_dot", "residual", "limited"),
+}
+"""Members of the results of a task's functions that `eval` answers; the status besides."""
 
 Runner = Callable[[str, Mapping[str, Any]], tuple[int, dict[str, Any]]]
 """Calls a function of the program by name with plain inputs; returns its status and outputs."""
@@ -55,8 +61,10 @@ class FunctionBackend(ABC):
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of stand.md. Raises StateError."""
         for name in want:
-            if name not in WANTS:
-                raise StateError(f'want: unknown "{name}", expected one of {", ".join(WANTS)}')
+            if name not in (*WANTS, *TASK_WANTS):
+                raise StateError(f'want: unknown "{name}", expected one of {", ".join((*WANTS, *TASK_WANTS))}')
+            if name in TASK_WANTS and not state.task:
+                raise StateError(f'want: "{name}" needs a task and its demand')
         missing = [body for body in state.wrench if body not in self.inputs]
         if missing:
             raise StateError(f'wrench: the C takes none on "{missing[0]}": set `wrench_input = true` in the stand file')
@@ -64,12 +72,12 @@ class FunctionBackend(ABC):
         results: dict[str, Any] = {}
         moved = inputs
         if state.task:
-            found = self._inverse_task(state, inputs)
+            found = self._of_task(state, inputs, "torque_for" if "torque_for" in want else "inverse")
             moved = {**inputs, "V_dot": found["V_dot"], "phi_ddot": found["phi_ddot"]}
         if any(law.invalid for law in self.layout.law_tables):
             self._call("wrench", inputs)  # a state where a law is undefined has no answer to any want
         for name in want:
-            if state.task and name == "inverse":
+            if state.task and name in ("inverse", *TASK_WANTS):
                 results |= found
             else:
                 results |= self.answer(name, state, moved if name in TASK_TAKERS else inputs)
@@ -166,14 +174,14 @@ class FunctionBackend(ABC):
         result = {name: found[name] for name in ("phi_ddot", "residual", "sigma", "rank")}
         return result | {"status": status_words(status)}
 
-    def _inverse_task(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:
-        """The answer of the task of a state. Raises StateError."""
+    def _of_task(self, state: State, inputs: Mapping[str, Any], want: str) -> dict[str, Any]:
+        """The answer of the task of a state: accelerations (`inverse`) or torques (`torque_for`). Raises StateError."""
         rows = {task.name: len(task.rows) for task in self.layout.structure.tasks}
         if rows.get(state.task) != len(state.demand):
             raise StateError(f"demand: expected {rows.get(state.task, 0)} numbers, found {len(state.demand)}")
-        status, outputs = self.call(f"inverse_{state.task}", inputs)
+        status, outputs = self.call(f"{want}_{state.task}", inputs)
         self._refuse(status)
-        found = {name: outputs["out"][name] for name in ("phi_ddot", "V_dot", "residual", "sigma", "rank")}
+        found = {name: outputs["out"][name] for name in _TASK_ANSWERS[want]}
         return found | {"status": status_words(status)}
 
     def _points(self, state: State, inputs: Mapping[str, Any]) -> dict[str, Any]:

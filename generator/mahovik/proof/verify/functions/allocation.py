@@ -29,7 +29,7 @@ from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.task import Demanded, demanded
 from mahovik.proof.reference.task import task_of as task_named
 from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.case import Case, Comparison, Setting
 from mahovik.proof.verify.functions.diagnoses import Diagnoses
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
@@ -129,7 +129,7 @@ def _demands(case: Case, task: str = "") -> Iterator[tuple[int, str, State, Scal
             yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
 
 
-def with_demand(case: Case, number: int, state: State, task: str) -> tuple[State, Demanded]:
+def with_demand(case: Setting, number: int, state: State, task: str) -> tuple[State, Demanded]:
     """The state with a random demand of a task, and the rows of this."""
     wanted = task_named(case.stand, task)
     sizes = [DEMANDED[row.component[0]] for row in wanted.rows]

@@ -21,38 +21,22 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.compare import Row, difference
 
 
-@dataclass(frozen=True)
-class Case:
-    """The C under judgement, and the states at which it is judged.
-
-    backend  the compiled C: its functions are called by name
-    states   ordinary states by name, with run-time wrenches on the bodies that take one
-    bounds   accepted differences of the element type
-    second   the second derivation of the same stand
-    seed     of the random numbers that a judge needs besides the states
-    """
+class Setting:
+    """What a judge of a task needs to know: the stand, accepted differences, numbers of the element type, seed."""
 
     stand: Stand
-    backend: CBackend
-    states: Sequence[tuple[str, State]]
     bounds: Bounds
-    second: Second
     seed: int
+
+    @property
+    def real(self) -> str:
+        """Element type of the program, "double" or "float"."""
+        return "double"
 
     @property
     def count(self) -> int:
         """Number of flywheels."""
         return len(self.stand.flywheels)
-
-    @property
-    def numbers(self) -> int:
-        """Numbers of a state of the program."""
-        return 13 + 2 * self.count
-
-    @property
-    def real(self) -> str:
-        """Element type of the program, "double" or "float"."""
-        return self.backend.layout.precision.name
 
     @property
     def unit(self) -> float:
@@ -70,6 +54,35 @@ class Case:
     def at(self, state: State) -> reference.Pieces:
         """Pieces of the literal reference at a state."""
         return reference.pieces(self.stand, state)
+
+
+@dataclass(frozen=True)
+class Case(Setting):
+    """The C under judgement, and the states at which it is judged.
+
+    backend  the compiled C: its functions are called by name
+    states   ordinary states by name, with run-time wrenches on the bodies that take one
+    bounds   accepted differences of the element type
+    second   the second derivation of the same stand
+    seed     of the random numbers that a judge needs besides the states
+    """
+
+    stand: Stand
+    backend: CBackend
+    states: Sequence[tuple[str, State]]
+    bounds: Bounds
+    second: Second
+    seed: int
+
+    @property
+    def numbers(self) -> int:
+        """Numbers of a state of the program."""
+        return 13 + 2 * self.count
+
+    @property
+    def real(self) -> str:
+        """Element type of the program, "double" or "float"."""
+        return self.backend.layout.precision.name
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
         """Results of a function, members of a struct of results by their names. Raises StateError if it refuses."""

@@ -21,7 +21,7 @@ from mahovik.proof.reference.task import Demanded
 from mahovik.proof.reference.task_torque import TorqueDemand, torque_demand
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import allocation
-from mahovik.proof.verify.functions.case import Case, Comparison
+from mahovik.proof.verify.functions.case import Case, Comparison, Setting
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import coupled, flywheel_wrenches
 
@@ -36,7 +36,7 @@ RATE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class _Asked:
+class Asked:
     """A demand: the state, the rows, the equation in torques, bounds of the torques (N, N m), locked flywheels."""
 
     state: State
@@ -67,7 +67,7 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
     plain = Comparison(function, "tau, without bounds", case.bounds.default)
     bounded = Comparison(function, "residual, within bounds", allocation.BOUNDED if double else 1e-3)
     shared = Comparison(function, "share, in the direction of the demand", 1e-6 if double else 1e-3)
-    results = _Results(case, function)
+    results = Results(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task_of(function))
         given = case.backend.arguments(asked)
@@ -75,15 +75,15 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
             options = _options(case, number, asked)
             locked = _locks(case, number)
             given |= {"locked": [int(each) for each in locked]}
-            free = _asked(case, asked, rows, options, locked)
+            free = asked_of(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
-            expected = _note_plain(case, plain, free, options, found, name)
+            expected = note_plain(case, plain, free, options, found, name)
             results.note(free, status, found, name)
             torque = TIGHT * float(np.abs(np.where(locked, 0.0, expected)).max(initial=0.0)) or 1.0
             options |= {"motor_torque": [float(np.float32(torque))] * case.count}
-            tight = _asked(case, asked, rows, options, locked)
+            tight = asked_of(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
-            _note_bounded(case, bounded, tight, found, name)
+            note_bounded(case, bounded, tight, found, name)
             results.note(tight, status, found, name)
             status, found = allocation.answer_of(case, given, options | {"keep_direction": 1}, function)
             _note_share(case, shared, tight, found, name)
@@ -123,11 +123,11 @@ def _locks(case: Case, number: int) -> Array:
 def preferred(state: State, options: Mapping[str, Any]) -> Array:
     """Wanted accelerations (N, rad/s2): rate times what is missing to the wanted speed, which avoids those near 0."""
     wanted = []
-    for target, speed in zip(options["target_speed"], state.phi_dot, strict=True):
-        end = options["avoid_speed"]
-        if abs(target) < end:
-            side = target if target != 0 else speed
-            target = -end if side < 0 else end  # noqa: PLW2901
+    for given, speed in zip(options["target_speed"], state.phi_dot, strict=True):
+        target, end = given, options["avoid_speed"]
+        if abs(given) < end:
+            side = given if given != 0 else speed
+            target = -end if side < 0 else end
         wanted.append(options["target_rate"] * (target - speed))
     return np.array(wanted)
 
@@ -143,13 +143,14 @@ def torque_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Arra
     return np.where(speed < 0, -driving, -whole), np.where(speed > 0, driving, whole)
 
 
-def _asked(case: Case, state: State, rows: Demanded, options: Mapping[str, Any], locked: Array) -> _Asked:
+def asked_of(case: Setting, state: State, rows: Demanded, options: Mapping[str, Any], locked: Array) -> Asked:
+    """The demand of a state as the judges see it, with these options and locks."""
     scaled = torque_demand(case.at(state), rows, np.array(state.demand), preferred(state, options), locked)
-    return _Asked(state, rows, scaled, *torque_bounds(state, options), locked)
+    return Asked(state, rows, scaled, *torque_bounds(state, options), locked)
 
 
-def _note_plain(
-    case: Case, row: Comparison, asked: _Asked, options: Mapping[str, Any], found: Mapping[str, Any], name: str
+def note_plain(
+    case: Setting, row: Comparison, asked: Asked, options: Mapping[str, Any], found: Mapping[str, Any], name: str
 ) -> Array:
     """Count an answer that no bound touches; returns the expected one (N, N m)."""
     scaled, weight, at = asked.scaled, np.array(options["weight"]), case.at(asked.state)
@@ -167,14 +168,14 @@ def _note_plain(
     return expected
 
 
-def _is_weak(case: Case, W: Array) -> bool:
+def _is_weak(case: Setting, W: Array) -> bool:
     """Whether the flywheels hardly reach some direction: what regularisation costs there is not given back in full."""
     sigma = np.linalg.svd(W, compute_uv=False)
     kept = sigma[sigma > 1e-9 * sigma[0]] if sigma[0] else sigma
     return bool(np.any(kept < WEAK * np.sqrt(THRESHOLDS[case.real].bounded) * sigma[0]))
 
 
-def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
+def note_bounded(case: Setting, row: Comparison, asked: Asked, found: Mapping[str, Any], name: str) -> None:
     """Count an answer within bounds: by how much its error exceeds the least, relative to the demand."""
     tau = np.array(found["tau"])
     slack = 8 * case.unit * (asked.most - asked.least)  # rounding of the bounds
@@ -196,7 +197,7 @@ def _note_bounded(case: Case, row: Comparison, asked: _Asked, found: Mapping[str
     row.note_difference(max(asked.error(tau) - float(least), 0.0) / max(size, 1e-290), "", name)
 
 
-def _note_share(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, Any], name: str) -> None:
+def _note_share(case: Setting, row: Comparison, asked: Asked, found: Mapping[str, Any], name: str) -> None:
     """Count a share: the answer against the share, and this against SciPy's linear programme.
 
     SciPy meets the equations to 1e-7 of their terms, too little to judge shares where a direction is weak.
@@ -225,10 +226,10 @@ def _note_share(case: Case, row: Comparison, asked: _Asked, found: Mapping[str, 
         row.note_difference(float(off) / max(size, 1e-290), "the answer is not that of the share", name)
 
 
-class _Results:
+class Results:
     """Rows on what results of the torques, and on the status. The torques are taken from the C."""
 
-    def __init__(self, case: Case, function: str) -> None:
+    def __init__(self, case: Setting, function: str) -> None:
         self._case = case
         self.motion = Comparison(function, "V_dot, phi_ddot, residual", case.bounds.default)
         self.status = Comparison(function, "status, limited", 0.0)
@@ -237,7 +238,7 @@ class _Results:
         """The rows with their verdicts."""
         return [row.finished() for row in (self.motion, self.status)]
 
-    def note(self, asked: _Asked, status: int, found: Mapping[str, Any], name: str) -> None:
+    def note(self, asked: Asked, status: int, found: Mapping[str, Any], name: str) -> None:
         """Count one good answer."""
         case, at, tau = self._case, self._case.at(asked.state), np.array(found["tau"], dtype=np.float64)
         V_dot, phi_ddot = coupled_with_locks(at, tau, asked.locked)

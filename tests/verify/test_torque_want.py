@@ -1,0 +1,98 @@
+"""The want `torque_for` of a program: answers of the literal reference pass, planted faults fail by their row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import lsq_linear
+
+import mahovik
+from mahovik.errors import UsageError
+from mahovik.proof.reference import evaluate
+from mahovik.proof.reference.torque_for import least_within
+from mahovik.proof.verify.bounds import uniform
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.foreign import verify_program
+from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
+
+SAT = mahovik.example("sat4")
+SETTING = TaskSetting(SAT, uniform(1e-12), 1)
+REQUESTS = torque_requests(SETTING, draw(SAT, 1, 36, wrenches=False))
+
+
+def answers() -> list[dict[str, Any]]:
+    return [evaluate(SAT, request.state, ["torque_for"]) for request in REQUESTS]
+
+
+def failed(results: list[dict[str, Any]]) -> set[str]:
+    return {row.quantity for row in torque_rows(SETTING, REQUESTS, results) if row.verdict == "FAILED"}
+
+
+def test_the_reference_passes_and_every_row_has_states() -> None:
+    results = answers()
+    rows = torque_rows(SETTING, REQUESTS, results)
+    assert [row.verdict for row in rows] == ["ok"] * 4
+    assert rows[0].states >= 6
+    assert {result["status"] for result in results} >= {"OK", "LIMITED|UNREACHABLE"}
+
+
+TAU, WITHIN, MOTION, STATUS = (
+    "tau, without bounds",
+    "residual, within bounds",
+    "V_dot, phi_ddot, residual",
+    "status, limited",
+)
+FAULTS: dict[str, tuple[Callable[[dict[str, Any]], dict[str, Any]], set[str]]] = {
+    "torques not quite the least": (lambda r: {"tau": r["tau"] + 1e-6 * NULL}, {TAU, MOTION}),
+    "torques beyond the motors": (lambda r: {"tau": 1.01 * r["tau"]}, {TAU, WITHIN, MOTION, STATUS}),
+    "half of the torques": (lambda r: {"tau": 0.5 * r["tau"]}, {TAU, WITHIN, MOTION, STATUS}),
+    "the residual with the other sign": (lambda r: {"residual": -r["residual"]}, {MOTION}),
+    "accelerations of the demand": (lambda r: {"V_dot": np.zeros(6)}, {MOTION}),
+    "never limited": (lambda r: {"limited": 0 * r["limited"]}, {STATUS}),
+    "always OK": (lambda r: {"status": "OK"}, {STATUS}),
+    "no such status": (lambda r: {"status": "FINE"}, {TAU}),
+    "no torques": (lambda r: {"tau": None}, {TAU}),
+    "not finite": (lambda r: {"phi_ddot": np.full(4, np.nan)}, {TAU}),
+    "an error": (lambda r: {"error": "none"}, {TAU}),
+}
+NULL = np.array([1.0, -1.0, 1.0, -1.0])
+"""Torques that hardly turn the satellite."""
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_planted_fault_fails_by_its_row(name: str) -> None:
+    change, rows = FAULTS[name]
+    assert failed([result | change(result) for result in answers()]) >= rows
+
+
+def test_a_stand_without_tasks_has_no_such_want() -> None:
+    stand = mahovik.example("shaker2")
+    with pytest.raises(UsageError, match=r"--want torque_for: shaker2 has no task, \[task.NAME\]"):
+        verify_program(stand, "true", "shaker2.toml", wants=("torque_for",))
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 4), st.integers(1, 7), st.sampled_from([0.1, 1.0, 10.0]))
+def test_least_squares_within_bounds_are_those_of_scipy(seed: int, m: int, N: int, size: float) -> None:
+    rng = np.random.default_rng(seed)
+    W, r, low, high = (
+        rng.normal(size=(m, N)),
+        rng.normal(size=m),
+        -size * rng.uniform(size=N),
+        size * rng.uniform(size=N),
+    )
+    y, free = least_within(W, r, low, high)
+    assert np.all((low <= y) & (y <= high))
+    assert np.all(free | (y == low) | (y == high))
+    best = lsq_linear(W, r, (low, high), method="bvls", tol=1e-14, max_iter=300)
+    assert np.linalg.norm(r - W @ y) <= np.sqrt(2 * best.cost) + 1e-9
+    small = 1e-4  # of the many with this error: no longer than that of a regularised problem
+    regular = lsq_linear(
+        np.vstack([W, small * np.eye(N)]), np.r_[r, np.zeros(N)], (low, high), method="bvls", tol=1e-14
+    )
+    assert np.linalg.norm(y) <= np.linalg.norm(regular.x) + 1e-5 * (1.0 + np.linalg.norm(y))
