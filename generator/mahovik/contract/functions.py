@@ -81,6 +81,7 @@ _ROWS = (
         ("K", "K_dot", "M", "I", "J", "F"),
         ("reference", "rigorous"),
         want=True,
+        batched=True,
     ),
     PublicFunction(
         "momentum",
@@ -122,6 +123,7 @@ _ROWS = (
         ("reference", "rigorous"),
         want=True,
         needs="flywheels",
+        batched=True,
     ),
     PublicFunction(
         "coupled",
@@ -164,6 +166,7 @@ _ROWS = (
         ("reference", "second"),
         want=True,
         needs="sensors",
+        batched=True,
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
@@ -177,7 +180,14 @@ _ROWS = (
         batched=True,
         claimed=(BITS,),
     ),
-    PublicFunction("step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",)),
+    PublicFunction(
+        "step_driven",
+        "",
+        (*_STATE, "phi_ddot", "wrench", "dt", "order"),
+        ("next",),
+        ("trajectory",),
+        batched=True,
+    ),
     PublicFunction(
         "inverse_fast",
         "(12)",

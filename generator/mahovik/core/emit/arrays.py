@@ -1,6 +1,7 @@
 """`<stand>_arrays.c`: every function of a stand for arrays of states behind one plain interface, for Python.
 
 Functions that have a batch are called as such; the others in a loop, with the state gathered from its components.
+Each that takes tables has a second form, `.._of`, which takes those of n stands side by side: state j is of stand j.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import commented
 from mahovik.core.emit.names import Names
+from mahovik.core.lower.batch import PREPARED
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
@@ -24,7 +26,7 @@ from mahovik.core.program.types import Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
-TABLES = ("table", "mounting")
+TABLES = tuple(PREPARED)
 """Arguments that hold the numbers of a stand; all others depend on its structure alone."""
 
 
@@ -45,6 +47,11 @@ def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
     return {"table": members(layout.table)} | ({"mounting": members(layout.mount_table)} if layout.flywheels else {})
 
 
+def parameters(generated: Generated) -> tuple[Member, ...]:
+    """The record of the numbers that `prepare` takes."""
+    return members(generated.layout.parameters)
+
+
 def array_source(stand: Stand, generated: Generated, batches: bool = True) -> dict[str, str]:
     """The C by file name; it lies beside the files of the stand and of its batches, if it is to call `batches`."""
     code = Code(generated.program, identities(stand))
@@ -52,7 +59,12 @@ def array_source(stand: Stand, generated: Generated, batches: bool = True) -> di
         "arrays.c.j2",
         batches=batches,
         sizes=_sizes(generated, code.names),
-        functions=[_call(f, generated, code.names, batches and row_of(f.name).batched) for f in _functions(generated)],
+        functions=[
+            _call(f, generated, code.names, batches and row_of(f.name).batched, each)
+            for f in _functions(generated)
+            for each in ((False, True) if batches and any(a.name in TABLES for a in f.arguments) else (False,))
+        ],
+        mounts=generated.layout.flywheels > 0,
     )
     return {f"{stand.name}_arrays.c": text}
 
@@ -82,7 +94,7 @@ def _order(a: Argument, generated: Generated, wide: bool) -> Order:
 def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     """Structs shared with Python, with the size that Python assumes."""
     real = np.dtype(generated.program.precision.scalar)
-    found: dict[str, Struct] = {}
+    found = {generated.layout.parameters.name: generated.layout.parameters}
     for f in _functions(generated):
         for a in f.arguments:
             if isinstance(a.type, Struct):
@@ -90,12 +102,14 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     return [{"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()]
 
 
-def _call(f: Function, generated: Generated, names: Names, wide: bool) -> dict[str, Any]:
-    """Values of the template for one function."""
+def _call(f: Function, generated: Generated, names: Names, wide: bool, each: bool) -> dict[str, Any]:
+    """Values of the template for one function; `each`: every state has a table of its own."""
     layouts = {a.name: _argument_layout(a, generated, wide) for a in f.arguments}
 
     def given(a: Argument) -> str:
         """An argument of the function for one state."""
+        if each and a.name in TABLES:
+            return f"&{a.name}_j"
         order = layouts[a.name].order
         if order == "components":
             return f"&{a.name}_j" if isinstance(a.type, Struct) else f"{a.name}_j"
@@ -103,23 +117,34 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool) -> dict[s
             return f"{a.name} + j" if not a.shape else f"{a.name} + j * {int(a.shape[0])}"
         return a.name
 
+    def type_of(a: Argument) -> str:
+        if each and a.name in TABLES:
+            assert isinstance(a.type, Struct)
+            return f"{names.prefix}_wide_{a.type.name}"
+        return names.type(Kind.REAL if a in gathered else a.type)
+
+    single = [a for a in f.arguments if each and a.name in TABLES]
     gathered = [a for a in f.arguments if layouts[a.name].order == "components"]
     first, *others = (a.name for a in f.arguments)
     return {
-        "name": f.name,
-        "comment": commented(f"{f.name}, {'a batch' if wide else 'state by state'}: {f.purpose}"),
+        "name": f"{f.name}_of" if each else f.name,
+        "comment": commented(
+            f"{f.name}, {'a batch' if wide else 'state by state'}{', each with its table' if each else ''}: {f.purpose}"
+        ),
+        "wide_name": f"{f.name}_batch_of" if each else f"{f.name}_batch",
+        "take": [f"{names.function(f'{a.name}_at')}({a.name}, j, &{a.name}_j);" for a in single],
         "wide": wide,
         "given": [
             {
                 "at": at,
                 "name": a.name,
-                "type": names.type(Kind.REAL if a in gathered else a.type),
+                "type": type_of(a),
                 "const": "const " if a.direction == "in" else "",
                 "scalar": not a.shape and isinstance(a.type, Kind),
             }
             for at, a in enumerate(f.arguments)
         ],
-        "locals": [declaration(names, a, f"{a.name}_j") for a in gathered],
+        "locals": [declaration(names, a, f"{a.name}_j") for a in (*single, *gathered)],
         "load": [row for a in gathered if a.direction == "in" for row in _rows(a, layouts[a.name])],
         "store": [row for a in gathered if a.direction != "in" for row in _rows(a, layouts[a.name])],
         "call": call(names, f, given),

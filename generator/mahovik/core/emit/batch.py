@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.contract.functions import BATCHED
-from mahovik.core.emit.calls import call, nested_loops, over_members
+from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import given_zeros, pointed, zeros
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import paragraph
-from mahovik.core.lower.batch import Batch, Batches, batches
+from mahovik.core.emit.preparing import Preparing, reals
+from mahovik.core.lower.batch import PREPARED, Batch, Batches, batches
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import POSITIVE
@@ -43,9 +44,13 @@ class _Printer:
     def __init__(self, generated: Generated, made: Batches, code: Code) -> None:
         self._generated, self._made, self._code, self._names = generated, made, code, code.names
         self._wide = made.widener.wide
-        table = self._wide.of(generated.layout.table)
-        assert isinstance(table, Struct)
-        self._public_structs = [s for s in table.inner_structs() if s is not self._wide.real]
+        self._preparing = Preparing(generated.layout, made, self._names)
+        self._public_structs: list[Struct] = []
+        for narrow in self._preparing.structs:
+            wide = self._wide.of(narrow)
+            assert isinstance(wide, Struct)
+            inner = [s for s in wide.inner_structs() if s is not self._wide.real]
+            self._public_structs += [s for s in inner if s not in self._public_structs]
         self._known = {"lanes": made.lanes, "round_up": made.lanes - 1, "bytes": BYTES, "positive": POSITIVE}
 
     def header(self) -> str:
@@ -59,6 +64,8 @@ class _Printer:
             wide=self._wide.real,
             structs=self._code.structs(self._public_structs),
             functions=[{"comment": self._contract(b), **self._signature(b)} for b in self._made.batches],
+            preparing=self._preparing,
+            singles=self._singles(),
         )
 
     def source(self) -> str:
@@ -77,7 +84,28 @@ class _Printer:
             put=over_members(self._names, table, self._copied, ""),
             alike=over_members(self._names, table, self._compared, ""),
             batches=[self._batch(b) for b in self._made.batches],
+            preparing=self._preparing.values() if self._preparing.present else None,
+            singles=self._singles(),
         )
+
+    def _singles(self) -> list[dict[str, Any]]:
+        """What takes one table, or the mountings of one stand, out of a block."""
+        names = {s.name: argument for s, argument in zip(self._preparing.structs, PREPARED, strict=False)}
+        return [
+            {
+                "name": f"{names[s.name]}_at",
+                "wide": f"wide_{s.name}",
+                "type": self._names.type(s),
+                "argument": names[s.name],
+                "lines": over_members(self._names, s, self._taken, ""),
+            }
+            for s in self._preparing.structs
+        ]
+
+    def _taken(self, f: Field, place: str, depth: int) -> list[str]:
+        """Lines that take a member of a narrow struct out of lane k of a wide one."""
+        lane = ".at[k]" if f.type is Kind.REAL else ""
+        return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]} = from->{e[1:]}{lane};"], depth)
 
     def _copied(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that put a member of a narrow struct into lane k of a wide one."""
@@ -102,8 +130,9 @@ class _Printer:
         for text, a in rows:
             purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
             meaning = "; ".join(part for part in (a.unit, purpose) if part)
-            if a.name == "table":
-                meaning = f"what {self._names.function('tables')} made" if batch.each else a.purpose
+            if a.name in PREPARED and batch.each:
+                maker = "prepare_batch" if a.name == "mounting" else "tables"
+                meaning = f"what {self._names.function(maker)} made"
             direction = "out: " if a.direction != "in" else ""
             lead = f" *   {text:<{width}}  "
             lines += paragraph(direction + meaning, lead, " *   " + " " * (width + 2))
@@ -111,10 +140,10 @@ class _Printer:
 
     def _given(self, a: Argument, batch: Batch) -> str:
         """An argument with its size: x[29 n], tau[8 n], locked[8]."""
-        if a.name == "table":
-            return f"tables[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
+        if a.name in PREPARED:
+            return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
         if isinstance(a.type, Struct):
-            return f"{a.name}[{sum(int(f.shape[0]) for f in a.type.fields)} n]"
+            return f"{a.name}[{reals(a.type) * _length(a)} n]"
         if not a.shape:
             return a.name
         return f"{a.name}[{int(a.shape[0])}{' n' if _varies(a) else ''}]"
@@ -127,9 +156,10 @@ class _Printer:
 
     def _declared(self, a: Argument, batch: Batch) -> str:
         """An argument of the batch: reals of all states, or a value common to all."""
-        if a.name == "table":
-            wide = f"const {self._names.prefix}_wide_table tables[]"
-            return wide if batch.each else f"const {self._names.type(a.type)} *table"
+        if a.name in PREPARED:
+            assert isinstance(a.type, Struct)
+            wide = f"const {self._names.prefix}_wide_{a.type.name} {a.name}s[]"
+            return wide if batch.each else f"const {self._names.type(a.type)} *{a.name}"
         const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
         if _varies(a):
             return f"{const}{self._names.type(Kind.REAL)} {a.name}[]"
@@ -137,17 +167,18 @@ class _Printer:
 
     def _batch(self, batch: Batch) -> dict[str, Any]:
         """Values of the template for a batch."""
-        given = {a.name: "tables" if a.name == "table" and batch.each else a.name for a in batch.narrow.arguments}
+        tables = PREPARED if batch.each else {}
+        given = {a.name: f"{a.name}s" if a.name in tables else a.name for a in batch.narrow.arguments}
         pointers = [given[a.name] for a in pointed(batch.narrow)]
-        varying = [a for a in batch.narrow.arguments if _varies(a) and a.name != "table"]
+        varying = [a for a in batch.narrow.arguments if _varies(a)]
         first, *others = given.values()
         return self._signature(batch) | {
-            "each": batch.each,
+            "aligned": [f"{a.name}s" for a in batch.narrow.arguments if a.name in tables],
             "declarations": [
                 f"{self._names.declaration(f'wide_{a.name}', self._wide.of(a.type), a.shape)};" for a in varying
             ],
-            "loads": [row for a in varying if a.direction == "in" for row in self._rows(a)],
-            "stores": [row for a in varying if a.direction != "in" for row in self._rows(a)],
+            "loads": [line for a in varying if a.direction == "in" for line in self._rows(a, "load")],
+            "stores": [line for a in varying if a.direction != "in" for line in self._rows(a, "store")],
             "call": call(self._names, batch.wide, lambda a: self._argument_text(a, batch)),
             "given_zeros": given_zeros(batch.narrow, self._names),
             "null": " || ".join(f"{p} == NULL" for p in [*pointers, "status"]),
@@ -159,25 +190,35 @@ class _Printer:
         """Argument of the function in lanes."""
         if a.name == "refused":
             return "&refused"
-        if a.name == "table":
-            return f"&tables[first / {self._made.lanes}]" if batch.each else "table"
+        if a.name in PREPARED:
+            return f"&{a.name}s[first / {self._made.lanes}]" if batch.each else a.name
         narrow = next(b for b in batch.narrow.arguments if b.name == a.name)
         if not _varies(narrow):
             return a.name
-        return f"&wide_{a.name}" if isinstance(narrow.type, Struct) else f"wide_{a.name}"
+        return f"&wide_{a.name}" if isinstance(narrow.type, Struct) and not narrow.shape else f"wide_{a.name}"
 
-    def _rows(self, a: Argument) -> list[dict[str, str]]:
-        """Array, place and number of rows of the arrays of an argument."""
+    def _rows(self, a: Argument, what: str) -> list[str]:
+        """Lines that move all reals of an argument, row by row, by a function that moves the rows of an array."""
+        place, array = f"wide_{a.name}", f"{what}_{a.name}"
+        const = "const " if what == "load" else ""
+        given = ", ".join(
+            [array, "n", "first", "count", "{}", "{}"] + (["&refused", "whole"] if what == "store" else [])
+        )
+
+        def row(address: str, size: str) -> str:
+            return f"{array} = {self._names.function(what)}({given.format(address, size)});"
+
+        lines = [f"{const}{self._names.type(Kind.REAL)} *{array} = {a.name};"]
         if not isinstance(a.type, Struct):
-            return [{"array": a.name, "place": f"wide_{a.name}", "rows": self._names.length(a.shape[0])}]
-        found, before = [], ""
-        for f in a.type.fields:
-            rows = self._names.length(f.shape[0])
-            start = f"({before})" if "+" in before else before
-            array = f"{a.name} + {start} * n" if start else a.name
-            found.append({"array": array, "place": f"wide_{a.name}.{f.name}", "rows": rows})
-            before += f" + {rows}" if before else rows
-        return found
+            return [*lines, *over_rows(self._names, place, a.shape, row)]
+
+        def members(element: str, depth: int) -> list[str]:
+            assert isinstance(a.type, Struct)
+            return over_members(
+                self._names, a.type, lambda f, e, d: over_rows(self._names, e, f.shape, row, d), element, depth
+            )
+
+        return [*lines, *nested_loops(self._names, place, a.shape, members)]
 
 
 def _name(batch: Batch) -> str:
@@ -186,7 +227,14 @@ def _name(batch: Batch) -> str:
 
 def _varies(a: Argument) -> bool:
     """Does it differ from state to state?"""
+    if a.name in PREPARED:
+        return False
     return isinstance(a.type, Struct) or (a.type is Kind.REAL and bool(a.shape))
+
+
+def _length(a: Argument) -> int:
+    """How many elements an argument has."""
+    return int(a.shape[0]) if a.shape else 1
 
 
 def _reals(struct: Struct) -> str:

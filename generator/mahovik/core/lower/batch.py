@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from mahovik.contract.functions import BATCHED
@@ -12,6 +13,9 @@ from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.walk import reachable
 from mahovik.core.program.wide import Wide
 from mahovik.core.program.widen import RESERVED, Widener
+
+PREPARED = {"table": "prepare", "mounting": "prepare_mounts"}
+"""Arguments that hold the numbers of a stand, with the function that makes each."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +29,14 @@ class Batch:
 
 @dataclass(frozen=True)
 class Batches:
-    """The wide program: its functions in order, lanes of a block, and what makes the batches."""
+    """The wide program: its functions in order, lanes of a block, and what makes the batches.
+
+    preparing  the functions of PREPARED that the program has, of n stands with parameters of their own
+    """
 
     program: Program
     batches: tuple[Batch, ...]
+    preparing: tuple[Batch, ...]
     widener: Widener
 
     @property
@@ -38,15 +46,22 @@ class Batches:
 
 def batches(program: Program) -> Batches:
     """Wide forms of the functions of a program that have a batch."""
-    entries = [f for f in program.functions if f.public and f.name in BATCHED]
-    needed = reachable(tuple(replace(f, public=f in entries) for f in program.functions))
+    public = {f.name: f for f in program.functions if f.public}
+    entries = [public[name] for name in BATCHED if name in public]
+    preparing = [public[name] for name in PREPARED.values() if name in public] if entries else []
+    needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))
     refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
     inliner = Inliner(refusing, RESERVED)
     widener = Widener(Wide(program.precision), inliner.__getitem__)
+
+    def batch(narrow: Function, varying: Iterable[str], each: bool) -> Batch:
+        return Batch(narrow, widener.function(inliner[narrow.name], varying), each)
+
     found = []
     for each in (False, True):
-        for narrow in sorted(entries, key=lambda f: BATCHED.index(f.name)):
-            varying = [a.name for a in narrow.arguments if not shared(a.name) or (each and a.name == "table")]
-            found.append(Batch(narrow, widener.function(inliner[narrow.name], varying), each))
+        for narrow in entries:
+            varying = [a.name for a in narrow.arguments if not shared(a.name) or (each and a.name in PREPARED)]
+            found.append(batch(narrow, varying, each))
+    made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)
-    return Batches(wide, tuple(found), widener)
+    return Batches(wide, tuple(found), made, widener)

@@ -21,6 +21,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Kind
+from mahovik.core.stand.columns import Column
 from mahovik.core.stand.model import Body as StandBody
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Point, Stand
 from mahovik.errors import StandError
@@ -139,58 +140,19 @@ def _check_range(stand: Stand, layout: Layout, name: str, value: Any) -> None:
     elif isinstance(value, list | tuple):
         for number, each in enumerate(value):
             _check_range(stand, layout, f"{name}[{number}]", each)
-    elif isinstance(value, float) and not abs(value) <= largest:
+    elif isinstance(value, float | Column) and not abs(value) <= largest:
         raise StandError([f"stand {stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"])
 
 
-class Values:
-    """Parameters and table of one stand, from the interpreter of its program."""
+class _Laws:
+    """Reads the numbers of the laws: what `prepare` leaves in a table as it is."""
 
-    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
-        self._layout = layout
+    def __init__(self, stand: Stand, layout: Layout, program: Interpreter) -> None:
         self._stand = stand
-        self._program = Interpreter(program)
-        self.parameters = parameters_of(stand, layout)
-        self.table = self._table()
-        self.mounting = self._mounting() if layout.flywheels else None
-        self.options = self._options() if layout.flywheels else None
+        self._layout = layout
+        self._program = program
 
-    @property
-    def interpreter(self) -> Interpreter:
-        """The interpreter of the stand's program."""
-        return self._program
-
-    def _table(self) -> dict[str, Any]:
-        """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
-        inputs = {"parameters": self.parameters, "table": self._laws()}
-        status, outputs = self._program.run("prepare", inputs)
-        if status != STATUS_VALUES["OK"]:
-            name = status_words(status)
-            where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
-            raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
-        table: dict[str, Any] = outputs["table"]
-        return table
-
-    def _options(self) -> dict[str, Any]:
-        """Options of inverse by default: weights and motors of the stand file, no limits, no damping."""
-        flywheels = self._stand.flywheels
-        largest = self._layout.precision.largest
-        return {
-            "weight": [s.inverse_weight for s in flywheels],
-            "limit": [largest] * len(flywheels),
-            **_abilities(self._stand, largest),
-            "near": thresholds(self._layout.precision).near_singular,
-            "damping": 0.0,
-            **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
-            **(_torque_options(len(flywheels), largest) if self._stand.tasks else {}),
-        }
-
-    def _mounting(self) -> dict[str, Any]:
-        """prepare_mounts on the same parameters."""
-        found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
-        return found
-
-    def _laws(self) -> Any:
+    def read(self) -> Any:
         """A table whose laws are filled in, the rest zero."""
         layout, stand = self._layout, self._stand
         table = self._program.new(layout.table)
@@ -227,6 +189,59 @@ class Values:
         """One damper; its hydrodynamic derivatives are appended to the table of terms."""
         (values,) = of_bodies("lower", "damper_values")
         found: dict[str, Any] = values(body, self._layout.damper, terms)
+        return found
+
+
+def laws_of(stand: Stand, layout: Layout, program: Interpreter) -> Any:
+    """A table whose laws are filled in, the rest zero. Raises StandError where a number is out of range."""
+    return _Laws(stand, layout, program).read()
+
+
+class Values:
+    """Parameters and table of one stand, from the interpreter of its program."""
+
+    def __init__(self, stand: Stand, layout: Layout, program: Program) -> None:
+        self._layout = layout
+        self._stand = stand
+        self._program = Interpreter(program)
+        self.parameters = parameters_of(stand, layout)
+        self.table = self._table()
+        self.mounting = self._mounting() if layout.flywheels else None
+        self.options = self._options() if layout.flywheels else None
+
+    @property
+    def interpreter(self) -> Interpreter:
+        """The interpreter of the stand's program."""
+        return self._program
+
+    def _table(self) -> dict[str, Any]:
+        """prepare on the laws of the stand file. Raises StandError where it refuses the parameters."""
+        inputs = {"parameters": self.parameters, "table": laws_of(self._stand, self._layout, self._program)}
+        status, outputs = self._program.run("prepare", inputs)
+        if status != STATUS_VALUES["OK"]:
+            name = status_words(status)
+            where = f"stand {self._stand.name}: its masses and inertias are refused by prepare"
+            raise StandError([f"{where} in {self._layout.precision.name}: {name}"])
+        table: dict[str, Any] = outputs["table"]
+        return table
+
+    def _options(self) -> dict[str, Any]:
+        """Options of inverse by default: weights and motors of the stand file, no limits, no damping."""
+        flywheels = self._stand.flywheels
+        largest = self._layout.precision.largest
+        return {
+            "weight": [s.inverse_weight for s in flywheels],
+            "limit": [largest] * len(flywheels),
+            **_abilities(self._stand, largest),
+            "near": thresholds(self._layout.precision).near_singular,
+            "damping": 0.0,
+            **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
+            **(_torque_options(len(flywheels), largest) if self._stand.tasks else {}),
+        }
+
+    def _mounting(self) -> dict[str, Any]:
+        """prepare_mounts on the same parameters."""
+        found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
         return found
 
 

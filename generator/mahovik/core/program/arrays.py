@@ -34,8 +34,13 @@ class Member:
 
     @property
     def size(self) -> int:
-        """Numbers in it, without those of inner records."""
+        """Numbers in it, or records."""
         return math.prod(self.shape)
+
+    @property
+    def numbers(self) -> int:
+        """Numbers in it, those of inner records included."""
+        return self.size * (sum(inner.numbers for inner in self.members) if self.members else 1)
 
 
 @dataclass(frozen=True)
@@ -50,7 +55,7 @@ class ArgumentLayout:
     @cached_property
     def components(self) -> int:
         """Numbers of one state."""
-        return sum(member.size for member in self.members)
+        return sum(member.numbers for member in self.members)
 
 
 @dataclass(frozen=True)

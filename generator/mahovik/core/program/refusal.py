@@ -11,7 +11,7 @@ mostly all is well; only where not the check itself says what. It gathers words:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from mahovik.contract.status import STATUS_VALUES
@@ -47,7 +47,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import called, with_blocks
+from mahovik.core.program.walk import called, statements, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -62,7 +62,7 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
     for function in functions:
         refusing = function.returns is Kind.STATUS
         done[function.name] = _Refusing(done, precision.width).function(function) if refusing else function
-        if _only_looks(function):
+        if _only_looks(function) and _can_be_probed(function, done):
             done[_probe_name(function)] = _Probing(done, precision.width).function(function)
     return done
 
@@ -70,6 +70,27 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
 def _only_looks(function: Function | Signature) -> bool:
     """Does a function of a status write nothing?"""
     return function.returns is Kind.STATUS and all(a.direction == "in" for a in function.arguments)
+
+
+def _can_be_probed(function: Function, done: Mapping[str, Function]) -> bool:
+    """Is a check made of conditions and of checks with probes alone? Then its answer can be gathered in one word.
+
+    Others, which compute with variables of their own, are done at once: they have no probe.
+    """
+    for s in statements(function.body):
+        match s:
+            case Declare(variable) if variable.type is Kind.STATUS:
+                pass
+            case Set(place, Call() as call) if place.kind is Kind.STATUS:
+                if _probe_name(call.signature) not in done:
+                    return False
+            case When(_, inner, ()) if isinstance(inner[-1], Return):
+                pass
+            case Let() | Note() | Loop() | Shortcut() | Return(Status()):
+                pass
+            case _:
+                return False
+    return True
 
 
 def _probe_name(function: Function | Signature) -> str:
@@ -135,7 +156,7 @@ class _Refusing:
         looks: list[Call] = []
         for call, s in _checks(body):
             other = s if isinstance(s, Return) and isinstance(s.value, Status) else None
-            if call is not None and other is None and self._probes and _only_looks(call.signature):
+            if call is not None and other is None and self._probes and self._has_probe(call.signature):
                 looks.append(call)
                 continue
             found += self._looked(looks)
@@ -147,6 +168,9 @@ class _Refusing:
             else:
                 found.append(self._do(call))
         return (*found, *self._looked(looks))
+
+    def _has_probe(self, function: Signature) -> bool:
+        return _only_looks(function) and _probe_name(function) in self._done
 
     def _do(self, call: Call, refused: Place | None = None) -> Do:
         code = self._refused.place if refused is None else refused
@@ -176,6 +200,10 @@ class _Refusing:
         match s:
             case Declare(variable) if variable.type is Kind.STATUS:
                 return
+            case Return(Call() as call):
+                yield self._do(call)
+            case Do(call) if call.signature.returns is Kind.STATUS:  # it was checked before, and cannot refuse here
+                yield self._do(call)
             case Return(value):
                 if not isinstance(value, Status):
                     raise TypeError("only a status by name can be returned here")

@@ -13,13 +13,14 @@ from dataclasses import replace
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, select, unequal, word
 from mahovik.core.program.function import Function
+from mahovik.core.program.prune import pruned
 from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.rewrite import FreshNames
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
 from mahovik.core.program.stretch import LANE, Stretches
 from mahovik.core.program.types import Kind
 from mahovik.core.program.varying import Varying
-from mahovik.core.program.walk import statements
+from mahovik.core.program.walk import inside, statements
 from mahovik.core.program.wide import Wide
 
 RESERVED = (LANE, "where", "any")
@@ -45,7 +46,7 @@ class Widener:
         key = (narrow.name, names)
         if key not in self._done:
             made = _Widening(self, narrow, names).function()
-            self._done[key] = replace(made, name=self._name(narrow.name))
+            self._done[key] = replace(made, name=self._name(narrow.name), body=pruned(made).body)
         return self._done[key]
 
     def _name(self, name: str) -> str:
@@ -98,6 +99,8 @@ class _Widening:
                     found.append(s)
                 case When(condition) if self._varying.expression(condition):
                     found += self._when(s, where)
+                case When(condition) if where is not None and not _on_ints(condition):
+                    found += self._when(s, where)
                 case When() if where is None:
                     yes, no = self._chosen(s.body, None), self._chosen(s.otherwise, None)
                     found.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
@@ -147,6 +150,11 @@ class _Widening:
         gathered = Set(flag.place, flag.place | bit)
         body = tuple(self._chosen(s.body, None))
         return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), body)]
+
+
+def _on_ints(condition: Expr) -> bool:
+    """Is a condition about ints? It may guard an index, so that its body must not be done for all states."""
+    return any(isinstance(x, Place) and x.kind is Kind.INT for x in inside(condition))
 
 
 def _only_refuse(body: Statements) -> bool:

@@ -8,18 +8,17 @@ from __future__ import annotations
 
 import math
 
+from mahovik.core.stand.columns import polar
 from mahovik.core.stand.model import Mat3, Vec3
 from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
-
-_DIGITS = 40  # rounded once to a double: the same bits on every machine, which no libm promises
 
 
 def center_of_mass(mass: float, unbalance: UnbalanceTable | None) -> Vec3:
     """Centre of mass, m, of a flywheel of `mass` > 0 with this static unbalance."""
     if unbalance is None or unbalance.static == 0.0:
         return (0.0, 0.0, 0.0)
-    y, z = _polar(unbalance.static, unbalance.static_at, mass)
+    y, z = polar(unbalance.static, unbalance.static_at, mass)
     return (0.0, y, z)
 
 
@@ -27,7 +26,7 @@ def inertia(spin: float, transverse: tuple[float, ...], unbalance: UnbalanceTabl
     """Inertia tensor about the origin, kg m2, with this dynamic unbalance."""
     j12, j13 = (0.0, 0.0)
     if unbalance is not None and unbalance.dynamic != 0.0:
-        j12, j13 = _polar(-unbalance.dynamic, unbalance.dynamic_at, 1.0)
+        j12, j13 = polar(-unbalance.dynamic, unbalance.dynamic_at, 1.0)
     return ((spin, j12, j13), (j12, transverse[0], 0.0), (j13, 0.0, transverse[1]))
 
 
@@ -73,12 +72,3 @@ def _half(spin: float, least: float, moments: Moments) -> str:
         f"spin_inertia/2 = {moments.at_least(half)} {moments.unit} across its axis{more}: "
         f"for a thin disc write transverse_inertia = {moments.value(least)}"
     )
-
-
-def _polar(length: float, angle: float, divisor: float) -> tuple[float, float]:
-    """`length / divisor` times (cos, sin) of `angle`, each correctly rounded."""
-    import mpmath
-
-    with mpmath.workdps(_DIGITS):
-        ratio, at = mpmath.mpf(length) / mpmath.mpf(divisor), mpmath.mpf(angle)
-        return float(ratio * mpmath.cos(at)) + 0.0, float(ratio * mpmath.sin(at)) + 0.0

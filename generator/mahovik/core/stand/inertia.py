@@ -12,17 +12,21 @@ Array = NDArray[np.float64]
 
 def inertia_about_center(body: Body) -> Array:
     """Tensor about the centre of mass, kg m2, in the body's axes (parallel axis theorem)."""
-    given = np.array(body.inertia)
-    return given if body.inertia_about == "center_of_mass" else given - _steiner(body)
+    return _tensor(body, -1.0 if body.inertia_about == "origin" else 0.0)
 
 
 def inertia_about_origin(body: Body) -> Array:
     """Tensor about the origin of the body's frame, kg m2."""
-    given = np.array(body.inertia)
-    return given if body.inertia_about == "origin" else given + _steiner(body)
+    return _tensor(body, 1.0 if body.inertia_about == "center_of_mass" else 0.0)
 
 
-def _steiner(body: Body) -> Array:
-    c = np.array(body.center_of_mass)
-    shift: Array = body.mass * (c @ c * np.eye(3) - np.outer(c, c))
-    return shift
+def _tensor(body: Body, times: float) -> Array:
+    """The tensor, with the parallel axis term as often. Of columns an array of columns."""
+    if times == 0.0:
+        return np.array(body.inertia)
+    m, (x, y, z) = body.mass, body.center_of_mass
+    off = ((0.0, -(x * y), -(x * z)), (-(x * y), 0.0, -(y * z)), (-(x * z), -(y * z), 0.0))
+    on = (y * y + z * z, x * x + z * z, x * x + y * y)
+    return np.array(
+        [[body.inertia[i][j] + times * (m * (on[i] if i == j else off[i][j])) for j in range(3)] for i in range(3)]
+    )

@@ -74,8 +74,11 @@ def loads(text: str, source: str = "stand") -> Stand:
     return read(document, source)
 
 
-def read(document: dict[str, Any], source: str) -> Stand:
-    """Check a parsed stand file (floats as Decimal) and make a Stand of it. Raises StandError."""
+def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
+    """Check a parsed stand file (floats as Decimal) and make a Stand of it. Raises StandError.
+
+    Without `physics` it is not asked whether there can be such bodies: of columns see `screening`.
+    """
     problems = Problems(source)
     header = _header(document, problems)
     if any(line.endswith("this version reads schema 1") for line in problems.lines):
@@ -99,13 +102,15 @@ def read(document: dict[str, Any], source: str) -> Stand:
     points: list[Point] = [build.point(table) for _, table in point_tables]
     tasks = _tasks(problems, document)
     check_tasks(problems, tasks, tuple(instruments), tuple(points))
-    if carrier is not None and carrier_table is not None:
-        physical.check_body(carrier, "carrier", problems, carrier_table.moments)
-    for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
-        physical.check_body(instrument, f'instrument "{instrument.name}"', problems, own.moments)
-    for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
-        if wheel is not None:
-            physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, table.moments, datasheet.thin_disc(table))
+    if physics:
+        if carrier is not None and carrier_table is not None:
+            physical.check_body(carrier, "carrier", problems, carrier_table.moments)
+        for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
+            physical.check_body(instrument, f'instrument "{instrument.name}"', problems, own.moments)
+        for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
+            if wheel is not None:
+                advice = datasheet.thin_disc(table)
+                physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, table.moments, advice)
 
     if problems.lines or header is None or carrier is None:
         raise StandError(problems.lines)
@@ -123,7 +128,8 @@ def read(document: dict[str, Any], source: str) -> Stand:
         inverse_most=header.inverse_most,
         laws=tuple(law for law in laws if law is not None),
     )
-    physical.check_stand(stand, problems)
+    if physics:
+        physical.check_stand(stand, problems)
     if problems.lines:
         raise StandError(problems.lines)
     return stand

@@ -13,8 +13,11 @@ from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
+import numpy as np
+
+from mahovik.core.stand.columns import Column
 from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
 from mahovik.core.stand.usual_units import usual
 from mahovik.nearest import alike
@@ -67,7 +70,7 @@ _MAX_EXPONENT = 400  # beyond the range of a double either way: no need for an i
 def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
     """One number of the file in SI. `unit`: the unit stated for a whole list; else SI, or the string's own.
 
-    `raw` is what TOML holds: int, Decimal (of a float literal), a string with unit, or `{ value, unit }`.
+    `raw` is what TOML holds: int, Decimal (of a float literal), a string with unit, or `{ value, unit }`; or a column.
     Raises QuantityError.
     """
     if isinstance(raw, dict):
@@ -82,11 +85,27 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
         if not found[2]:
             raise QuantityError(f"{show(raw)} has no unit, write the number without quotes for SI")
         return _round(_exact(Decimal(found[1])) * factor(found[2], dimension))
+    if isinstance(raw, Column):
+        return cast(float, _column(raw, dimension, unit))
     if isinstance(raw, bool) or not isinstance(raw, int | Decimal):
         raise QuantityError(f"expected {_expected(dimension)}, found {show(raw)}")
     if unit is None:
         return _round(_exact(raw))
     return _round(_exact(raw) * factor(unit, dimension))
+
+
+def _column(raw: Column, dimension: Dimension, unit: str | None) -> Column:
+    """The numbers of many samples in SI, each rounded as one number is."""
+    if not raw.finite():
+        raise QuantityError("not finite")
+    if unit is None:
+        return raw + 0.0
+    scale = factor(unit, dimension)
+    return raw.map(lambda values: np.array([_scaled(x, scale) for x in values.tolist()]))
+
+
+def _scaled(x: float, scale: Fraction) -> float:
+    return _round(Fraction(Decimal(repr(x))) * scale) if math.isfinite(x) else x
 
 
 def split_value_unit(raw: dict[str, Any], outer: str | None) -> tuple[Any, str]:

@@ -76,18 +76,26 @@ class ArrayLibrary:
     Raises ToolchainError where the file is no such library.
     """
 
-    def __init__(self, library: Path, name: str, functions: Sequence[str], parallel: bool) -> None:
+    def __init__(self, library: Path, name: str, functions: Sequence[str], parallel: bool, batches: bool) -> None:
+        """`functions`: names of those that `call` knows; `batches`: whether it was built with these."""
         self._ffi = cffi.FFI()
         lines = [f"int {name}_arrays_{f}(size_t n, void *const passed[], int status[]);" for f in functions]
         lines += [f"void {name}_arrays_threads(int count);"] if parallel else []
+        lines += [f"size_t {name}_arrays_block_bytes(int mountings);"] if batches else []
         self._ffi.cdef("\n".join(lines))
         try:
             loaded = self._ffi.dlopen(str(library))
             self._calls = {f: getattr(loaded, f"{name}_arrays_{f}") for f in functions}
             self._threads = getattr(loaded, f"{name}_arrays_threads") if parallel else None
+            self._block_bytes = getattr(loaded, f"{name}_arrays_block_bytes") if batches else None
         except (OSError, AttributeError) as error:
             raise ToolchainError(f"{library.name} cannot be loaded: {error}") from error
         self._void = self._ffi.typeof("void *[]")
+
+    def block_bytes(self, mountings: bool) -> int:
+        """Bytes of a block of prepared tables, or of mountings."""
+        assert self._block_bytes is not None
+        return int(self._block_bytes(int(mountings)))
 
     def call(
         self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32], threads: int = 1

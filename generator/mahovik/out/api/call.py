@@ -22,6 +22,7 @@ from mahovik.errors import InputError, RefusedError
 from mahovik.out.api.compiled import Compiled
 from mahovik.out.api.fields import Array, Field, field
 from mahovik.out.api.inputs import by_component
+from mahovik.out.api.tables import Tables
 
 OnError = Literal["raise", "nan"]
 
@@ -45,11 +46,12 @@ class Caller:
         return self._fields[function]
 
     def run(
-        self, function: str, given: Mapping[str, Array], n: int, on_error: OnError
+        self, function: str, given: Mapping[str, Array], n: int, on_error: OnError, tables: Tables | None = None
     ) -> tuple[dict[str, Array], NDArray[np.int32]]:
         """Outputs by name, batch axis first, and statuses. Raises RefusedError, InputError.
 
-        `given`: by argument, as (components, n), (count,), () or a record of what is the same for all states.
+        given   by argument, as (components, n), (count,), () or a record of what is the same for all states
+        tables  of n stands, one of each state; None: of the stand itself
         """
         if on_error not in ("raise", "nan"):
             raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
@@ -58,7 +60,7 @@ class Caller:
         outputs: list[tuple[ArgumentLayout, Array]] = []
         for a, layout in zip(f.arguments, self._records[function], strict=True):
             if a.name in self._made.tables:
-                arrays.append(self._made.tables[a.name])
+                arrays.append(self._made.tables[a.name] if tables is None else tables.blocks[a.name])
             elif a.direction != "in":
                 memory = self._memory(a, layout, n)
                 if a.direction == "inout":
@@ -70,7 +72,8 @@ class Caller:
             else:
                 arrays.append(by_component(given[a.name], a.components, n, self._real))
         status = np.zeros(n, dtype=np.int32)
-        if self._made.library.call(function, n, arrays, status, self._threads) < 0:
+        called = function if tables is None else f"{function}_of"
+        if self._made.library.call(called, n, arrays, status, self._threads) < 0:
             if on_error == "raise":
                 inputs = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}
                 raise refusal_error(function, status, inputs, self._stand, self._made.inputs)
@@ -134,11 +137,31 @@ def _spoil(a: ArgumentLayout, memory: Array, which: NDArray[np.bool_]) -> None:
 def _outputs_by_name(a: ArgumentLayout, memory: Array) -> dict[str, Array]:
     """The arrays of an output by name; states as the one array that they are."""
     if a.order == "components":
-        return {a.name: memory if len(a.members) > 1 else memory.T}
+        return _by_member(a, memory)
     found: dict[str, Array] = {}
     for m in a.members:
         part = memory[m.name]
         found |= {each.name: part[each.name] for each in m.members} if m.kind == "record" else {m.name: part}
+    return found
+
+
+def _by_member(a: ArgumentLayout, memory: Array) -> dict[str, Array]:
+    """Results ordered by component, by name with the batch axis first; states as the one array that they are."""
+    if a.name == "next":
+        return {a.name: memory}
+    found: dict[str, Array] = {}
+    row = 0
+    for m in a.members:
+        block = memory[row : row + m.numbers]
+        row += m.numbers
+        if m.kind != "record":
+            found[m.name] = np.moveaxis(block.reshape(*m.shape, -1), -1, 0)
+            continue
+        inner, at = block.reshape(*m.shape, -1, memory.shape[1]), 0
+        for each in m.members:
+            part = inner[..., at : at + each.size, :]
+            at += each.size
+            found[each.name] = np.moveaxis(part.reshape(*m.shape, *each.shape, memory.shape[1]), -1, 0)
     return found
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -47,16 +47,20 @@ _PROGRAMS: dict[tuple[Structure, str], tuple[Layout, Program]] = {}
 class Compiled:
     """The library and its functions by name.
 
-    tables    arguments that hold the numbers of the stand, as the C reads them
-    compiler  the command
-    options   of `inverse`, by the stand file; empty without flywheels
-    inputs    bodies that take a run-time wrench, in order
-    sensors   instruments and points, in order
+    tables      arguments that hold the numbers of the stand, as the C reads them
+    parameters  members of the record of numbers that `prepare` takes; empty without batches
+    records     members of the records of `tables`
+    compiler    the command
+    options     of `inverse`, by the stand file; empty without flywheels
+    inputs      bodies that take a run-time wrench, in order
+    sensors     instruments and points, in order
     """
 
     library: ArrayLibrary
     functions: Mapping[str, ArrayFunction]
     tables: Mapping[str, NDArray[Any]]
+    parameters: tuple[Member, ...]
+    records: Mapping[str, tuple[Member, ...]]
     compiler: tuple[str, ...]
     options: Mapping[str, Any]
     inputs: tuple[str, ...]
@@ -105,11 +109,15 @@ def _load(
 ) -> Compiled:
     functions = _FUNCTIONS.validate_python(facts["functions"])
     found = _RECORDS.validate_python(facts["tables"])
+    parameters = _RECORDS.validate_python(facts["parameters"]).get("parameters", ())
+    names = list(functions_called(functions, found)) if parameters else [f.name for f in functions]
     tables = {name: filled(of, element, numbers[name]) for name, of in found.items()}
     return Compiled(
-        ArrayLibrary(library, stand.name, [f.name for f in functions], parallel),
+        ArrayLibrary(library, stand.name, names, parallel, bool(parameters)),
         {f.name: f for f in functions},
         tables,
+        parameters,
+        found,
         command,
         numbers["options"] or {},
         tuple(facts["inputs"]),
@@ -117,11 +125,20 @@ def _load(
     )
 
 
+def functions_called(functions: Sequence[ArrayFunction], tables: Mapping[str, Any]) -> Iterator[str]:
+    """Names of the functions of a library with batches: also of those that take tables of n stands."""
+    for f in functions:
+        yield f.name
+        if any(a.name in tables for a in f.arguments):
+            yield f"{f.name}_of"
+    yield "prepare"
+
+
 def _compile(
     stand: Stand, real: str, command: tuple[str, ...], parallel: bool, batches: bool, scratch: Path
 ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
     """Library, facts of the structure, numbers of the stand."""
-    from mahovik.core.emit.arrays import array_functions, array_source, tables
+    from mahovik.core.emit.arrays import array_functions, array_source, parameters, tables
     from mahovik.core.emit.batch import batch_files
     from mahovik.core.emit.generate import generate_all
 
@@ -132,6 +149,7 @@ def _compile(
     facts = {
         "functions": _FUNCTIONS.dump_python(array_functions(generated, batches)),
         "tables": _RECORDS.dump_python(tables(generated)),
+        "parameters": _RECORDS.dump_python({"parameters": parameters(generated)} if batches else {}),
         "inputs": list(generated.layout.inputs),
         "sensors": list(generated.layout.sensors),
     }
@@ -142,10 +160,10 @@ def _numbers(stand: Stand, real: str) -> dict[str, Any]:
     """Numbers of a stand whose library is there: nothing is printed or compiled."""
     from mahovik.core.lower.values import Values
 
-    return _plain(Values(stand, *_lower_structure(structure(stand), real)))
+    return _plain(Values(stand, *lower_structure(structure(stand), real)))
 
 
-def _lower_structure(of: Structure, real: str) -> tuple[Layout, Program]:
+def lower_structure(of: Structure, real: str) -> tuple[Layout, Program]:
     """The program that makes the numbers of a structure; in a campaign over numbers it is always the same."""
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.program import lower_numbers

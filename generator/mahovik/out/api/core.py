@@ -15,6 +15,7 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, record
 from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.core.stand.structure import structure
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
@@ -26,6 +27,7 @@ from mahovik.out.api.fields import Array, field, functions
 from mahovik.out.api.inputs import Given, attitudes, pack_states, wrenches
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
+from mahovik.out.api.tables import Tables, make_tables
 
 Real = Literal["double", "float"]
 Wrenches = Mapping[str, ArrayLike] | None
@@ -191,12 +193,32 @@ class Built:
         found, _ = self._call.run("quaternion", {"angles": angles}, n, "raise")
         return found["attitude"] if angles.ndim == 2 else found["attitude"][0]
 
+    def tables(self, changes: Mapping[str, Any], n: int | None = None) -> Tables:
+        """Prepared tables of n stands that differ from the model's: arrays by path of the stand file.
+
+        `{"w1.unbalance.static": array, "carrier.mass": array, "gravity": array}`: paths as in `Stand.replace`, arrays
+        with the samples first, (n,) for a number, (n, 3) for a vector, (n, 3, 3) for a tensor; SI, or
+        `{"value": array, "unit": "g mm"}`; a number or a text with a unit is for all samples. Table j has the bits of
+        `model.stand.replace` with the values of sample j. Every function takes them as `tables=`, with n states or one.
+
+        Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere or to another structure,
+        StandError for a sample that cannot be, by its number.
+        """
+        return make_tables(self._stand, self._made, self._real, self._element, self._given[1], changes, n)
+
     # -- how ---------------------------------------------------------------------------------------------------------
 
     def _result(
-        self, kind: type[AnyResult], function: str, x: Any, on_error: OnError, wrench: Wrenches, **given: Any
+        self,
+        kind: type[AnyResult],
+        function: str,
+        x: Any,
+        on_error: OnError,
+        wrench: Wrenches,
+        tables: Tables | None,
+        **given: Any,
     ) -> AnyResult:
-        found, status, single = self._calculate(function, x, on_error, wrench, given)
+        found, status, single = self._calculate(function, x, on_error, wrench, tables, given)
         return kind(self._call.fields(function), found, status, single)
 
     def _step(
@@ -208,13 +230,14 @@ class Built:
         on_error: OnError,
         wrench: Wrenches,
         carry: Array | None,
+        tables: Tables | None,
         **given: Any,
     ) -> States:
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
         if carry is not None:
             given["carry"] = carry
         form = function if carry is None else f"{function}_carried"
-        found, status, single = self._calculate(form, x, on_error, wrench, given)
+        found, status, single = self._calculate(form, x, on_error, wrench, tables, given)
         if carry is not None:
             carry[...] = found["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
@@ -229,7 +252,13 @@ class Built:
         return States(self._stand.name, self._state, found["next"], single)
 
     def _calculate(
-        self, function: str, x: Any, on_error: OnError, wrench: Wrenches, given: Mapping[str, Any]
+        self,
+        function: str,
+        x: Any,
+        on_error: OnError,
+        wrench: Wrenches,
+        tables: Tables | None,
+        given: Mapping[str, Any],
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._made.functions.get(function)
@@ -258,10 +287,25 @@ class Built:
             for name in given.keys() - {a.name for a in f.arguments}:
                 inputs.read(given[name], name, 0, (), "flywheel")
         n = inputs.batch_size(parts)
+        if tables is not None:
+            n = self._check_tables(tables, n)
         if carry is not None:
             alike["carry"] = self._carried(f, carry, n)
-        found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
+        found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error, tables)
         return found, status, n is None
+
+    def _check_tables(self, tables: Any, n: int | None) -> int:
+        """The number of states with these tables; one state stands for all. Raises InputError."""
+        if not isinstance(tables, Tables):
+            raise InputError(f"tables: expected what model.tables makes, found {type(tables).__name__}")
+        same = tables.made_of is self._stand or structure(tables.base) == structure(self._stand)
+        if tables.real != self._real or not same:
+            raise InputError(
+                f"tables of another model: {tables!r}, expected tables of {self._stand.name}, {self._real}"
+            )
+        if n not in (None, len(tables)):
+            raise InputError(f"different numbers of states: {n} given, tables {len(tables)}")
+        return len(tables)
 
     def _carried(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
         """A carry as records, one for each state."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from decimal import Decimal
 from numbers import Integral, Real
@@ -10,6 +9,7 @@ from typing import Any
 
 from mahovik.core.motion.document import validate_table
 from mahovik.core.stand import build, datasheet
+from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.law import with_laws
 from mahovik.core.stand.problems import Problems
@@ -99,16 +99,16 @@ def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], key: 
     wheel = None if given is None else build.flywheel(given, where, problems)
     if wheel is None:
         raise StandError(problems.lines)
-    (x, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel)
+    (x, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
     now = {
-        "static": wheel.mass * math.hypot(y, z), "static_at": math.atan2(z, y),
-        "dynamic": math.hypot(J[0, 1], J[0, 2]), "dynamic_at": math.atan2(-J[0, 2], -J[0, 1]),
+        "static": wheel.mass * hypot(y, z), "static_at": atan2(z, y),
+        "dynamic": hypot(J[0][1], J[0][2]), "dynamic_at": atan2(-J[0][2], -J[0][1]),
     }  # fmt: skip
     changed = {name: exact(number) for name, number in now.items()} | {key: exact(value)}
     found = validate_table(UnbalanceTable, changed, problems, f"{where} unbalance")
     if found is None:
         raise StandError(problems.lines)
     _, y, z = datasheet.center_of_mass(wheel.mass, found)
-    sheet = datasheet.inertia(float(J[0, 0]), (float(J[1, 1]), float(J[2, 2])), found)
-    J[0, 1:], J[1:, 0] = sheet[0][1:], sheet[0][1:]
+    for i, product in enumerate(datasheet.inertia(J[0][0], (J[1][1], J[2][2]), found)[0]):
+        J[0][i] = J[i][0] = product
     return {"center_of_mass": exact([x, y, z]), "inertia": exact(J), "inertia_about": "origin"}

@@ -21,6 +21,7 @@ from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
+from mahovik.out.api.tables import Tables
 
 
 def add_methods(model: type[Built]) -> None:
@@ -36,14 +37,15 @@ def _method(row: PublicFunction) -> Callable[..., Result]:
     parameters = [Parameter(name, positional) for name in ("self", "x")]
     parameters += [Parameter(name, positional, default=0.0) for name in inputs]
     parameters += [Parameter("wrench", keyword, default=None)] if "wrench" in row.takes else []
-    signature = Signature([*parameters, Parameter("on_error", keyword, default="raise")])
+    parameters += [Parameter("tables", keyword, default=None), Parameter("on_error", keyword, default="raise")]
+    signature = Signature(parameters)
 
     def method(*arguments: object, **named: object) -> Result:
         bound = signature.bind(*arguments, **named)
         bound.apply_defaults()
         given = dict(bound.arguments)
-        model, x, on_error = (given.pop(name) for name in ("self", "x", "on_error"))
-        found: Result = model._result(Result, row.name, x, on_error, given.pop("wrench", None), **given)
+        model, x, tables, on_error = (given.pop(name) for name in ("self", "x", "tables", "on_error"))
+        found: Result = model._result(Result, row.name, x, on_error, given.pop("wrench", None), tables, **given)
         return found
 
     results = (f"`{name}`" + (f", {q.unit}: {q.axes}" if (q := QUANTITIES.get(name)) else "") for name in row.gives)
@@ -79,6 +81,7 @@ class Model(Built):
     given is zero. Results have the batch axis first, and none where all inputs are of one state.
 
     A state that the C refuses raises RefusedError, which names it; with `on_error="nan"` its results are NaN.
+    With `tables=`, of `tables`, state j is of the stand of sample j; one state is of all of them.
     Functions may be called from several threads at once; a model can be pickled, and is built again from the cache.
     """
 
@@ -90,6 +93,7 @@ class Model(Built):
         phi_ddot: Given = 0.0,
         *,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Forward:
         """Acceleration of the carrier for given accelerations of the flywheels, (8).
@@ -99,7 +103,7 @@ class Model(Built):
 
         Gives `V_dot`. Batch C. Raises InputError, RefusedError.
         """
-        return self._result(results.Forward, "forward", x, on_error, wrench, phi_ddot=phi_ddot)
+        return self._result(results.Forward, "forward", x, on_error, wrench, tables, phi_ddot=phi_ddot)
 
     def coupled(
         self,
@@ -108,6 +112,7 @@ class Model(Built):
         *,
         locked: Locks = (),
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Coupled:
         """Motion of the whole system under given drive torques.
@@ -117,7 +122,7 @@ class Model(Built):
 
         Gives `V_dot`, `phi_ddot`. Batch C. Raises InputError, RefusedError.
         """
-        return self._result(results.Coupled, "coupled", x, on_error, wrench, tau=tau, locked=locked)
+        return self._result(results.Coupled, "coupled", x, on_error, wrench, tables, tau=tau, locked=locked)
 
     def torque(
         self,
@@ -126,13 +131,14 @@ class Model(Built):
         phi_ddot: Given = 0.0,
         *,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Torque:
         """Drive torques for a given motion: V_dot m/s2, rad/s2; phi_ddot rad/s2.
 
         Gives `tau`. Batch C. Raises InputError, RefusedError.
         """
-        return self._result(results.Torque, "torque", x, on_error, wrench, V_dot=V_dot, phi_ddot=phi_ddot)
+        return self._result(results.Torque, "torque", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
 
     def step(
         self,
@@ -144,6 +150,7 @@ class Model(Built):
         order: Literal[2, 4] = 4,
         wrench: Wrenches = None,
         carry: Array | None = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> States:
         """The states a time `dt` (s) later, under drive torques and wrenches held constant.
@@ -153,7 +160,7 @@ class Model(Built):
 
         Batch C; with a carry state by state. Raises InputError, RefusedError.
         """
-        return self._step("step", x, dt, order, on_error, wrench, carry, tau=tau, locked=locked)
+        return self._step("step", x, dt, order, on_error, wrench, carry, tables, tau=tau, locked=locked)
 
     # -- functions for one state, in a loop --------------------------------------------------------------------------
 
@@ -166,13 +173,16 @@ class Model(Built):
         order: Literal[2, 4] = 4,
         wrench: Wrenches = None,
         carry: Array | None = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> States:
-        """The states a time `dt` (s) later, under given flywheel accelerations; `carry` as in `step`. State by state.
+        """The states a time `dt` (s) later, under given flywheel accelerations; `carry` as in `step`.
+
+        Batch C; with a carry state by state.
 
         Raises InputError, RefusedError.
         """
-        return self._step("step_driven", x, dt, order, on_error, wrench, carry, phi_ddot=phi_ddot)
+        return self._step("step_driven", x, dt, order, on_error, wrench, carry, tables, phi_ddot=phi_ddot)
 
     def inverse(
         self,
@@ -190,6 +200,7 @@ class Model(Built):
         near: float | None = None,
         damping: float | None = None,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Inverse:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
@@ -216,7 +227,7 @@ class Model(Built):
             if V_dot is None:
                 raise InputError("V_dot: missing; give V_dot, or a task and its demand")
             options = self._options(each, shares)
-            return self._result(results.Inverse, "inverse", x, on_error, wrench, V_dot=V_dot, options=options)
+            return self._result(results.Inverse, "inverse", x, on_error, wrench, tables, V_dot=V_dot, options=options)
         self._check_task(task)
         if V_dot is not None:
             raise InputError("V_dot, task: both given, expected one of them")
@@ -224,7 +235,7 @@ class Model(Built):
             raise InputError(f"demand: missing, expected one number for each of {', '.join(self._rows[task])}")
         options = self._options(each, shares, self._demanded(task, rows))
         function = f"inverse_{task}"
-        return self._result(results.Inverse, function, x, on_error, wrench, demand=demand, options=options)
+        return self._result(results.Inverse, function, x, on_error, wrench, tables, demand=demand, options=options)
 
     def torque_for(
         self,
@@ -243,6 +254,7 @@ class Model(Built):
         avoid_speed: float | None = None,
         keep_direction: bool = False,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.TorqueFor:
         """Drive torques for the demand of a task, within what the motors have: least error, then least torque.
@@ -270,33 +282,49 @@ class Model(Built):
             "locked": locked,
             "options": self._options(each, numbers, self._demanded(task, rows)),
         }
-        return self._result(results.TorqueFor, f"torque_for_{task}", x, on_error, wrench, **given)
+        return self._result(results.TorqueFor, f"torque_for_{task}", x, on_error, wrench, tables, **given)
 
     def _check_task(self, task: str) -> None:
         if task not in self._rows:
             raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
 
-    def wrench(self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise") -> results.Wrench:
+    def wrench(
+        self,
+        x: States | ArrayLike,
+        *,
+        wrench: Wrenches = None,
+        tables: Tables | None = None,
+        on_error: OnError = "raise",
+    ) -> results.Wrench:
         """Total external wrench `F` on the carrier, (7). State by state. Raises InputError, RefusedError."""
-        return self._result(results.Wrench, "wrench", x, on_error, wrench)
+        return self._result(results.Wrench, "wrench", x, on_error, wrench, tables)
 
     def matrices(
-        self, x: States | ArrayLike, *, wrench: Wrenches = None, on_error: OnError = "raise"
+        self,
+        x: States | ArrayLike,
+        *,
+        wrench: Wrenches = None,
+        tables: Tables | None = None,
+        on_error: OnError = "raise",
     ) -> results.Matrices:
-        """`K`, `K_dot`, `M`, `I`, `J`, `F` of (8). State by state. Raises InputError, RefusedError."""
-        return self._result(results.Matrices, "matrices", x, on_error, wrench)
+        """`K`, `K_dot`, `M`, `I`, `J`, `F` of (8). Batch C. Raises InputError, RefusedError."""
+        return self._result(results.Matrices, "matrices", x, on_error, wrench, tables)
 
-    def momentum(self, x: States | ArrayLike, *, on_error: OnError = "raise") -> results.Momentum:
+    def momentum(
+        self, x: States | ArrayLike, *, tables: Tables | None = None, on_error: OnError = "raise"
+    ) -> results.Momentum:
         """`Z`, `Z0`, `energy`, `center_of_mass`, (1), (2). State by state. Raises InputError, RefusedError."""
-        return self._result(results.Momentum, "momentum", x, on_error, None)
+        return self._result(results.Momentum, "momentum", x, on_error, None, tables)
 
-    def points(self, x: States | ArrayLike, V_dot: Given = 0.0, *, on_error: OnError = "raise") -> results.Points:
-        """What accelerometers and gyros read at instruments and points. State by state.
+    def points(
+        self, x: States | ArrayLike, V_dot: Given = 0.0, *, tables: Tables | None = None, on_error: OnError = "raise"
+    ) -> results.Points:
+        """What accelerometers and gyros read at instruments and points. Batch C.
 
         Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of `sensors`.
         Raises InputError, RefusedError.
         """
-        return self._result(results.Points, "points", x, on_error, None, V_dot=V_dot)
+        return self._result(results.Points, "points", x, on_error, None, tables, V_dot=V_dot)
 
     def mounts(
         self,
@@ -305,10 +333,11 @@ class Model(Built):
         phi_ddot: Given = 0.0,
         *,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Mounts:
-        """Wrench of the mount on each flywheel: bearing loads. State by state. Raises InputError, RefusedError."""
-        return self._result(results.Mounts, "mounts", x, on_error, wrench, V_dot=V_dot, phi_ddot=phi_ddot)
+        """Wrench of the mount on each flywheel: bearing loads. Batch C. Raises InputError, RefusedError."""
+        return self._result(results.Mounts, "mounts", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
 
     def generalized(
         self,
@@ -317,6 +346,7 @@ class Model(Built):
         phi_ddot: Given = 0.0,
         *,
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.Generalized:
         """The equations in generalized coordinates, (10), (11); `angles`, rad, take the place of the attitude of `x`.
@@ -324,13 +354,19 @@ class Model(Built):
         Gives `A`, `D`, `I0`, `J0`, `q_dot`, `q_ddot`. State by state. Raises InputError, RefusedError.
         """
         given = {"angles": angles, "phi_ddot": phi_ddot}
-        return self._result(results.Generalized, "generalized", x, on_error, wrench, **given)
+        return self._result(results.Generalized, "generalized", x, on_error, wrench, tables, **given)
 
     def forward_jacobian(
-        self, x: States | ArrayLike, phi_ddot: Given = 0.0, *, wrench: Wrenches = None, on_error: OnError = "raise"
+        self,
+        x: States | ArrayLike,
+        phi_ddot: Given = 0.0,
+        *,
+        wrench: Wrenches = None,
+        tables: Tables | None = None,
+        on_error: OnError = "raise",
     ) -> results.ForwardJacobian:
         """Derivatives of `forward` by V, phi, phi', phi''. State by state. Raises InputError, RefusedError."""
-        return self._result(results.ForwardJacobian, "forward_jacobian", x, on_error, wrench, phi_ddot=phi_ddot)
+        return self._result(results.ForwardJacobian, "forward_jacobian", x, on_error, wrench, tables, phi_ddot=phi_ddot)
 
     def coupled_jacobian(
         self,
@@ -339,10 +375,13 @@ class Model(Built):
         *,
         locked: Locks = (),
         wrench: Wrenches = None,
+        tables: Tables | None = None,
         on_error: OnError = "raise",
     ) -> results.CoupledJacobian:
         """Derivatives of `coupled` by V, phi, phi', tau. State by state. Raises InputError, RefusedError."""
-        return self._result(results.CoupledJacobian, "coupled_jacobian", x, on_error, wrench, tau=tau, locked=locked)
+        return self._result(
+            results.CoupledJacobian, "coupled_jacobian", x, on_error, wrench, tables, tau=tau, locked=locked
+        )
 
 
 add_methods(Model)

@@ -1,0 +1,136 @@
+"""Numbers of n stands of one structure, read together: columns where they differ."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.core.program.interpret import Interpreter, plain
+from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.read import read
+from mahovik.core.stand.screening import doubtful
+from mahovik.core.stand.screening import numbers as numbers_of
+from mahovik.core.stand.structure import structure
+from mahovik.errors import StandError, UsageError
+from mahovik.out.api.compiled import lower_structure
+from mahovik.out.api.editing import put
+from mahovik.out.api.samples import Samples
+from mahovik.out.api.stands import Stand
+
+
+@dataclass
+class Variants:
+    """What `prepare_batch` takes.
+
+    parameters  of a stand, where its numbers are the same for all
+    table       its laws, likewise
+    varied      for each number of both an array of all samples; None where all have the same
+    doubtful    samples that only their own stand file shows to be in order
+    """
+
+    parameters: dict[str, Any]
+    table: dict[str, Any]
+    varied: list[NDArray[Any] | None]
+    doubtful: NDArray[np.bool_]
+
+
+def variants(stand: Stand, real: str, samples: Samples) -> Variants:
+    """Read all samples; those that a decision parts from the first are read again, together.
+
+    Raises StandError for a sample that cannot be read, UsageError, InputError.
+    """
+    from mahovik.core.lower.variants import variant
+
+    wanted, n = structure(stand), samples.n
+    layout, program = lower_structure(wanted, real)
+    interpreter = Interpreter(program)
+    whole: Variants | None = None
+    same: list[Any] = []
+    rows: NDArray[np.int64] = np.arange(n)
+    while rows.size or whole is None:
+        run = Run.of(len(rows))
+        # of no sample at all the stand itself is read
+        found, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+        parameters, table, numbers = variant(found, layout, interpreter)
+        if structure(found) != wanted:
+            raise UsageError(
+                f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero there "
+                "and not here, or the other way round; build a model of its own"
+            )
+        unsure = doubtful(found, len(rows))
+        _check_acting(found, numbers)
+        kept = ~run.diverged
+        if whole is None:
+            whole, same = (
+                Variants(_first(parameters), _first(plain(table)), [None] * len(numbers), np.zeros(n, np.bool_)),
+                numbers,
+            )
+        _merge(whole.varied, same, numbers, rows, kept, n)
+        whole.doubtful[rows[kept]] = unsure[kept]
+        rows = rows[run.diverged]
+    return whole
+
+
+def _read(stand: Stand, values: dict[str, Any], samples: Samples, rows: NDArray[np.int64]) -> tuple[CoreStand, str]:
+    """The stand of samples, with columns; and the name of the first in messages.
+
+    Where the first cannot be read the message is that of the reader of stand files.
+    """
+    name = f"{stand.name}, sample {rows[0]}" if rows.size else stand.name
+    try:
+        return read(changed(stand, values), name, physics=False), name
+    except (StandError, UsageError):
+        if rows.size:
+            read(changed(stand, samples.values(int(rows[0]))), name)
+        raise
+
+
+def changed(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
+    """The keys of a stand file with other values by path. Raises UsageError, StandError."""
+    document = stand.to_dict()
+    for path, value in values.items():
+        put(document, path, value)
+    return document
+
+
+def _check_acting(stand: CoreStand, numbers: list[Any]) -> None:
+    """Refuse a number of the stand that is in no table, such as one of a motor."""
+    acting = frozenset[str]().union(*(x.keys for x in numbers if isinstance(x, Column)))
+    for x in numbers_of(stand):
+        for path in sorted(x.keys - acting) if isinstance(x, Column) else ():
+            raise UsageError(f"{path}: acts in no function that takes tables; expected a number of a body or a law")
+
+
+def _merge(
+    varied: list[NDArray[Any] | None],
+    same: list[Any],
+    numbers: list[Any],
+    rows: NDArray[np.int64],
+    kept: NDArray[np.bool_],
+    n: int,
+) -> None:
+    """Put the numbers of some samples among those of all; `same`: those of the first that were read."""
+    for i, x in enumerate(numbers):
+        if isinstance(x, Column) and kept.all() and len(rows) == n:
+            varied[i] = x.values
+            continue
+        array = varied[i]
+        if array is None:
+            if not isinstance(x, Column) and not isinstance(same[i], Column) and x == same[i]:
+                continue
+            array = varied[i] = np.full(n, _first(same[i]), dtype=np.float64)
+        array[rows[kept]] = x.values[kept] if isinstance(x, Column) else x
+
+
+def _first(value: Any) -> Any:
+    """Plain data with the number of the first sample in place of a column."""
+    if isinstance(value, Mapping):
+        return {key: _first(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_first(each) for each in value]
+    return value.values[0] if isinstance(value, Column) else value
