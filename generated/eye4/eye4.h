@@ -1,5 +1,5 @@
 /* eye4.h: motion of the stand "eye4": carrier, 0 instruments, 4 flywheels.
- * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
  * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
@@ -28,8 +28,8 @@ extern "C" {
 #endif
 
 #define EYE4_STRUCTURE 0x59c20951u  /* hash of the stand's names, counts and kinds of wrench */
-#define EYE4_PHYSICS   0x2efca783u  /* hash of its structure and all numbers */
-#define EYE4_TABLE_HASH 0xc37238a3u /* FNV-1a of all numbers of the default table but its stream */
+#define EYE4_PHYSICS   0x7b9ac829u  /* hash of its structure and all numbers */
+#define EYE4_TABLE_HASH 0x99d4cf73u /* FNV-1a of all numbers of the default table but its stream */
 #define EYE4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define EYE4_REAL_BYTES 8           /* bytes of a eye4_real */
 #define EYE4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -756,11 +756,11 @@ eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_sta
 #define EYE4_LINK_CHECKED
 #if __SIZEOF_POINTER__ == 8
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".quad eye4_link_double_lanes1_v0_1_0_2efca783\n"
+        ".quad eye4_link_double_lanes1_v0_1_0_7b9ac829\n"
         ".popsection\n");
 #elif __SIZEOF_POINTER__ == 4
 __asm__(".pushsection .debug_mahovik,\"\",%progbits\n"
-        ".long eye4_link_double_lanes1_v0_1_0_2efca783\n"
+        ".long eye4_link_double_lanes1_v0_1_0_7b9ac829\n"
         ".popsection\n");
 #endif
 #endif

@@ -1,5 +1,5 @@
 /* eye4_eva.c: drivers of Frama-C Eva for the stand "eye4": what is proved of eye4.c. Run by eye4_eva.sh.
- * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
  *
  * Not for firmware: only Frama-C reads this file. A driver calls one function with all inputs of a set at once:
  *   normal   magnitudes of ordinary use: the numbers in the driver

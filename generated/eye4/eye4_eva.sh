@@ -1,6 +1,6 @@
 #!/bin/sh
 # eye4_eva.sh: what Frama-C Eva proves of eye4.c, driver by driver. Needs frama-c (Debian: frama-c-base).
-# mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+# mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
 #
 # sh eye4_eva.sh             all that is claimed; exit status 1 where anything is not proved
 # sh eye4_eva.sh tried       the other functions: what is not proved of them is printed, and is no error

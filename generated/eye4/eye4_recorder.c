@@ -1,8 +1,8 @@
 /* eye4_recorder.c: flight recorder of the stand "eye4". What a log holds: eye4_recorder.h.
- * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead. */
+ * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead. */
 #include "eye4_recorder.h"
 
-#if EYE4_STRUCTURE != 0x59c20951u || EYE4_PHYSICS != 0x2efca783u
+#if EYE4_STRUCTURE != 0x59c20951u || EYE4_PHYSICS != 0x7b9ac829u
 #error "eye4.h and eye4_recorder.c are of different stands"
 #endif
 #if EYE4_LANES != 1

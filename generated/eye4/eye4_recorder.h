@@ -1,6 +1,6 @@
 /* eye4_recorder.h: flight recorder of the stand "eye4". It logs the raw inputs of every step, so that
  * `mahovik replay` repeats the run on the desk bit for bit.
- * mahovik 0.1.0; structure 59c20951, physics 2efca783. Generated: change the stand file instead.
+ * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
  *
  * C99, no allocation, no stdio, no globals but const. Bytes leave through a function of the caller. Use:
  *
@@ -37,7 +37,7 @@ extern "C" {
 #endif
 
 #define EYE4_RECORDER_FORMAT 2u           /* version of the log format */
-#define EYE4_RECORDER_SOURCE 0xf84ecf1du  /* FNV-1a hash of the texts of eye4.h and eye4.c */
+#define EYE4_RECORDER_SOURCE 0xd2fa5a06u  /* FNV-1a hash of the texts of eye4.h and eye4.c */
 #define EYE4_RECORD_BYTES    277  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
