@@ -12,13 +12,13 @@ from mahovik.core.stand import load
 from mahovik.core.toolchain import board
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
-from mahovik.use.control.attitude import Wishes
+from mahovik.use.control.attitude import LoopOptions
 from targets.boards import target
 from toolchain.quick import quick
 from toolchain.tools import require
 
 EYE4 = str(path("eye4"))
-SHORT = Wishes(rate=10.0, momentum=0.01)
+SHORT = LoopOptions(rate=10.0, momentum=0.01)
 FLAGS = ("-DSETTLE=100", "-DDUMP=300", "-DLAST=10", "-DARCSEC_MOST=100")
 """A slew with a failed flywheel, and a little momentum to dump."""
 
