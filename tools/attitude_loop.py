@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from random import Random
 
@@ -56,11 +56,10 @@ TABLE = Columns(
 )
 
 
-def printed_by(target: str, real: str, failure: Failure) -> list[str]:
-    """Lines of the example on a target, and of all that must be the same everywhere. Raises ToolchainError."""
-    made = attitude_sources(load(path(STAND)), LoopOptions(failure=failure), real)
+def printed_by(target: str, files: Mapping[str, str]) -> list[str]:
+    """Lines of the example on a target. Raises ToolchainError."""
     with tempfile.TemporaryDirectory() as scratch:
-        program = build(TARGETS[target], made.files, Path(scratch))
+        program = build(TARGETS[target], files, Path(scratch))
         return run(TARGETS[target], program, timeout=3600).splitlines()
 
 
@@ -91,7 +90,8 @@ def read(lines: Sequence[str]) -> dict[str, object]:
 
 def row(board: str, real: str, failure: Failure) -> dict[str, object]:
     """A run on a board and on this machine. Raises SystemExit: other bits, or the example finds a failure."""
-    there, here = (printed_by(name, real, failure) for name in (board, "host"))
+    files = attitude_sources(load(path(STAND)), LoopOptions(failure=failure), real).files
+    there, here = (printed_by(name, files) for name in (board, "host"))
     same = [[line for line in lines if not line.startswith("#")] for lines in (there, here)]
     if same[0] != same[1]:
         raise SystemExit(f"{board}, {real}, {failure}: other bits than on this machine")

@@ -193,8 +193,8 @@ def _checked(options: LoopOptions) -> tuple[float, float]:
     if omega * period > MOST_STEP:
         least = omega / MOST_STEP
         raise UsageError(
-            f"--rate {options.rate:g}: too slow for a bandwidth of {options.bandwidth:g} Hz; expected {least:.3g} Hz or "
-            "more"
+            f"--rate {options.rate:g}: too slow for a bandwidth of {options.bandwidth:g} Hz; expected {least:.3g} Hz "
+            "or more"
         )
     if 1.0 / options.rate > 10.0 or options.damping < 0.2:
         raise UsageError("--rate, --damping: expected at least 0.1 Hz and 0.2")
