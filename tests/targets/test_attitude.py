@@ -36,10 +36,18 @@ def printed(name: str, real: str, folder: Path) -> list[str]:
     ("name", "real"),
     quick(
         2,
-        [("m7", "double"), ("m4", "float"), ("m7", "float"), ("m33", "float"), ("rv64gc", "double"), ("m4", "double")],
+        [
+            ("m7", "double"),
+            ("m4", "float"),
+            ("m7", "float"),
+            ("m33", "float"),
+            ("rv64gc", "double"),
+            ("rv32imac", "double"),
+        ],
     ),
 )
 def test_a_board_has_the_bits_of_this_machine(name: str, real: str, tmp_path: Path) -> None:
+    """Double by software on a Cortex-M has other bits in rare cases: test_soft_double.py."""
     here, there = printed("host", real, tmp_path / "host"), printed(name, real, tmp_path / "board")
     assert here == there
     assert any(line.startswith("hash ") for line in here)
