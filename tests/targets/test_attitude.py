@@ -73,12 +73,13 @@ def test_make_builds_runs_and_compares(name: str, real: str, tmp_path: Path) -> 
 def test_the_project_has_what_its_page_names(tmp_path: Path) -> None:
     folder = tmp_path / "project"
     for _ in range(2):  # the second time over its own files
-        result = run("export", "attitude", EYE4, "--target", "m7", "-o", str(folder))
+        result = run("export", "attitude", EYE4, "--target", "m7", "--momentum", "0.5", "-o", str(folder))
         assert result.exit_code == 0, result.output
     page = (folder / "README.md").read_text()
     for file in folder.iterdir():
         if file.suffix in (".c", ".h", ".ld"):
             assert f"`{file.name}`" in page, file.name
+    assert "mahovik export attitude STAND.toml --task pointing --target m7 --real double --momentum 0.5`" in page
     assert "eye4_inverse(" not in (folder / "eye4.h").read_text()
     assert result.output.splitlines()[-1] == "attitude loop: momentum is dumped by at most 0.05 N m"
 

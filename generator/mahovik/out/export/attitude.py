@@ -65,7 +65,7 @@ def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: s
         compiler=target.compiler[0],
         emulator=" ".join(target.emulator[:3]) or "this machine",
         hosted=hosted,
-        command=f"mahovik export attitude STAND.toml --task {task} --target {target.name} --real {real}",
+        command=_command(options, task, target.name, real),
         packages=", ".join(target.packages),
         lines=made.design.lines,
         wheel=stand.flywheels[0].name,
@@ -75,9 +75,19 @@ def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: s
         ),
     )
     files |= {
-        "Makefile": makefile(target, files, f"Attitude loop of {name} ({real})", host=host),
+        "Makefile": makefile(target, files, f"Attitude loop of {name} ({real})", "$(SCENARIO)", host),
         "README.md": page,
     }
     if host:
         files[HOST] = source_text("board/hosted/board.c")
     return ExportedAttitude(files, made.only, made.design)
+
+
+def _command(options: LoopOptions, task: str, target: str, real: str) -> str:
+    """The command that writes the project again: options that are the default are left out."""
+    words = ["mahovik export attitude STAND.toml", f"--task {task}", f"--target {target}", f"--real {real}"]
+    for name in ("rate", "bandwidth", "damping", "momentum", "failure"):
+        value = getattr(options, name)
+        if value != getattr(LoopOptions(), name):
+            words.append(f"--{name} {value if isinstance(value, str) else f'{value:.17g}'}")
+    return " ".join(words)
