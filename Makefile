@@ -40,6 +40,7 @@ help:
 	@echo "make following-campaign  how well bench8 follows with mismatch, without and with trim: docs/results/following.md; minutes"
 	@echo "make pil        servos on emulated M7 and M4 in closed loop with a stand, bit for bit: docs/results/servo.md"
 	@echo "make control-loop  instructions of a control loop on emulated M7 and M4, into docs/results/control-loop.md"
+	@echo "make attitude-loop  attitude loop with its plant on emulated M7 and M4, into docs/results/attitude-loop.md"
 	@echo "make short-steps  what rounding takes from a million short steps in float: docs/results/short-steps.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
 	@echo "make api-speed  nanoseconds a state of Python's forward beside the batch C, into docs/results/python.md"
@@ -170,6 +171,9 @@ pil: setup-test
 
 control-loop: setup-test
 	$(BIN)/python tools/control_loop.py
+
+attitude-loop: setup-test
+	$(BIN)/python tools/attitude_loop.py
 
 short-steps: setup-test
 	$(BIN)/python tools/short_steps.py

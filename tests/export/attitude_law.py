@@ -76,7 +76,7 @@ def moment(config: Any, momentum: Array, dumping: bool) -> tuple[Array, bool]:
 
 
 def friction(config: Any, speed: Array) -> Array:
-    """What the motors bear besides drive torques."""
+    """Friction: the motors bear it besides drive torques."""
     part = np.clip(speed / np.array(config.coulomb_speed), -1.0, 1.0)
     return np.asarray(np.array(config.viscous) * speed + np.array(config.coulomb) * part)
 

@@ -16,12 +16,12 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.attitude import ExportedAttitude, attitude_sources
 from mahovik.stands import path
-from mahovik.use.control.attitude import Wishes
+from mahovik.use.control.attitude import LoopOptions
 from toolchain.tools import compile_c
 
 Array = NDArray[np.float64]
 N = 4
-DEFAULT = Wishes()
+DEFAULT = LoopOptions()
 
 
 def stand() -> Stand:
@@ -30,9 +30,9 @@ def stand() -> Stand:
 
 
 @cache
-def exported(real: str = "double", wishes: Wishes = DEFAULT) -> ExportedAttitude:
+def exported(real: str = "double", options: LoopOptions = DEFAULT) -> ExportedAttitude:
     """C of the loop, of the stand and of the example."""
-    return attitude_sources(stand(), wishes, real)
+    return attitude_sources(stand(), options, real)
 
 
 def written(made: ExportedAttitude, folder: Path) -> Path:
@@ -45,7 +45,7 @@ def written(made: ExportedAttitude, folder: Path) -> Path:
 
 
 def example(folder: Path, *flags: str, name: str = "eye4") -> dict[str, str]:
-    """What the example prints, compiled with the strict warnings: the rest of each line by its first words."""
+    """Lines that the example prints, compiled with the strict warnings, by their first words."""
     sources = [folder / f"{name}.c", folder / f"{name}_attitude.c", folder / "board.c"]
     compile_c("gcc", folder / "main.c", "-O2", f"-I{folder}", *flags, *sources, "-o", folder / "main")
     done = subprocess.run([folder / "main"], capture_output=True, text=True, check=False, timeout=60)

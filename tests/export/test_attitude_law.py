@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 import mahovik
 from export import attitude_law as law
@@ -123,7 +124,7 @@ def test_the_demand_is_that_of_the_law(c: Attitude, rng: Any, share: float) -> N
     course = begun(c, config, unit(rng), unit(rng)).course
     found = reference_at(c, course, share * course.duration)
     wanted = law.Wanted(law.rotation(found.attitude), np.array(found.rate), np.array(found.acceleration))
-    near = (wanted.turned * law.Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, 0))).as_quat()
+    near = (wanted.turned * Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, 0))).as_quat()
     attitude = (-1.0) ** rng.integers(2) * near[[3, 0, 1, 2]]  # both quaternions of the attitude give one demand
     rate, integral, out = rng.normal(size=3) * 0.1, rng.normal(size=3) * 0.1, Demand()
     given_arrays = numbers(*attitude), numbers(*rate), numbers(*integral)
@@ -171,7 +172,7 @@ def test_a_sample_is_the_law_with_the_torques_of_a_balanced_stand(
     t = min(loop.tick * config.period, loop.course.duration)
     seen = reference_at(c, loop.course, t)
     wanted = law.Wanted(law.rotation(seen.attitude), np.array(seen.rate), np.array(seen.acceleration))
-    near = (wanted.turned * law.Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, -1))).as_quat()
+    near = (wanted.turned * Rotation.from_rotvec(rng.normal(size=3) * 10.0 ** rng.uniform(-6, -1))).as_quat()
     rate = rng.normal(size=3) * 10.0 ** rng.uniform(-4, -1)
     x, out = state(rng, near[[3, 0, 1, 2]], rate), Result()
     status = c.step(config, loop, x, tuple(failed), out)
@@ -224,6 +225,19 @@ def test_the_mean_table_is_the_mean_over_phases(c: Attitude, rng: Any) -> None:
         )
         total += momentum(pieces(stand(), seen)) / 8
     np.testing.assert_allclose(c.momentum(x), total, atol=1e-12)
+
+
+def test_with_the_table_itself_torques_would_follow_the_unbalance(c: Attitude) -> None:
+    """Why the loop takes the mean table: at rest it needs friction alone, some mN m of the motors' 100."""
+    config = c.config(preferred_rate=0.0)
+    loop, out, x = begun(c, config, (1, 0, 0, 0)), Result(), state(np.random.default_rng(5), (1, 0, 0, 0))
+    x.phi_dot[:] = (400.0, -400.0, 400.0, -400.0)
+    largest = []
+    for mean in (True, False):
+        assert c.step(config, loop, x, None, out, mean) >= 0
+        largest.append(max(abs(tau) for tau in out.tau))
+    assert largest[0] < 5e-3
+    assert largest[1] > 5 * largest[0]
 
 
 # -- what is no input --------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from export import attitude_law as law
 from export.attitudes import Attitude, Loop, N, Result, State, example, exported, numbers, stand, written
@@ -18,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
-from mahovik.use.control.attitude import Wishes
+from mahovik.use.control.attitude import LoopOptions
 from toolchain.quick import quick
 from toolchain.tools import compile_c, require, require_32_bit, run
 
@@ -34,7 +35,7 @@ def numbers_in(line: str) -> list[float]:
 )
 def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_path: Path) -> None:
     """Within 1 arcsec after the slew and at the end; torques and speeds within the motors; 1 N m s down to 0.5 %."""
-    printed = example(written(exported(real, Wishes(failure=failure)), tmp_path))  # type: ignore[arg-type]
+    printed = example(written(exported(real, LoopOptions(failure=failure)), tmp_path))  # type: ignore[arg-type]
     assert printed["failures"] == "failures 0"
     assert numbers_in(printed["slew"])[0] == 30.0
     largest, after, last = numbers_in(printed["pointing"])
@@ -51,7 +52,7 @@ def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_pat
 
 
 def test_without_a_wrench_of_the_carrier_momentum_stays_and_the_page_says_so(tmp_path: Path) -> None:
-    made = attitude_sources(load(path("sat4")), Wishes(), "double")
+    made = attitude_sources(load(path("sat4")), LoopOptions(), "double")
     assert any("no wrench_input: momentum is not dumped" in line for line in made.design.lines)
     header = made.files["sat4_attitude.h"]
     assert "so momentum is not dumped here" in header
@@ -99,7 +100,7 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
     rng = np.random.default_rng(seed)
     config = c.config(period=0.1, slew_rate=0.02, slew_acceleration=1e-3)
     begin, goal = (v / np.linalg.norm(v) for v in rng.normal(size=(2, 4)))
-    near = (law.rotation(begin) * law.Rotation.from_rotvec(rng.normal(size=3) * 0.02)).as_quat()
+    near = (law.rotation(begin) * Rotation.from_rotvec(rng.normal(size=3) * 0.02)).as_quat()
     failed = tuple(int(s == 1) * int(rng.integers(3)) for s in range(N))
     x, loop, out = State(), Loop(), Result()
     x.attitude[:] = near[[3, 0, 1, 2]]
@@ -118,23 +119,27 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
 
 
 @pytest.mark.parametrize(
-    ("text", "wishes", "message"),
+    ("text", "options", "message"),
     [
-        ("", Wishes(task="pointin"), r'--task pointin: stand "eye4" has no such task, did you mean "pointing"\?'),
-        (('rows = ["wx", "wy", "wz"]', 'rows = ["wx", "wy"]'), Wishes(), "its rows are wx, wy; .* expected wx, wy, wz"),
-        (('rows = ["wx", "wy", "wz"]', 'rows = ["vx", "vy", "vz"]'), Wishes(), "expected wx, wy, wz"),
-        (("[task.pointing]", "[task.other]"), Wishes(task="pointing"), "has no such task"),
-        ("", Wishes(rate=5.0, bandwidth=1.0), "too slow for a bandwidth of 1 Hz; expected 20.9 Hz or more"),
-        ("", Wishes(momentum=3.0), "above 70 % of its no-load speed; expected less momentum"),
-        ("", Wishes(momentum=float("nan")), "--momentum nan: expected"),
-        ("", Wishes(bandwidth=0.0), "--bandwidth 0: expected a number above 0"),
+        ("", LoopOptions(task="pointin"), r'--task pointin: stand "eye4" has no such task, did you mean "pointing"\?'),
+        (
+            ('rows = ["wx", "wy", "wz"]', 'rows = ["wx", "wy"]'),
+            LoopOptions(),
+            "its rows are wx, wy; .* expected wx, wy, wz",
+        ),
+        (('rows = ["wx", "wy", "wz"]', 'rows = ["vx", "vy", "vz"]'), LoopOptions(), "expected wx, wy, wz"),
+        (("[task.pointing]", "[task.other]"), LoopOptions(task="pointing"), "has no such task"),
+        ("", LoopOptions(rate=5.0, bandwidth=1.0), "too slow for a bandwidth of 1 Hz; expected 20.9 Hz or more"),
+        ("", LoopOptions(momentum=3.0), "above 70 % of its no-load speed; expected less momentum"),
+        ("", LoopOptions(momentum=float("nan")), "--momentum nan: expected"),
+        ("", LoopOptions(bandwidth=0.0), "--bandwidth 0: expected a number above 0"),
     ],
 )
 def test_wishes_that_cannot_be_met_are_refused(
-    text: tuple[str, str] | str, wishes: Wishes, message: str, tmp_path: Path
+    text: tuple[str, str] | str, options: LoopOptions, message: str, tmp_path: Path
 ) -> None:
     with pytest.raises(UsageError, match=message):
-        attitude_sources(_changed(text, tmp_path), wishes, "double")
+        attitude_sources(_changed(text, tmp_path), options, "double")
 
 
 def _changed(text: tuple[str, str] | str, folder: Path) -> Stand:
@@ -146,12 +151,12 @@ def _changed(text: tuple[str, str] | str, folder: Path) -> Stand:
 
 def test_stands_without_a_task_or_enough_axes_are_refused(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="no task: add"):
-        attitude_sources(load(path("bench8")), Wishes(), "double")
+        attitude_sources(load(path("bench8")), LoopOptions(), "double")
     text = path("eye4").read_text(encoding="utf-8")
     two = re.sub(r'\[\[flywheel\]\]\nname = "rw[34]".*?\n\n', "", text, flags=re.DOTALL)
     (tmp_path / "eye4.toml").write_text(two, encoding="utf-8")
     with pytest.raises(UsageError, match="2 flywheels whose spin axes do not span space"):
-        attitude_sources(load(tmp_path / "eye4.toml"), Wishes(), "double")
+        attitude_sources(load(tmp_path / "eye4.toml"), LoopOptions(), "double")
 
 
 def test_clang_32_bits_cpp_and_bare_objects(tmp_path: Path) -> None:

@@ -271,14 +271,14 @@ def attitude(
     from mahovik.out.export.attitude import attitude_project
     from mahovik.out.export.target import exportable
     from mahovik.proof.verify.delivery import deliver
-    from mahovik.use.control.attitude import Wishes
+    from mahovik.use.control.attitude import LoopOptions
 
     found = exportable(target_name)
     stand = load_stand(stand_file)
     chosen = real or found.real or "double"
-    wishes = Wishes(task, rate, bandwidth, damping, momentum, failure)
+    options = LoopOptions(task, rate, bandwidth, damping, momentum, failure)
     folder = Path(output if output is not None else f"{stand.name}-attitude-{target_name}")
     with progress(f"attitude loop of {stand.name} for {target_name}"):
-        made = attitude_project(stand, found, wishes, chosen)
+        made = attitude_project(stand, found, options, chosen)
     done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only)
     print_paths(done.paths, (*done.notes, *made.design.lines))

@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import board_files
 from mahovik.core.toolchain.targets import Target
 from mahovik.out.export.target import makefile
-from mahovik.use.control.attitude import AttitudeDesign, Wishes, design_attitude
+from mahovik.use.control.attitude import AttitudeDesign, LoopOptions, design_attitude
 
 HOST = "board_host.c"
 """Console of this machine, for the same program without an emulator."""
@@ -26,9 +26,9 @@ class ExportedAttitude:
     design: AttitudeDesign
 
 
-def attitude_sources(stand: Stand, wishes: Wishes, real: str) -> ExportedAttitude:
+def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedAttitude:
     """C of the stand, of the loop and of its example. UsageError: as `design_attitude`."""
-    design = design_attitude(stand, wishes)
+    design = design_attitude(stand, options)
     tables = AttitudeTables(design.task, design.dumps, design.settings)
     only = needed_functions(tables)
     generated = generate_all(stand, real, only=only)
@@ -49,9 +49,9 @@ def attitude_sources(stand: Stand, wishes: Wishes, real: str) -> ExportedAttitud
     return ExportedAttitude({**generated.files, **printer.files(), "main.c": main}, only, design)
 
 
-def attitude_project(stand: Stand, target: Target, wishes: Wishes, real: str) -> ExportedAttitude:
+def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: str) -> ExportedAttitude:
     """The whole project. UsageError: as `design_attitude`. Raises StandError."""
-    made = attitude_sources(stand, wishes, real)
+    made = attitude_sources(stand, options, real)
     hosted = target.family == "hosted"
     files = {**made.files, **board_files(target)}
     host = "" if hosted else HOST
@@ -65,7 +65,7 @@ def attitude_project(stand: Stand, target: Target, wishes: Wishes, real: str) ->
         compiler=target.compiler[0],
         emulator=" ".join(target.emulator[:3]) or "this machine",
         hosted=hosted,
-        command=f"mahovik export attitude STAND.toml --task {task} --target {target.name} --real {real}",
+        command=_command(options, task, target.name, real),
         packages=", ".join(target.packages),
         lines=made.design.lines,
         wheel=stand.flywheels[0].name,
@@ -75,9 +75,19 @@ def attitude_project(stand: Stand, target: Target, wishes: Wishes, real: str) ->
         ),
     )
     files |= {
-        "Makefile": makefile(target, files, f"Attitude loop of {name} ({real})", host=host),
+        "Makefile": makefile(target, files, f"Attitude loop of {name} ({real})", "$(SCENARIO)", host),
         "README.md": page,
     }
     if host:
         files[HOST] = source_text("board/hosted/board.c")
     return ExportedAttitude(files, made.only, made.design)
+
+
+def _command(options: LoopOptions, task: str, target: str, real: str) -> str:
+    """The command that writes the project again: options that are the default are left out."""
+    words = ["mahovik export attitude STAND.toml", f"--task {task}", f"--target {target}", f"--real {real}"]
+    for name in ("rate", "bandwidth", "damping", "momentum", "failure"):
+        value = getattr(options, name)
+        if value != getattr(LoopOptions(), name):
+            words.append(f"--{name} {value if isinstance(value, str) else f'{value:.17g}'}")
+    return " ".join(words)

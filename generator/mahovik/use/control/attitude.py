@@ -1,4 +1,4 @@
-"""Settings of an attitude loop, and the scenario of its example, from the stand and a few wishes.
+"""Settings of an attitude loop, and the scenario of its example, from the stand and a few options.
 
 The loop demands of the task of a stand the angular acceleration that quaternion feedback wants (Wie, Weiss,
 Arapostathis, 1989): errors of the attitude obey s^2 + 2 zeta omega s + omega^2. A reference turns about the eigenaxis,
@@ -59,11 +59,11 @@ SLEW = math.radians(30.0)
 
 
 @dataclass(frozen=True)
-class Wishes:
-    """What the settings are computed from.
+class LoopOptions:
+    """Rates, task and scenario from which the settings are computed.
 
     task        name; None: the stand's only one
-    rate        samples a second, Hz
+    rate        sample rate, Hz
     bandwidth   of the loop, Hz; damping: its ratio
     momentum    angular momentum of the example's carrier and flywheels, N m s
     failure     of the first flywheel, half-way
@@ -100,10 +100,10 @@ class AttitudeDesign:
     lines: tuple[str, ...]
 
 
-def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
-    """Settings of the loop. UsageError: no such task, no flywheels that reach it, wishes out of bounds."""
-    task = attitude_task(stand, wishes.task)
-    period, omega = _checked(wishes)
+def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
+    """Settings of the loop. UsageError: no such task, no flywheels that reach it, options out of bounds."""
+    task = attitude_task(stand, options.task)
+    period, omega = _checked(options)
     axes = np.array([p.axes[:, 0] for p in placed_bodies(stand) if isinstance(p.body, Flywheel)]).reshape(-1, 3)
     spins = np.array([float(inertia_about_origin(wheel)[0, 0]) for wheel in stand.flywheels])
     if np.linalg.matrix_rank(axes, tol=1e-6) < 3:
@@ -115,15 +115,15 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
     preferred = _preferred(axes, spins, motors)
     capacity = momentum_capacity(stand).alone
     along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
-    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (wishes.momentum * along)
-    _check_speeds(stand, speeds, wishes.momentum)
+    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (options.momentum * along)
+    _check_speeds(stand, speeds, options.momentum)
     fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
     dumps = stand.carrier.wrench_input
     torque = min((m.torque for m in motors if m is not None and m.torque is not None), default=0.1) / 2
     settings: dict[str, float | tuple[float, ...]] = {
         "period": period,
         "bandwidth": omega,
-        "damping": wishes.damping,
+        "damping": options.damping,
         "integral": INTEGRAL * omega,
         "integral_most": 0.1,
         "closing_rate": fastest,
@@ -139,7 +139,7 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
     samples = {"told": max(1, round(0.1 / period)), "settle": round(SETTLE / (omega * period)) + 4}
     samples["last"] = samples["settle"] // 4
     if dumps:
-        dump_rate, end = omega / 5, 1e-3 * max(wishes.momentum, 0.1)
+        dump_rate, end = omega / 5, 1e-3 * max(options.momentum, 0.1)
         settings |= {
             "wanted_momentum": (0.0, 0.0, 0.0),
             "dump_rate": dump_rate,
@@ -147,13 +147,13 @@ def design_attitude(stand: Stand, wishes: Wishes) -> AttitudeDesign:
             "dump_begin": 5 * end,
             "dump_end": end,
         }
-        time = wishes.momentum / torque + math.log(max(torque / dump_rate / end, 1.0)) / dump_rate
+        time = options.momentum / torque + math.log(max(torque / dump_rate / end, 1.0)) / dump_rate
         samples["dump"] = round(1.1 * time / period) + samples["settle"]
     half = SLEW / 2
     most = max(float(np.abs(speeds).max()), PREFERRED * _no_load(motors)) * 2
     design = AttitudeDesign(
         task, dumps, settings, tuple(float(v) for v in speeds),
-        (math.cos(half), *(math.sin(half) * float(a) for a in along)), wishes.momentum, wishes.failure,
+        (math.cos(half), *(math.sin(half) * float(a) for a in along)), options.momentum, options.failure,
         max(1, math.ceil(period * most / TURN)), samples, (),
     )  # fmt: skip
     return _described(stand, design)
@@ -178,25 +178,25 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
     return task
 
 
-def _checked(wishes: Wishes) -> tuple[float, float]:
+def _checked(options: LoopOptions) -> tuple[float, float]:
     """Sample period (s) and bandwidth (rad/s)."""
     for option, value, most in (
-        ("--rate", wishes.rate, 1e5),
-        ("--bandwidth", wishes.bandwidth, 1e3),
-        ("--damping", wishes.damping, 10.0),
+        ("--rate", options.rate, 1e5),
+        ("--bandwidth", options.bandwidth, 1e3),
+        ("--damping", options.damping, 10.0),
     ):
         if not 0.0 < value <= most:
             raise UsageError(f"{option} {value:g}: expected a number above 0, at most {most:g}")
-    if not 0.0 <= wishes.momentum <= 1e6:
-        raise UsageError(f"--momentum {wishes.momentum:g}: expected N m s, 0 or more")
-    period, omega = 1.0 / wishes.rate, 2 * math.pi * wishes.bandwidth
+    if not 0.0 <= options.momentum <= 1e6:
+        raise UsageError(f"--momentum {options.momentum:g}: expected N m s, 0 or more")
+    period, omega = 1.0 / options.rate, 2 * math.pi * options.bandwidth
     if omega * period > MOST_STEP:
         least = omega / MOST_STEP
         raise UsageError(
-            f"--rate {wishes.rate:g}: too slow for a bandwidth of {wishes.bandwidth:g} Hz; expected {least:.3g} Hz or "
-            "more"
+            f"--rate {options.rate:g}: too slow for a bandwidth of {options.bandwidth:g} Hz; expected {least:.3g} Hz "
+            "or more"
         )
-    if 1.0 / wishes.rate > 10.0 or wishes.damping < 0.2:
+    if 1.0 / options.rate > 10.0 or options.damping < 0.2:
         raise UsageError("--rate, --damping: expected at least 0.1 Hz and 0.2")
     return period, omega
 

@@ -33,7 +33,7 @@ ACCEPTED = 8e-7
 """Residual that is enough where closer rows do not help, as rounding of phi counts over the square of the distance."""
 
 SHORTEST = 4096
-"""Rows over the whole time, were all as close as the closest may be."""
+"""Rows over the whole time, were all as close as the closest may be; closer if an uneven flywheel turns by TURN / 2."""
 
 MOST_ROWS = 8192
 
@@ -219,7 +219,8 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
             raise NoSlewError("SPAN", f"the flywheels do not reach the task: {_missing_words(found.missing)}")
         _refuse_singular(exact, found)
         residuals, takes = _intervals(exact, path.limits, found)
-        splitting = (residuals > 0.5 * TOLERANCE) & (np.diff(t) > law.duration / SHORTEST)
+        far = (np.diff(t) > law.duration / SHORTEST) | (_turned(exact, found) > 0.5 * TURN)
+        splitting = (residuals > 0.5 * TOLERANCE) & far
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
@@ -269,8 +270,7 @@ def _split(t: Array, counts: Array) -> Array:
 
 def _turning(exact: Exact, law: Law, t: Array) -> Array:
     """More rows where an uneven flywheel would turn further than TURN from one to the next."""
-    tables = exact.mechanics.tables
-    uneven = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)) > EVEN * np.abs(tables.Theta[0]).max(axis=(1, 2))
+    uneven = _uneven(exact)
     if not uneven.any():
         return t
     share = np.abs(_least_share(exact))
@@ -279,6 +279,19 @@ def _turning(exact: Exact, law: Law, t: Array) -> Array:
     angle = np.maximum(fastest[1:], fastest[:-1]) * np.diff(t)
     counts = np.maximum(1, np.ceil(angle / TURN)).astype(int)
     return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
+
+
+def _uneven(exact: Exact) -> Array:
+    """Is a flywheel unevenly built (N)? Its wrench then changes as it turns."""
+    tables = exact.mechanics.tables
+    changing, mean = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)), np.abs(tables.Theta[0]).max(axis=(1, 2))
+    return np.asarray(changing > EVEN * mean)
+
+
+def _turned(exact: Exact, found: Found) -> Array:
+    """The furthest that an uneven flywheel turns in each interval between rows; rad."""
+    angles = np.abs(np.diff(found.angles.phi, axis=0))
+    return np.asarray(angles[:, _uneven(exact)].max(axis=1, initial=0.0))
 
 
 def _least_share(exact: Exact) -> Array:
