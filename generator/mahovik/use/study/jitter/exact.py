@@ -34,7 +34,8 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
     fastest = float(np.abs(found.speeds).max(initial=0.0))
     f = np.where(np.abs(w) <= SLOW * fastest, 0.0, np.abs(w)) / (2.0 * np.pi)
     sizes = np.abs(a).max(axis=1)
-    kept = (sizes > NEGLIGIBLE * sizes[f > 0.0].max(initial=0.0)) | (torus.k == 0).all(axis=1)
+    largest = sizes[(f > 0.0) & np.isfinite(sizes)].max(initial=0.0)
+    kept = ~(sizes <= NEGLIGIBLE * largest) | (torus.k == 0).all(axis=1)
     names = [found.scene.stand.flywheels[s].name for s in found.turning]
     labels = [_name(k.tolist(), names) for k in torus.k[kept]]
     return Lines(tuple(labels), f[kept][None], a[kept][None])

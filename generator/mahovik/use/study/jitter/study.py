@@ -16,7 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
-from mahovik.use.study.jitter.chain import Chain, Makers
+from mahovik.use.study.jitter.chain import Chain, Makers, undamped
 from mahovik.use.study.jitter.exact import exact_lines
 from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.noise import Broadband, broadband
@@ -209,6 +209,18 @@ class _Study:
         lines = _together([None if each is None else each[1] for each in found])
         return self._result(lines, "harmonic balance", left, (), hold, orders, tuple(problems))
 
+    def _resonances(self, lines: Lines, besides: set[int]) -> list[tuple[int, str]]:
+        """Speeds at which a line has no finite amplitude, and why."""
+        found = []
+        for i in np.flatnonzero(~lines.known).tolist():
+            if i not in besides:
+                at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
+                hertz = float(lines.frequency[i, at])
+                mode = undamped(self.chain.makers, self.chain.names, self.speeds[i], 2.0 * np.pi * hertz)
+                what = f"{mode}: expected a damping above 0" if mode else "the stand itself: expected some damping"
+                found.append((i, f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"))
+        return found
+
     def first_order(self, go_on: Callable[[int], bool]) -> Jitter:
         """The linear equations at every speed, compared with the full ones at some."""
         own = self.linear_lines()
@@ -229,6 +241,8 @@ class _Study:
                     problems.append((i, str(error)))
                     continue
                 left[i] = one.left_out
+                if not np.isfinite(total[i]):
+                    continue
                 size = float(np.linalg.norm(exact_lines(one, self.chain.seen, self.phases, self.chain).rms()))
                 off = abs(float(total[i]) - size) / size if size else 0.0
                 checks.append(Check(i, one.left_out, off))
@@ -269,6 +283,10 @@ class _Study:
         S = len(lines.frequency)
         if S:
             lines = lines.joined(self.chain.table_lines(self.speeds[:S]))
+            problems = tuple(sorted((*problems, *self._resonances(lines, {i for i, _ in problems}))))
+            lines = lines.without([i for i, _ in problems])
+            if not lines.known.any():
+                raise CheckError(problems[0][1])
         noise = broadband(self.chain, self.speeds[_largest(lines)]) if S else None
         return Jitter(
             self.scene.stand, self.asked, self.chain.seen, self.chain, self.speeds[:S], self.value[:S], self.phases,
