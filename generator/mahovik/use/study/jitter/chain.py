@@ -182,7 +182,7 @@ class Chain:
             right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
             right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
             right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
-            driven = right.any(axis=2)[:, None]
+            driven = np.asarray(right.any(axis=2))[:, None]
             out = np.where(driven, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
             L = omega.shape[1]
             w = omega[:, :, None, None]

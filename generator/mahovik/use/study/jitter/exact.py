@@ -41,6 +41,18 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
     return Lines(tuple(labels), f[kept][None], a[kept][None])
 
 
+def left_out_of(found: Balance, seen: View) -> Array:
+    """Largest value (3) of what the balance leaves out of the quantity at any phases: sum of the amplitudes of its lines.
+
+    The lines of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
+    """
+    if found.missing is None:
+        return np.full(3, np.nan)
+    moving = found.missing_w != 0.0
+    lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
+    return np.asarray(np.abs(lines).sum(axis=0))
+
+
 def _name(k: list[int], names: list[str]) -> LineName:
     """Name of the line of k, one whole number per flywheel that turns."""
     there = [(n, name) for n, name in zip(k, names, strict=True) if n]

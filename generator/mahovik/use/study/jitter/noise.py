@@ -41,8 +41,8 @@ def broadband(chain: Chain, speeds: Array) -> Broadband | None:
     if not tables:
         return None
     f = _grid(chain)
-    for omega, damping in _modes(chain):
-        hertz = omega / (2.0 * np.pi)
+    for natural, damping in _modes(chain):
+        hertz = natural / (2.0 * np.pi)
         if damping == 0.0 and f[0] <= hertz <= f[-1]:
             raise CheckError(f"noise drives a mode of {hertz:.6g} Hz without damping: expected a damping above 0")
     omega = 2.0 * np.pi * f[None]

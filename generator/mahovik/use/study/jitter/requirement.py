@@ -124,9 +124,10 @@ def _read_mask(path: Path, quantity: Quantity) -> list[Requirement]:
 
 
 def judge(found: Jitter, requirement: Requirement) -> Verdict:
-    """Whether jitter meets a requirement at all its speeds, with the makers' tolerances; a speed with a problem does not."""
+    """Whether jitter meets a requirement at all its speeds, with the makers' tolerances; not at one with a problem."""
     found = found.toleranced
     values = _values(found, requirement)
+    values += np.nan_to_num(found.remainder)  # what the balance leaves out, with any phases
     values[[i for i, _ in found.problems]] = np.inf
     values = np.where(np.isfinite(values), values, np.inf)
     step, axis = np.unravel_index(int(np.argmax(values)), values.shape)
