@@ -243,14 +243,14 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
             click.echo("warning: first order is too coarse for these unbalances; use --exact", err=True)
     elif np.isfinite(study.left_out).any():
         click.echo(
-            f"harmonic balance of order {max(study.order)}; accelerations left out, measured at {SAMPLES} random sets of "
-            f"phases: {np.nanmax(study.left_out):.1e} of the largest"
+            f"harmonic balance of order {max(study.order)}; accelerations left out, measured at {SAMPLES} random sets "
+            f"of phases: {np.nanmax(study.left_out):.1e} of the largest"
         )
         if np.isfinite(study.remainder).any():
-            most = scale * float(np.nanmax(study.remainder))
-            click.echo(
-                f"{study.quantity} left out at any phases, sum of its lines of two more orders: {most:.1e} {unit}"
-            )
+            most = f"{scale * float(np.nanmax(study.remainder)):.1e} {unit}"
+            click.echo(f"{study.quantity} left out at any phases, sum of its lines of two more orders: {most}")
+        else:
+            click.echo(f"what is left out of the {study.quantity} itself is not known: too many flywheels turn")
     structure = study.chain.makers.structure
     if structure is not None:
         mass, gyro = (float(each.max(initial=0.0)) for each in study.chain.ratios)

@@ -73,7 +73,7 @@ class Balance:
     speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
     c         (n, 12): coefficients of states y = (x, r, V) in the chart about rest
     hold      (6; N, N m): constant wrench in E1 that keeps the mean place along free directions, mean over phases
-    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest there
+    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest
     missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
     missing_w (m; rad/s): their k . phi', 0 for constants
     short     why no higher order was found though this one leaves out too much; empty: it does not
@@ -95,9 +95,12 @@ class Balance:
 
     @property
     def pose_left_out(self) -> float:
-        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger."""
+        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger.
+
+        0 where they are not known.
+        """
         if self.missing is None:
-            return np.inf
+            return 0.0
         radius = _radius(self.scene)
         left, whole = (
             [
@@ -245,8 +248,8 @@ class _Search:
     def _failure(self, order: int) -> CheckError:
         given_text = ", ".join(f"{x:.6g}" for x in self.speeds)
         return CheckError(
-            f"{self.scene.stand.name} at speeds {given_text} rad/s: no steady motion found to order {order}: an undamped "
-            "resonance, a carrier that moves too violently, or a beat too slow to be resolved"
+            f"{self.scene.stand.name} at speeds {given_text} rad/s: no steady motion found to order {order}: an "
+            "undamped resonance, a carrier that moves too violently, or a beat too slow to be resolved"
         )
 
     def _start(self, torus: Torus) -> Complex:

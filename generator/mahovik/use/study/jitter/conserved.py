@@ -1,13 +1,13 @@
 """A stand on which nothing outside acts: its motion on the torus by conservation of momentum.
 
-By (8) a slow beat of frequency d has the displacement wrench / (inertia d^2): what an order leaves out of the wrench, and
-its rounding, grow without bound where two speeds are nearly equal. Momentum says the same without the divisions. With no
-drift the linear momentum is zero; the angular one L is constant in the axes of rest, so that in E1, C = exp<r>,
+By (8) a slow beat of frequency d has the displacement wrench / (inertia d^2): what an order leaves out of the wrench,
+and its rounding, grow without bound where two speeds are nearly equal. Momentum says the same without the divisions.
+With no drift the linear momentum is zero; the angular one L is constant in the axes of rest, so that in E1, C = exp<r>,
 
     K V + h = (0, C^T L),    r' = B(r) omega,    x + C c = constant,
 
-c the mass centre in E1. Unknown are r on the torus and L; one division by the frequency is left, and none of what stands
-across L, where spin holds the carrier. x needs no division.
+c the mass centre in E1. Unknown are r on the torus and L; one division by the frequency is left, and none across L,
+where spin holds the carrier. x needs no division.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ STEPS = 20
 SETTLED = 1e-11
 """Relative size of a last step of Newton's method."""
 
-ROUNDING = 1e-14
+ROUNDING = 1e-16
 """Part of the largest angular velocity of flywheels and carrier, by inertia, that is rounding."""
 
 LARGEST = 2.0
@@ -44,7 +44,7 @@ LARGEST = 2.0
 
 
 def conserves(scene: Scene) -> bool:
-    """Whether momentum is conserved: at random states (8) has no wrench from outside, and mass is not added by a fluid."""
+    """Whether momentum is conserved: (8) has no wrench from outside at random states, and no fluid adds mass."""
     if scene.free.shape[1] < 6:
         return False
     rng, N = np.random.default_rng(1), len(scene.stand.flywheels)
@@ -92,9 +92,18 @@ class Conserved:
 
     def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
         """r' (M, 3) and omega (M, 3)."""
-        own = Rotation.from_rotvec(-r).apply(L)
-        omega = (self.inertia @ own[:, :, None])[:, :, 0] + self.spinning
+        omega = (self.given.inverse @ self.carried(r, L)[:, :, None])[:, 3:, 0]
         return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
+
+    def carried(self, r: Array, L: Array) -> Array:
+        """K V (M, 6) = (0, C^T L) - h, without the rounding of the large numbers that cancel: C^T L = L + small."""
+        angle = np.linalg.norm(r, axis=1)[:, None]
+        across = np.cross(r, L)
+        a, b = np.sinc(angle / np.pi), np.sinc(angle / (2.0 * np.pi)) ** 2 / 2.0
+        found = -self.given.h
+        found[:, 3:] += L
+        found[:, 3:] += b * np.cross(r, across) - a * across
+        return found
 
     def slopes(self, r: Array, L: Array) -> tuple[Array, Array]:
         """Derivatives (M, 3, 3) of r' by r, except for terms of third order in r, and by L."""
@@ -106,12 +115,10 @@ class Conserved:
 
     def state(self, r: Complex, L: Complex, slow: Whole) -> Complex:
         """y (n, 12) on the torus: x with its constants at rest, r, V."""
-        at, momentum = self.torus.values(r), np.zeros((self.torus.M, 6))
-        turn = Rotation.from_rotvec(at)
-        x = -self.torus.coefficients(turn.apply(self.centre))
+        at = self.torus.values(r)
+        x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
-        momentum[:, 3:] = turn.inv().apply(self.torus.values(L))
-        V = (self.given.inverse @ (momentum - self.given.h)[:, :, None])[:, :, 0]
+        V = (self.given.inverse @ self.carried(at, self.torus.values(L))[:, :, None])[:, :, 0]
         return np.concatenate([x, r, self.torus.coefficients(V)], axis=1)
 
     def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:

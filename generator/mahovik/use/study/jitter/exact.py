@@ -42,9 +42,9 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
 
 
 def left_out_of(found: Balance, seen: View) -> Array:
-    """Largest value (3) of what the balance leaves out of the quantity at any phases: sum of the amplitudes of its lines.
+    """What the balance leaves out of the quantity (3) at any phases: sum of the amplitudes of its lines.
 
-    The lines of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
+    The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
     """
     if found.missing is None:
         return np.full(3, np.nan)

@@ -1,4 +1,4 @@
-"""The linear equations of one step of Newton's method on a torus: GMRES, preconditioned by their mean over all phases."""
+"""Linear equations of a step of Newton's method on a torus: GMRES, preconditioned by their mean over all phases."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class Linearised:
         return found[:, :m], np.where(slow[:, None], found[:, m:], 0.0)
 
     def inverse(self, w: Array, slow: Whole) -> Complex | None:
-        """Inverses (n, m + f, m + f) of the mean equations at any w (n; rad/s), or None: unknown h where k is constant."""
+        """Inverses (n, m + f, m + f) of the mean equations at any w (n; rad/s), h unknown at `slow`; None: singular."""
         n, (f, m) = len(w), self.free.shape
         A = np.zeros((n, m + f, m + f), dtype=np.complex128)
         A[:, :m, :m] = -self.J.mean(axis=0)

@@ -57,7 +57,7 @@ class Jitter:
     checks     full equations at some speeds of a sweep to first order
     hold       (6): constant wrench that keeps the mean place of a stand that is free to drift, largest over speeds
     order      largest sum of |k_s| of the harmonic balance, by speed
-    problems   speeds without a steady state, and why
+    problems   speeds without a steady state or with an inaccurate one, and why; no requirement is met there
     """
 
     stand: Stand

@@ -25,8 +25,8 @@ MOST_NODES = 40_000
 """Most nodes of a lattice: time and memory grow in proportion."""
 
 BEYOND = 2
-"""Orders above the kept ones that are told from them at the nodes. Products of kept terms reach higher orders: without a
-margin they would be taken for slow beats, whose displacement is their acceleration by the square of a low frequency."""
+"""Orders above the kept ones that are told from them at the nodes: products of kept terms would else pass for slow
+beats, whose displacement is their acceleration by the square of a low frequency."""
 
 TRIES = 200
 """Generators tried per number of nodes."""
@@ -37,7 +37,8 @@ class Torus:
     """Index set and lattice of `count` phases.
 
     k      (n, count) whole numbers: one of k and -k, the zero first; by size, then in order
-    z, M   generator (count) and number of nodes, odd; k . z differ mod M for all k and -k, and from those of BEYOND higher orders
+    z, M   generator (count) and number of nodes, odd; k . z differ mod M for all k and -k,
+           and from those of BEYOND higher orders
     """
 
     k: Whole
