@@ -211,7 +211,7 @@ def _print(found: Jitter) -> None:
     print_table(columns, rows, title=f"{study.stand.name}: {study.quantity} of {study.point}, {many}")
     if found.verdicts:
         _print_verdicts(found, scale, unit)
-    _remarks(found)
+    _remarks(found, scale, unit)
 
 
 def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
@@ -226,9 +226,11 @@ def _print_verdicts(found: Jitter, scale: float, unit: str) -> None:
     print_table(columns, rows, title="requirements, with the makers' tolerances")
 
 
-def _remarks(found: Jitter) -> None:
-    """Print what is left out, and speeds without a steady state."""
+def _remarks(found: Jitter, scale: float, unit: str) -> None:
+    """Print what is left out, and speeds with a problem."""
     import numpy as np
+
+    from mahovik.use.study.jitter.balance import SAMPLES
 
     study = found.study
     if study.checks:
@@ -241,9 +243,14 @@ def _remarks(found: Jitter) -> None:
             click.echo("warning: first order is too coarse for these unbalances; use --exact", err=True)
     elif np.isfinite(study.left_out).any():
         click.echo(
-            f"harmonic balance of order {max(study.order)}; accelerations left out: at most "
-            f"{np.nanmax(study.left_out):.1e} of the largest"
+            f"harmonic balance of order {max(study.order)}; accelerations left out, measured at {SAMPLES} random sets "
+            f"of phases: {np.nanmax(study.left_out):.1e} of the largest"
         )
+        if np.isfinite(study.remainder).any():
+            most = f"{scale * float(np.nanmax(study.remainder)):.1e} {unit}"
+            click.echo(f"{study.quantity} left out at any phases, sum of its lines of two more orders: {most}")
+        else:
+            click.echo(f"what is left out of the {study.quantity} itself is not known: too many flywheels turn")
     structure = study.chain.makers.structure
     if structure is not None:
         mass, gyro = (float(each.max(initial=0.0)) for each in study.chain.ratios)

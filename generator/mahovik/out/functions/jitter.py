@@ -92,12 +92,17 @@ class Jitter(Table):
 
     @property
     def left_out(self) -> Array:
-        """Largest remaining acceleration of the full equations (S), relative; NaN where it was not evaluated."""
+        """Largest remaining acceleration of the full equations at random phases (S), relative; NaN: not evaluated."""
         return self.study.left_out
 
     @property
+    def remainder(self) -> Array:
+        """What the balance leaves out of the quantity (S, 3): sum of its lines of two more orders; NaN: unknown."""
+        return self.study.remainder
+
+    @property
     def problems(self) -> tuple[str, ...]:
-        """Why speeds have no steady state, one reason per such speed."""
+        """Why speeds have no steady state, or an inaccurate one."""
         return tuple(text for _, text in self.study.problems)
 
     @property

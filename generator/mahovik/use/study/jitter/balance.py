@@ -5,8 +5,10 @@ The state about rest is a function on a torus, y(theta), one phase theta_s per f
     sum_s phi_s' dy/dtheta_s = y'(theta, y),
 
 so that coefficient k obeys i k . phi' y_k = [y'(theta, y)]_k. Newton's method; its linear equations are solved by
-GMRES, preconditioned by their mean over all phases. Kept are all k up to an order. What the others would add is
-measured: the accelerations that the literal reference (8) finds along the motion at random phases differ by `left_out`.
+GMRES, preconditioned by their mean over all phases. Kept are all k up to an order. Where nothing outside acts, momentum
+takes the place of (8), see `conserved`. What the others would add is measured twice: the accelerations that the literal
+reference (8) finds along the motion at random phases differ by `left_out`; and `missing` is the motion, to first order,
+by the lines that the equations still have up to MORE higher orders.
 
 Directions without a restoring force are kept from drifting: of all motions the one is found whose mean pose is that of
 rest and whose mean rotation is zero, for any phases. Where momentum is conserved nothing is needed for that.
@@ -15,10 +17,9 @@ rest and whose mean rotation is zero, for any phases. Where momentum is conserve
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.sparse.linalg import LinearOperator, gmres
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
@@ -28,13 +29,11 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Drive
+from mahovik.use.study.jitter.conserved import Conserved, conserves, solve
+from mahovik.use.study.jitter.linearised import Linearised
 from mahovik.use.study.jitter.torus import Torus, Whole
 from mahovik.use.study.response.scene import Scene
 
-ACCURATE = 1e-9
-"""Accuracy of GMRES in one step of Newton's method."""
-
-RESTART, ROUNDS = 40, 5
 STEPS = 20
 SETTLED = 1e-11
 """Relative size of a last step of Newton's method."""
@@ -51,6 +50,15 @@ SLOW = 1e-9
 ENOUGH = 1e-6
 """Accelerations left out, relative, at which no higher order is tried."""
 
+ENOUGH_POSE = 1e-4
+"""Pose left out, relative, likewise: slow beats of higher orders move far with small accelerations."""
+
+LITTLE = 1e-6
+"""Part of the other below which a displacement or turning of the carrier is not judged."""
+
+MORE = 2
+"""Orders above the kept ones whose remaining lines are found."""
+
 FIRST, HIGHEST = 2, 8
 """Orders tried without a given one."""
 
@@ -65,7 +73,10 @@ class Balance:
     speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
     c         (n, 12): coefficients of states y = (x, r, V) in the chart about rest
     hold      (6; N, N m): constant wrench in E1 that keeps the mean place along free directions, mean over phases
-    left_out  largest remaining acceleration by the literal reference, as a part of the largest acceleration
+    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest
+    missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
+    missing_w (m; rad/s): their k . phi', 0 for constants
+    short     why no higher order was found though this one leaves out too much; empty: it does not
     """
 
     scene: Scene
@@ -77,6 +88,29 @@ class Balance:
     c: Complex
     hold: Array
     left_out: float
+    missing: Complex | None = None
+    missing_w: Array = field(default_factory=lambda: np.zeros(0))
+    missing_order: int = 0
+    short: str = ""
+
+    @property
+    def pose_left_out(self) -> float:
+        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger.
+
+        0 where they are not known.
+        """
+        if self.missing is None:
+            return 0.0
+        radius = _radius(self.scene)
+        left, whole = (
+            [
+                size * float(np.linalg.norm(np.abs(c[moving, i : i + 3]).sum(axis=0)))
+                for i, size in ((0, 1.0), (3, radius))
+            ]
+            for c, moving in ((self.missing, self.missing_w != 0.0), (self.c, (self.torus.k != 0).any(axis=1)))
+        )
+        least = LITTLE * max(whole)
+        return max(a / max(b, least) for a, b in zip(left, whole, strict=True)) if least else 0.0
 
     @property
     def frequencies(self) -> Array:
@@ -118,12 +152,12 @@ def balance(
         return search.at(order)
     found = search.at(FIRST)
     for higher in range(FIRST + 1, HIGHEST + 1):
-        if found.left_out <= ENOUGH:
-            break
+        if found.left_out <= ENOUGH and found.pose_left_out <= ENOUGH_POSE:
+            return found
         try:
             found = search.at(higher)
-        except CheckError:
-            break
+        except CheckError as error:
+            return replace(found, short=str(error))
     return found
 
 
@@ -135,12 +169,14 @@ class _Search:
         self.turning = tuple(int(s) for s in np.flatnonzero(speeds))
         self.fastest = float(np.abs(speeds).max(initial=0.0)) or 1.0
         self.before: tuple[Torus, Complex] | None = None
+        self.conserves = conserves(scene)
 
     def at(self, order: int) -> Balance:
         """The motion at an order. Raises CheckError."""
         torus = Torus.of(len(self.turning), order)
-        w = torus.frequencies(self.speeds[list(self.turning)])
-        slow = np.flatnonzero(np.abs(w) <= SLOW * self.fastest)
+        w, slow = self._frequencies(torus)
+        if self.conserves:
+            return self._by_momentum(order, torus, w, slow)
         given = self._drive(torus.nodes)
         f = self.scene.free.shape[1]
         push = self.scene.push(given)
@@ -152,7 +188,7 @@ class _Search:
                 break
             rate = self.scene.chart.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
             J = self.scene.jacobian(given, y, rate[:, 6:])
-            linear = _Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
+            linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
             step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c)
             if step is None:
                 break
@@ -160,11 +196,60 @@ class _Search:
             change = np.abs(step[0] / size).max()
             if change <= SETTLED * np.abs(c / size).max() + ROUNDING / self.fastest**2:
                 self.before = torus, c
-                return self._result(order, torus, c, h)
+                return self._with_missing(self._result(order, torus, c, h), linear, h)
+        raise self._failure(order)
+
+    def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
+        """The motion of a stand that keeps its momentum. Raises CheckError."""
+        own = Conserved.of(torus, self._drive(torus.nodes))
+        found = solve(own, w, slow, self._start(torus)[:, 3:6])
+        if found is None:
+            raise self._failure(order)
+        c = own.state(found.r, found.L, slow)
+        self.before = torus, c
+        result = self._result(order, torus, c, np.zeros((len(w), 6), dtype=np.complex128))
+        larger = self._larger(order)
+        if larger is None:
+            return result
+        w, slow = self._frequencies(larger)
+        beyond = Conserved.of(larger, self._drive(larger.nodes))
+        missing = beyond.remainder(found.r, found.L, c[:, :3], w, slow, found.near)
+        return _with(result, missing, w, slow, order + MORE)
+
+    def _with_missing(self, found: Balance, linear: Linearised, h: Complex) -> Balance:
+        """A motion with what it leaves out of (8)."""
+        larger = self._larger(found.order)
+        if larger is None:
+            return found
+        w, slow = self._frequencies(larger)
+        inverse = linear.inverse(w, slow)
+        if inverse is None:
+            return found
+        c, held = larger.padded(found.c), larger.padded(h)
+        given = self._drive(larger.nodes)
+        rate = self.scene.chart.rate(given, larger.values(c))
+        rate += (self.scene.push(given) @ larger.values(held)[:, :, None])[:, :, 0]
+        left = larger.coefficients(rate) - 1j * w[:, None] * c
+        missing = (inverse[:, :6, :12] @ left[:, :, None])[:, :, 0]
+        return _with(found, missing, w, slow, found.order + MORE)
+
+    def _larger(self, order: int) -> Torus | None:
+        """The torus of the orders whose remaining lines are found; None: too many nodes."""
+        try:
+            return Torus.of(len(self.turning), order + MORE)
+        except CheckError:
+            return None
+
+    def _frequencies(self, torus: Torus) -> tuple[Array, Whole]:
+        """k . phi' (n; rad/s) and the places of those that are constant."""
+        w = torus.frequencies(self.speeds[list(self.turning)])
+        return w, np.flatnonzero(np.abs(w) <= SLOW * self.fastest)
+
+    def _failure(self, order: int) -> CheckError:
         given_text = ", ".join(f"{x:.6g}" for x in self.speeds)
-        raise CheckError(
-            f"{self.scene.stand.name} at speeds {given_text} rad/s: no steady motion found: an undamped resonance, "
-            "or the carrier moves too violently"
+        return CheckError(
+            f"{self.scene.stand.name} at speeds {given_text} rad/s: no steady motion found to order {order}: an "
+            "undamped resonance, a carrier that moves too violently, or a beat too slow to be resolved"
         )
 
     def _start(self, torus: Torus) -> Complex:
@@ -200,9 +285,20 @@ class _Search:
         return max(parts)
 
 
+def _with(found: Balance, missing: Complex, w: Array, slow: Whole, order: int) -> Balance:
+    w = w.copy()
+    w[slow] = 0.0
+    return replace(found, missing=missing, missing_w=w, missing_order=order)
+
+
+def _radius(scene: Scene) -> float:
+    """Radius of gyration, m."""
+    return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
+
+
 def _largest(scene: Scene, off: Array, whole: Array) -> float:
     """Largest of off (M, 6) as a part of the largest of `whole`, rotations times the radius of gyration."""
-    radius = float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
+    radius = _radius(scene)
     scale = np.repeat([1.0, radius], 3)
     most = float(np.linalg.norm(whole * scale, axis=1).max())
     return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > ROUNDING else 0.0
@@ -228,77 +324,3 @@ def _forward(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> Array:
     """V* (6) by the literal reference."""
     at = pieces(scene.stand, _state(scene, y, phi, phi_dot))
     return forward(at, np.zeros(len(phi)))
-
-
-@dataclass(frozen=True, eq=False)
-class _Linearised:
-    """i w_k dc_k - [J dy + push dh]_k = r_k, with free . dc_k = - free . c_k for constant k; unknown dc, dh.
-
-    J (M, 12, 12), push (M, 12, f) at the nodes; free (f, 12); w (n, rad/s); slow: the constant k; size (12).
-    """
-
-    torus: Torus
-    J: Array
-    push: Array
-    free: Array
-    w: Array
-    slow: Whole
-    size: Array
-
-    def solve(self, r: Complex, c: Complex) -> tuple[Complex, Complex] | None:
-        """dc (n, 12), dh (n, f); None if the equations are singular, at an undamped resonance."""
-        n, f = len(self.w), len(self.free)
-        inverse = self._inverse()
-        if inverse is None:
-            return None
-        slow = np.zeros(n, dtype=bool)
-        slow[self.slow] = True
-
-        def pack(found: Complex) -> Array:
-            scaled = found / np.concatenate([self.size, np.ones(f)])
-            return np.concatenate([scaled.real.ravel(), scaled.imag.ravel()])
-
-        def unpack(x: Array) -> Complex:
-            half = len(x) // 2
-            found = (x[:half] + 1j * x[half:]).reshape(n, 12 + f)
-            found[0] = found[0].real
-            return np.asarray(found * np.concatenate([self.size, np.ones(f)]))
-
-        def back(right: Complex) -> Array:
-            found = (inverse @ right[:, :, None])[:, :, 0]
-            found[0] = found[0].real
-            return pack(found)
-
-        def forward(x: Array) -> Array:
-            found = unpack(x)
-            dc, dh = found[:, :12], np.where(slow[:, None], found[:, 12:], 0.0)
-            dy, at = self.torus.values(dc), self.torus.values(dh)
-            moved = (self.J @ dy[:, :, None])[:, :, 0] + (self.push @ at[:, :, None])[:, :, 0]
-            left = 1j * self.w[:, None] * dc - self.torus.coefficients(moved)
-            last = np.where(slow[:, None], dc @ self.free.T, found[:, 12:])
-            return back(np.concatenate([left, last], axis=1))
-
-        last = np.where(slow[:, None], -c @ self.free.T, 0.0)
-        count = 2 * n * (12 + f)
-        operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
-        right = back(np.concatenate([r, last], axis=1))
-        x, missed = gmres(operator, right, rtol=ACCURATE, atol=0.0, restart=RESTART, maxiter=ROUNDS)
-        if missed or not np.all(np.isfinite(x)):
-            return None
-        found = unpack(x)
-        return found[:, :12], np.where(slow[:, None], found[:, 12:], 0.0)
-
-    def _inverse(self) -> Complex | None:
-        """Inverses (n, 12 + f, 12 + f) of the mean equations, one per k; constants h belong to constant k."""
-        n, f = len(self.w), len(self.free)
-        A = np.zeros((n, 12 + f, 12 + f), dtype=np.complex128)
-        A[:, :12, :12] = -self.J.mean(axis=0)
-        A[:, range(12), range(12)] += 1j * self.w[:, None]
-        A[:, range(12, 12 + f), range(12, 12 + f)] = 1.0
-        A[self.slow, 12:, 12:] = 0.0
-        A[self.slow, :12, 12:], A[self.slow, 12:, :12] = -self.push.mean(axis=0), self.free
-        try:
-            found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
-        except np.linalg.LinAlgError:
-            return None
-        return found if np.all(np.isfinite(found)) else None

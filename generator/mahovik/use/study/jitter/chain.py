@@ -5,7 +5,7 @@ All of it is linear and one-way: nothing that is driven here acts back on the wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -95,7 +95,7 @@ class Chain:
             a += self.seen.by_pose(self.plant.pose(speeds, omega, more[..., None])[..., 0], omega)
         if self.makers.structure is not None:
             force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
-            q = force * self.makers.structure.compliance(omega)
+            q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
             a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
         return a
 
@@ -182,13 +182,30 @@ class Chain:
             right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
             right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
             right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
-            out = structure.compliance(omega) @ right  # (S, L, 3 (P + 12))
+            driven = np.asarray(right.any(axis=2))[:, None]
+            out = np.where(driven, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
             L = omega.shape[1]
             w = omega[:, :, None, None]
             by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
             by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
             a += out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
         return np.asarray(a * self.seen.derivative(omega)[:, :, None, None])
+
+
+def undamped(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:
+    """The mode without damping that vibrates at omega (rad/s), in words; speeds (N, rad/s) of the wheels."""
+    structure = makers.structure
+    if structure is not None:
+        met = np.flatnonzero(structure.met(np.array(omega)))
+        if len(met):
+            return f"structural mode {met[0] + 1} of {structure.path}"
+    for s, name in enumerate(names):
+        inner = makers.inner.get(name)
+        for kind in inner.modes if inner is not None else ():
+            both = inner.gain(kind, np.array([omega, -omega]), speeds[s]) if inner is not None else np.zeros(0)
+            if not np.isfinite(both).all():
+                return f"the {kind} mode inside {name}"
+    return None
 
 
 def _to_mount(L: Array) -> Array:

@@ -34,10 +34,23 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
     fastest = float(np.abs(found.speeds).max(initial=0.0))
     f = np.where(np.abs(w) <= SLOW * fastest, 0.0, np.abs(w)) / (2.0 * np.pi)
     sizes = np.abs(a).max(axis=1)
-    kept = (sizes > NEGLIGIBLE * sizes[f > 0.0].max(initial=0.0)) | (torus.k == 0).all(axis=1)
+    largest = sizes[(f > 0.0) & np.isfinite(sizes)].max(initial=0.0)
+    kept = ~(sizes <= NEGLIGIBLE * largest) | (torus.k == 0).all(axis=1)
     names = [found.scene.stand.flywheels[s].name for s in found.turning]
     labels = [_name(k.tolist(), names) for k in torus.k[kept]]
     return Lines(tuple(labels), f[kept][None], a[kept][None])
+
+
+def left_out_of(found: Balance, seen: View) -> Array:
+    """What the balance leaves out of the quantity (3) at any phases: sum of the amplitudes of its lines.
+
+    The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
+    """
+    if found.missing is None:
+        return np.full(3, np.nan)
+    moving = found.missing_w != 0.0
+    lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
+    return np.asarray(np.abs(lines).sum(axis=0))
 
 
 def _name(k: list[int], names: list[str]) -> LineName:

@@ -5,6 +5,7 @@ A line is Re(a exp(i 2 pi f t)). Lines of unbalance have known phases; those of 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -51,8 +52,13 @@ class Lines:
 
     @property
     def sizes(self) -> Array:
-        """Magnitudes (S, L, 3), zero for constants."""
-        return np.where(self.frequency[:, :, None] > 0.0, np.abs(self.amplitude), 0.0)
+        """Magnitudes (S, L, 3), zero for constants; NaN where there is no steady motion."""
+        return np.where(self.frequency[:, :, None] == 0.0, 0.0, np.abs(self.amplitude))
+
+    @property
+    def known(self) -> Flags:
+        """(S): whether every line of a speed has a finite amplitude."""
+        return np.asarray(np.isfinite(self.amplitude).all(axis=(1, 2)) & np.isfinite(self.frequency).all(axis=1))
 
     def worst(self) -> Array:
         """(S, 3): sum of all amplitudes: the largest value if all lines meet, whatever the phases."""
@@ -63,14 +69,24 @@ class Lines:
         return np.asarray(np.sqrt((self.sizes**2).sum(axis=1) / 2.0))
 
     def rms(self) -> Array:
-        """(S, 3): root mean square over time with the phases as they are; lines of one frequency add up."""
+        """(S, 3): root mean square over time with the phases as they are; lines of one frequency add up.
+
+        NaN where a line has no finite amplitude.
+        """
         known = np.array([name.source != TABLE for name in self.names], dtype=bool)
         loose = (self.sizes[:, ~known] ** 2).sum(axis=1)
         tied = [
             (np.abs(coherent(self.frequency[i, known], self.amplitude[i, known])[1]) ** 2).sum(axis=0)
             for i in range(len(self.frequency))
         ]
-        return np.asarray(np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0))
+        found = np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0)
+        return np.where(self.known[:, None], found, np.nan)
+
+    def without(self, which: Sequence[int]) -> Lines:
+        """These lines, NaN at some of the speeds."""
+        amplitude = self.amplitude.copy()
+        amplitude[list(which)] = np.nan
+        return Lines(self.names, self.frequency, amplitude)
 
     def toleranced(self) -> Lines:
         """These lines with the largest amplitudes that the tolerances of the tables allow."""

@@ -20,6 +20,7 @@ import numpy as np
 from mahovik.core.stand.units import Dimension
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.csv_table import PLAIN, TEXT, read_columns, refuse
+from mahovik.use.study.jitter.lines import SAME
 
 FORCE = Dimension("a force by the square of a speed", "N/(rad/s)^2")
 MOMENT = Dimension("a moment by the square of a speed", "N m/(rad/s)^2")
@@ -103,13 +104,18 @@ class InnerModes:
     polar: float = 0.0
 
     def gain(self, kind: str, omega: Array, speed: Array) -> Complex:
-        """H (...) of the mode of a kind at omega (rad/s; negative: against the sense of axis 1) and speed (rad/s)."""
+        """H (...) of the mode of a kind at omega (rad/s; negative: against the sense of axis 1) and speed (rad/s).
+
+        NaN at a resonance without damping.
+        """
         if kind not in self.modes:
             return np.ones(np.broadcast(omega, speed).shape, dtype=np.complex128)
         own, damping = self.modes[kind]
         through = own**2 + 2j * damping * own * omega
         whirl = self.polar * speed * omega if kind == "rocking" else 0.0
-        return np.asarray(through / (through - omega**2 + whirl))
+        left = through - omega**2 + whirl
+        met = np.abs(left) <= 2.0 * SAME * own * np.abs(omega)
+        return np.where(met, np.nan, through / np.where(met, 1.0, left))
 
     def transmitted(self, wrench: Complex, omega: Array, speed: Array) -> Complex:
         """Wrench (..., 6) on the mount, in the wheel's axes, from that of a rigid wheel at omega (...; rad/s, >= 0)."""

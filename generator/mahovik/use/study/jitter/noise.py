@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.chain import Chain
 from mahovik.use.study.jitter.maker import PARTS, Noise
@@ -32,11 +33,18 @@ class Broadband:
 
 
 def broadband(chain: Chain, speeds: Array) -> Broadband | None:
-    """The broadband part at speeds (N, rad/s); None without a table of noise."""
+    """The broadband part at speeds (N, rad/s); None without a table of noise.
+
+    Raises CheckError: noise drives a mode without damping, and its mean square is infinite.
+    """
     tables = chain.makers.noise
     if not tables:
         return None
     f = _grid(chain)
+    for natural, damping in _modes(chain):
+        hertz = natural / (2.0 * np.pi)
+        if damping == 0.0 and f[0] <= hertz <= f[-1]:
+            raise CheckError(f"noise drives a mode of {hertz:.6g} Hz without damping: expected a damping above 0")
     omega = 2.0 * np.pi * f[None]
     total, each = np.zeros((len(f), 3)), np.zeros((len(chain.names), 3))
     for s, name in enumerate(chain.names):
@@ -60,16 +68,21 @@ def _density(table: Noise, f: Array, chain: Chain, s: int, speeds: Array, omega:
     return np.asarray((gain * source[:, None, :]).sum(axis=2))
 
 
+def _modes(chain: Chain) -> list[tuple[float, float]]:
+    """Natural frequency (rad/s) and damping of all modes."""
+    modes = [mode for inner in chain.makers.inner.values() for mode in inner.modes.values()]
+    if chain.makers.structure is not None:
+        modes += list(zip(chain.makers.structure.omega, chain.makers.structure.damping, strict=True))
+    return modes
+
+
 def _grid(chain: Chain) -> Array:
     """Frequencies from the lowest to the highest of the tables, dense about modes."""
     tables = list(chain.makers.noise.values())
     low = min(float(table.frequency[0]) for table in tables)
     high = max(float(table.frequency[-1]) for table in tables)
     found = [np.geomspace(low, high, GRID), *(table.frequency for table in tables)]
-    modes = [mode for inner in chain.makers.inner.values() for mode in inner.modes.values()]
-    if chain.makers.structure is not None:
-        modes += list(zip(chain.makers.structure.omega, chain.makers.structure.damping, strict=True))
-    for omega, damping in modes:
+    for omega, damping in _modes(chain):
         found.append(omega / (2.0 * np.pi) * (1.0 + max(damping, 1e-4) * AROUND))
     all_of = np.unique(np.concatenate(found))
     return all_of[(all_of >= low) & (all_of <= high)]

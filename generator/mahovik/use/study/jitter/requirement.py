@@ -124,9 +124,11 @@ def _read_mask(path: Path, quantity: Quantity) -> list[Requirement]:
 
 
 def judge(found: Jitter, requirement: Requirement) -> Verdict:
-    """Whether jitter meets a requirement at all its speeds, with the makers' tolerances."""
+    """Whether jitter meets a requirement at all its speeds, with the makers' tolerances; not at one with a problem."""
     found = found.toleranced
     values = _values(found, requirement)
+    values += np.nan_to_num(found.remainder)  # what the balance leaves out, with any phases
+    values[[i for i, _ in found.problems]] = np.inf
     values = np.where(np.isfinite(values), values, np.inf)
     step, axis = np.unravel_index(int(np.argmax(values)), values.shape)
     share = values.max(axis=1) / requirement.limit
@@ -134,7 +136,7 @@ def judge(found: Jitter, requirement: Requirement) -> Verdict:
 
 
 def _values(found: Jitter, requirement: Requirement) -> Array:
-    """The sum (S, 3) within the band."""
+    """The sum (S, 3) within the band; NaN where there is no steady motion."""
     if requirement.low == 0.0 and requirement.high == np.inf:
         return found.sums()[requirement.sum]
     lines = found.lines
@@ -146,6 +148,7 @@ def _values(found: Jitter, requirement: Requirement) -> Array:
             np.zeros(0), np.zeros((0, 3)), empty.noise_frequency, empty.noise_density, empty.edges, empty.density
         ).mean_square_within(requirement.low, requirement.high)
     sizes = np.where(there[..., None], lines.sizes, 0.0)
+    sizes[~lines.known] = np.nan
     if requirement.sum == "worst":
         return np.asarray(sizes.sum(axis=1) + 3.0 * np.sqrt(noise))
     if requirement.sum == "rss":
@@ -155,4 +158,5 @@ def _values(found: Jitter, requirement: Requirement) -> Array:
     a = np.where(there[..., None], lines.amplitude, 0.0)[:, known]
     for i in range(len(square)):
         square[i] += (np.abs(coherent(lines.frequency[i, known], a[i])[1]) ** 2).sum(axis=0)
+    square[~lines.known] = np.nan
     return np.asarray(np.sqrt(square / 2.0 + noise))

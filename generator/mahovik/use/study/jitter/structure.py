@@ -22,6 +22,8 @@ from mahovik.core.stand.units import Dimension
 from mahovik.nearest import suggestion
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.csv_table import PLAIN, JitterFileError, read_columns, refuse
+from mahovik.use.study.jitter.lines import SAME
+from mahovik.use.study.jitter.torus import Flags
 
 SHAPE = ("x", "y", "z", "rx", "ry", "rz")
 """Components of a shape, in E1: displacement by q (1), turning by q (rad/m)."""
@@ -46,9 +48,15 @@ class Structure:
         return self.shapes[name]
 
     def compliance(self, omega: Array) -> Complex:
-        """(..., m): q by modal force at omega (...; rad/s)."""
+        """(..., m): q by modal force at omega (...; rad/s); NaN for a mode without damping at its own frequency."""
         w = omega[..., None]
-        return np.asarray(1.0 / (self.mass * (self.omega**2 - w**2 + 2j * self.damping * self.omega * w)))
+        stiffness = self.mass * (self.omega**2 - w**2 + 2j * self.damping * self.omega * w)
+        met = self.met(omega)
+        return np.where(met, np.nan, 1.0 / np.where(met, 1.0, stiffness))
+
+    def met(self, omega: Array) -> Flags:
+        """(..., m): whether a mode has no damping and its frequency is omega (...; rad/s)."""
+        return np.asarray((self.damping == 0.0) & (np.abs(omega[..., None] - self.omega) <= SAME * self.omega))
 
 
 def read_structure(path: Path, stand: Stand) -> Structure:

@@ -16,14 +16,17 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
-from mahovik.use.study.jitter.chain import Chain, Makers
-from mahovik.use.study.jitter.exact import exact_lines
+from mahovik.use.study.jitter.chain import Chain, Makers, undamped
+from mahovik.use.study.jitter.exact import exact_lines, left_out_of
 from mahovik.use.study.jitter.lines import UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.noise import Broadband, broadband
 from mahovik.use.study.jitter.plant import Plant
 from mahovik.use.study.jitter.quantity import Quantity, View
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
+
+TOO_MUCH = 0.01
+"""Part of the worst case that may be left out without a warning."""
 
 CHECKED = 4
 """Speeds of a sweep at which the full equations are solved, beside the worst."""
@@ -49,11 +52,12 @@ class Jitter:
     speeds     (S, N; rad/s); value (S): the swept speed; phases (N, rad) at t = 0
     lines      L lines at S speeds
     method     "harmonic balance" or "first order"
-    left_out   (S): largest remaining acceleration of the full equations, relative; NaN where not evaluated
+    left_out   (S): largest remaining acceleration of the full equations at random phases, relative; NaN where not found
+    remainder  (S, 3): sum of amplitudes of the quantity's lines that the balance leaves out; NaN where not found
     checks     full equations at some speeds of a sweep to first order
     hold       (6): constant wrench that keeps the mean place of a stand that is free to drift, largest over speeds
     order      largest sum of |k_s| of the harmonic balance, by speed
-    problems   speeds without a steady state, and why
+    problems   speeds without a steady state or with an inaccurate one, and why; no requirement is met there
     """
 
     stand: Stand
@@ -67,6 +71,7 @@ class Jitter:
     noise: Broadband | None
     method: str
     left_out: Array
+    remainder: Array
     checks: tuple[Check, ...]
     hold: Array
     order: tuple[int, ...]
@@ -204,10 +209,38 @@ class _Study:
         if found and not good:
             raise CheckError(problems[0][1])
         left = np.array([np.nan if each is None else each[0].left_out for each in found])
+        remainder = np.full((len(found), 3), np.nan)
+        for i, each in enumerate(found):
+            if each is not None:
+                remainder[i] = left_out_of(each[0], self.chain.seen)
+                problems += self._inaccuracy(i, each[0], each[1], remainder[i])
         hold = max((b.hold for b, _ in good), key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
         orders = tuple(0 if each is None else each[0].order for each in found)
         lines = _together([None if each is None else each[1] for each in found])
-        return self._result(lines, "harmonic balance", left, (), hold, orders, tuple(problems))
+        return self._result(lines, "harmonic balance", left, remainder, (), hold, orders, tuple(problems))
+
+    def _inaccuracy(self, i: int, found: Balance, lines: Lines, remainder: Array) -> list[tuple[int, str]]:
+        """A problem if too much is left out at a speed, or it is not known how much."""
+        worst, left = float(np.linalg.norm(lines.worst()[0])), float(np.linalg.norm(remainder))
+        known = np.isfinite(remainder).all()
+        share = (left / worst if worst else 0.0) if known else found.left_out
+        if share <= TOO_MUCH or not np.isfinite(worst):
+            return []
+        of = self.chain.seen.quantity if known else "acceleration"
+        why = f" ({found.short})" if found.short else ""
+        return [(i, f"inaccurate: harmonic balance of order {found.order} leaves out {share:.2g} of the {of}{why}")]
+
+    def _resonances(self, lines: Lines, besides: set[int]) -> list[tuple[int, str]]:
+        """Speeds at which a line has no finite amplitude, and why."""
+        found = []
+        for i in np.flatnonzero(~lines.known).tolist():
+            if i not in besides:
+                at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
+                hertz = float(lines.frequency[i, at])
+                mode = undamped(self.chain.makers, self.chain.names, self.speeds[i], 2.0 * np.pi * hertz)
+                what = f"{mode}: expected a damping above 0" if mode else "the stand itself: expected some damping"
+                found.append((i, f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"))
+        return found
 
     def first_order(self, go_on: Callable[[int], bool]) -> Jitter:
         """The linear equations at every speed, compared with the full ones at some."""
@@ -229,6 +262,8 @@ class _Study:
                     problems.append((i, str(error)))
                     continue
                 left[i] = one.left_out
+                if not np.isfinite(total[i]):
+                    continue
                 size = float(np.linalg.norm(exact_lines(one, self.chain.seen, self.phases, self.chain).rms()))
                 off = abs(float(total[i]) - size) / size if size else 0.0
                 checks.append(Check(i, one.left_out, off))
@@ -236,7 +271,17 @@ class _Study:
         except KeyboardInterrupt:
             interrupted = True
         lines = self._without_tabled(own)
-        return self._result(lines, "first order", left, tuple(checks), hold, (1,) * S, tuple(problems), interrupted)
+        return self._result(
+            lines,
+            "first order",
+            left,
+            np.full((S, 3), np.nan),
+            tuple(checks),
+            hold,
+            (1,) * S,
+            tuple(problems),
+            interrupted,
+        )
 
     def linear_lines(self) -> Lines:
         """First orders of all flywheels to first order in unbalance, at all speeds."""
@@ -260,6 +305,7 @@ class _Study:
         lines: Lines,
         method: str,
         left: Array,
+        remainder: Array,
         checks: tuple[Check, ...],
         hold: Array,
         order: tuple[int, ...],
@@ -269,10 +315,14 @@ class _Study:
         S = len(lines.frequency)
         if S:
             lines = lines.joined(self.chain.table_lines(self.speeds[:S]))
+            problems = tuple(sorted((*problems, *self._resonances(lines, {i for i, _ in problems}))))
+            lines = lines.without(np.flatnonzero(~lines.known).tolist())
+            if not lines.known.any():
+                raise CheckError(problems[0][1])
         noise = broadband(self.chain, self.speeds[_largest(lines)]) if S else None
         return Jitter(
             self.scene.stand, self.asked, self.chain.seen, self.chain, self.speeds[:S], self.value[:S], self.phases,
-            lines, noise, method, left, checks, hold, order, problems, interrupted or len(self.value) > S,
+            lines, noise, method, left, remainder, checks, hold, order, problems, interrupted or len(self.value) > S,
         )  # fmt: skip
 
 

@@ -75,7 +75,7 @@ def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]
         "quantity": found.quantity,
         "units": {
             "amplitude": quantity.unit, "phase": "rad", "frequency": "Hz", "speeds": "rad/s", "hold": "N, N m",
-            **dict.fromkeys(SUMS, quantity.unit),
+            "remainder": quantity.unit, **dict.fromkeys(SUMS, quantity.unit),
         },
         "flywheels": list(asked.names),
         "swept": None if asked.sweep is None or asked.swept is None else asked.names[asked.swept],
@@ -84,6 +84,7 @@ def as_object(found: Jitter, verdicts: Sequence[Verdict] = ()) -> dict[str, Any]
         "phases": found.phases.tolist(),
         "method": found.method,
         "left_out": _plain(found.left_out, swept),
+        "remainder": _plain(found.remainder, swept),
         "highest_order": list(found.order) if swept else found.order[0],
         "checks": [{"speed": float(found.value[c.step]), "left_out": c.left_out, "off": c.off} for c in found.checks],
         "hold": found.hold.tolist(),

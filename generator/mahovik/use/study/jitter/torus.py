@@ -24,6 +24,10 @@ Flags = NDArray[np.bool_]
 MOST_NODES = 40_000
 """Most nodes of a lattice: time and memory grow in proportion."""
 
+BEYOND = 2
+"""Orders above the kept ones that are told from them at the nodes: products of kept terms would else pass for slow
+beats, whose displacement is their acceleration by the square of a low frequency."""
+
 TRIES = 200
 """Generators tried per number of nodes."""
 
@@ -33,7 +37,8 @@ class Torus:
     """Index set and lattice of `count` phases.
 
     k      (n, count) whole numbers: one of k and -k, the zero first; by size, then in order
-    z, M   generator (count) and number of nodes, odd; k . z differ mod M for all k and -k
+    z, M   generator (count) and number of nodes, odd; k . z differ mod M for all k and -k,
+           and from those of BEYOND higher orders
     """
 
     k: Whole
@@ -77,6 +82,10 @@ class Torus:
         found[0] = found[0].real / 2.0
         return np.asarray(found)
 
+    def padded(self, c: Complex) -> Complex:
+        """Coefficients (n, ...) from those of a smaller order: indices are sorted by size."""
+        return np.concatenate([c, np.zeros((len(self.k) - len(c), *c.shape[1:]), dtype=np.complex128)])
+
     def at(self, c: Complex, theta: Array) -> Array:
         """Values (m, ...) at phases theta (m, count; rad)."""
         wave = np.exp(1j * (theta @ self.k.T))
@@ -117,16 +126,29 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
 @lru_cache(maxsize=32)
 def _torus(count: int, order: int) -> Torus:
     k = indices(count, order)
+    beyond = indices(count, order + BEYOND)[len(k) :].astype(np.float64)  # a product of floats is the fast one
     rng = np.random.default_rng(count * 1000 + order)
-    M = 2 * len(k) + 1
+    M = (4 * len(k) if count > 1 else 2 * (order + BEYOND)) | 1
     while M <= MOST_NODES:
         for z in _generators(count, M, rng):
-            b = k @ z % M
-            both = np.concatenate([b, M - b[1:]])
-            if len(np.unique(both)) == len(both):
+            if _apart(k, z, M) and _apart_from(beyond, k, z, M):
                 return Torus(k, z, M)
         M = int(M * 1.15) | 1
     raise CheckError(f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order")
+
+
+def _apart(k: Whole, z: Whole, M: int) -> bool:
+    """Whether the harmonics of all k and -k differ."""
+    b = k @ z % M
+    return len(np.unique(np.concatenate([b, M - b[1:]]))) == 2 * len(b) - 1
+
+
+def _apart_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:
+    """Whether the harmonics of k and -k differ from those of `beyond`."""
+    taken = np.zeros(M, dtype=bool)
+    b = k @ z % M
+    taken[b] = taken[-b] = True
+    return not taken[(beyond @ z.astype(np.float64) % M).astype(np.int64)].any()
 
 
 def _generators(count: int, M: int, rng: np.random.Generator) -> Whole:
