@@ -61,6 +61,13 @@ def test_parts_of_laws_import_the_vocabulary_of_their_stage_only() -> None:
     assert faults_by_file(sorted(PACKAGE.glob("laws/*/*.py")), imports_beyond) == {}
 
 
+@pytest.mark.parametrize("law", [*BODY_LAWS, *LAWS])
+def test_a_folder_has_the_whole_law(law: str) -> None:
+    """A law is where a reader looks for it: in the C, for every referee, with scale, faults and planning."""
+    there = {path.stem for path in (PACKAGE / "laws" / law).glob("*.py")}
+    assert there >= {"lower", "reference", "second", "rigorous", "scale", "faults", "plan"}
+
+
 FILES_WITH_WORD = {"buoyancy": 8, "leg": 10, "suspension": 10}
 """Files outside `laws/` that may have the name of a law in them, at most."""
 

@@ -230,6 +230,9 @@ auv6_status auv6_recorder_start(auv6_recorder *log, const auv6_table *table, con
     }
     auv6_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 25; ++i) {
+        log->carry.rounding[i] = (auv6_real)0;
+    }
     log->fresh = 1;
     return AUV6_OK;
 }
@@ -292,12 +295,15 @@ static void auv6_record_head(auv6_page *page, auv6_recorder *log, const auv6_sta
             auv6_record_put(page, log->stream[i], AUV6_RECORD_REAL_BYTES);
         }
     }
+    if (flags & AUV6_RECORD_CARRY) {
+        auv6_record_put_reals(page, log->carry.rounding, 25);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 AUV6_CODE
 static void auv6_record_result(auv6_page *page, auv6_recorder *log,
-                              const auv6_state *x, auv6_status status)
+                              const auv6_state *x, const auv6_step_carry *carry, auv6_status status)
 {
     uint32_t hash = AUV6_RECORD_BASIS;
     hash = auv6_record_hash(hash, x->position, 3);
@@ -305,6 +311,10 @@ static void auv6_record_result(auv6_page *page, auv6_recorder *log,
     hash = auv6_record_hash(hash, x->V, 6);
     hash = auv6_record_hash(hash, x->phi, AUV6_N);
     hash = auv6_record_hash(hash, x->phi_dot, AUV6_N);
+    if (carry != NULL) {
+        hash = auv6_record_hash(hash, carry->rounding, 25);
+        log->carry = *carry;
+    }
     log->seen = *x;
     auv6_record_put(page, (auv6_record_word)status, 1);
     auv6_record_put(page, hash, 4);
@@ -338,7 +348,7 @@ auv6_status auv6_recorder_step(auv6_recorder *log, const auv6_table *table, auv6
         }
     }
     status = auv6_step(table, x, tau, locked, dt, order, x);
-    auv6_record_result(&page, log, x, status);
+    auv6_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -355,6 +365,58 @@ auv6_status auv6_recorder_step_driven(auv6_recorder *log, const auv6_table *tabl
     auv6_record_head(&page, log, x, flags);
     auv6_record_put_reals(&page, phi_ddot, AUV6_N);
     status = auv6_step_driven(table, x, phi_ddot, dt, order, x);
-    auv6_record_result(&page, log, x, status);
+    auv6_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+AUV6_CODE
+auv6_status auv6_recorder_step_carried(auv6_recorder *log, const auv6_table *table, auv6_state *x,
+                                       const auv6_real tau[AUV6_N], const int locked[AUV6_N], auv6_real dt,
+                                       int order, auv6_step_carry *carry)
+{
+    auv6_page page;
+    auv6_status status;
+    unsigned flags = AUV6_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
+    for (int s = 0; s < AUV6_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? AUV6_RECORD_LOCKS : 0u;
+    }
+    flags |= auv6_notice_changes(log, table, x, dt, order);
+    flags |= auv6_record_differs(carry->rounding, log->carry.rounding, 25, AUV6_RECORD_CARRY);
+    log->carry = *carry;
+    auv6_record_head(&page, log, x, flags);
+    auv6_record_put_reals(&page, tau, AUV6_N);
+    if ((flags & AUV6_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < AUV6_N; first += AUV6_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < AUV6_N && s < first + AUV6_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            auv6_record_put(&page, mask, 1);
+        }
+    }
+    status = auv6_step_carried(table, x, tau, locked, dt, order, carry, x);
+    auv6_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+AUV6_CODE
+auv6_status auv6_recorder_step_driven_carried(auv6_recorder *log, const auv6_table *table, auv6_state *x,
+                                              const auv6_real phi_ddot[AUV6_N], auv6_real dt, int order,
+                                              auv6_step_carry *carry)
+{
+    auv6_page page;
+    auv6_status status;
+    unsigned flags = AUV6_RECORD_DRIVEN | AUV6_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return AUV6_BAD_ARGUMENT; }
+    flags |= auv6_notice_changes(log, table, x, dt, order);
+    flags |= auv6_record_differs(carry->rounding, log->carry.rounding, 25, AUV6_RECORD_CARRY);
+    log->carry = *carry;
+    auv6_record_head(&page, log, x, flags);
+    auv6_record_put_reals(&page, phi_ddot, AUV6_N);
+    status = auv6_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    auv6_record_result(&page, log, x, carry, status);
     return status;
 }

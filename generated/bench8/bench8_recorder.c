@@ -217,6 +217,9 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *ta
     }
     bench8_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 29; ++i) {
+        log->carry.rounding[i] = (bench8_real)0;
+    }
     log->fresh = 1;
     return BENCH8_OK;
 }
@@ -269,12 +272,15 @@ static void bench8_record_head(bench8_page *page, bench8_recorder *log, const be
     if (flags & BENCH8_RECORD_PHI_DOT) {
         bench8_record_put_reals(page, x->phi_dot, BENCH8_N);
     }
+    if (flags & BENCH8_RECORD_CARRY) {
+        bench8_record_put_reals(page, log->carry.rounding, 29);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 BENCH8_CODE
 static void bench8_record_result(bench8_page *page, bench8_recorder *log,
-                              const bench8_state *x, bench8_status status)
+                              const bench8_state *x, const bench8_step_carry *carry, bench8_status status)
 {
     uint32_t hash = BENCH8_RECORD_BASIS;
     hash = bench8_record_hash(hash, x->position, 3);
@@ -282,6 +288,10 @@ static void bench8_record_result(bench8_page *page, bench8_recorder *log,
     hash = bench8_record_hash(hash, x->V, 6);
     hash = bench8_record_hash(hash, x->phi, BENCH8_N);
     hash = bench8_record_hash(hash, x->phi_dot, BENCH8_N);
+    if (carry != NULL) {
+        hash = bench8_record_hash(hash, carry->rounding, 29);
+        log->carry = *carry;
+    }
     log->seen = *x;
     bench8_record_put(page, (bench8_record_word)status, 1);
     bench8_record_put(page, hash, 4);
@@ -315,7 +325,7 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *tab
         }
     }
     status = bench8_step(table, x, tau, locked, dt, order, x);
-    bench8_record_result(&page, log, x, status);
+    bench8_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -332,6 +342,58 @@ bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_tab
     bench8_record_head(&page, log, x, flags);
     bench8_record_put_reals(&page, phi_ddot, BENCH8_N);
     status = bench8_step_driven(table, x, phi_ddot, dt, order, x);
-    bench8_record_result(&page, log, x, status);
+    bench8_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+BENCH8_CODE
+bench8_status bench8_recorder_step_carried(bench8_recorder *log, const bench8_table *table, bench8_state *x,
+                                           const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+                                           bench8_real dt, int order, bench8_step_carry *carry)
+{
+    bench8_page page;
+    bench8_status status;
+    unsigned flags = BENCH8_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? BENCH8_RECORD_LOCKS : 0u;
+    }
+    flags |= bench8_notice_changes(log, x, dt, order);
+    flags |= bench8_record_differs(carry->rounding, log->carry.rounding, 29, BENCH8_RECORD_CARRY);
+    log->carry = *carry;
+    bench8_record_head(&page, log, x, flags);
+    bench8_record_put_reals(&page, tau, BENCH8_N);
+    if ((flags & BENCH8_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < BENCH8_N; first += BENCH8_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < BENCH8_N && s < first + BENCH8_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            bench8_record_put(&page, mask, 1);
+        }
+    }
+    status = bench8_step_carried(table, x, tau, locked, dt, order, carry, x);
+    bench8_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+BENCH8_CODE
+bench8_status bench8_recorder_step_driven_carried(bench8_recorder *log, const bench8_table *table,
+                                                  bench8_state *x, const bench8_real phi_ddot[BENCH8_N],
+                                                  bench8_real dt, int order, bench8_step_carry *carry)
+{
+    bench8_page page;
+    bench8_status status;
+    unsigned flags = BENCH8_RECORD_DRIVEN | BENCH8_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return BENCH8_BAD_ARGUMENT; }
+    flags |= bench8_notice_changes(log, x, dt, order);
+    flags |= bench8_record_differs(carry->rounding, log->carry.rounding, 29, BENCH8_RECORD_CARRY);
+    log->carry = *carry;
+    bench8_record_head(&page, log, x, flags);
+    bench8_record_put_reals(&page, phi_ddot, BENCH8_N);
+    status = bench8_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    bench8_record_result(&page, log, x, carry, status);
     return status;
 }

@@ -202,6 +202,9 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
     }
     demo3_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 19; ++i) {
+        log->carry.rounding[i] = (demo3_real)0;
+    }
     log->fresh = 1;
     return DEMO3_OK;
 }
@@ -254,12 +257,15 @@ static void demo3_record_head(demo3_page *page, demo3_recorder *log, const demo3
     if (flags & DEMO3_RECORD_PHI_DOT) {
         demo3_record_put_reals(page, x->phi_dot, DEMO3_N);
     }
+    if (flags & DEMO3_RECORD_CARRY) {
+        demo3_record_put_reals(page, log->carry.rounding, 19);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 DEMO3_CODE
 static void demo3_record_result(demo3_page *page, demo3_recorder *log,
-                              const demo3_state *x, demo3_status status)
+                              const demo3_state *x, const demo3_step_carry *carry, demo3_status status)
 {
     uint32_t hash = DEMO3_RECORD_BASIS;
     hash = demo3_record_hash(hash, x->position, 3);
@@ -267,6 +273,10 @@ static void demo3_record_result(demo3_page *page, demo3_recorder *log,
     hash = demo3_record_hash(hash, x->V, 6);
     hash = demo3_record_hash(hash, x->phi, DEMO3_N);
     hash = demo3_record_hash(hash, x->phi_dot, DEMO3_N);
+    if (carry != NULL) {
+        hash = demo3_record_hash(hash, carry->rounding, 19);
+        log->carry = *carry;
+    }
     log->seen = *x;
     demo3_record_put(page, (demo3_record_word)status, 1);
     demo3_record_put(page, hash, 4);
@@ -300,7 +310,7 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, 
         }
     }
     status = demo3_step(table, x, tau, locked, dt, order, x);
-    demo3_record_result(&page, log, x, status);
+    demo3_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -317,6 +327,58 @@ demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *
     demo3_record_head(&page, log, x, flags);
     demo3_record_put_reals(&page, phi_ddot, DEMO3_N);
     status = demo3_step_driven(table, x, phi_ddot, dt, order, x);
-    demo3_record_result(&page, log, x, status);
+    demo3_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+DEMO3_CODE
+demo3_status demo3_recorder_step_carried(demo3_recorder *log, const demo3_table *table, demo3_state *x,
+                                         const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
+                                         demo3_real dt, int order, demo3_step_carry *carry)
+{
+    demo3_page page;
+    demo3_status status;
+    unsigned flags = DEMO3_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
+    for (int s = 0; s < DEMO3_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? DEMO3_RECORD_LOCKS : 0u;
+    }
+    flags |= demo3_notice_changes(log, x, dt, order);
+    flags |= demo3_record_differs(carry->rounding, log->carry.rounding, 19, DEMO3_RECORD_CARRY);
+    log->carry = *carry;
+    demo3_record_head(&page, log, x, flags);
+    demo3_record_put_reals(&page, tau, DEMO3_N);
+    if ((flags & DEMO3_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < DEMO3_N; first += DEMO3_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < DEMO3_N && s < first + DEMO3_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            demo3_record_put(&page, mask, 1);
+        }
+    }
+    status = demo3_step_carried(table, x, tau, locked, dt, order, carry, x);
+    demo3_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+DEMO3_CODE
+demo3_status demo3_recorder_step_driven_carried(demo3_recorder *log, const demo3_table *table,
+                                                demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
+                                                demo3_real dt, int order, demo3_step_carry *carry)
+{
+    demo3_page page;
+    demo3_status status;
+    unsigned flags = DEMO3_RECORD_DRIVEN | DEMO3_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return DEMO3_BAD_ARGUMENT; }
+    flags |= demo3_notice_changes(log, x, dt, order);
+    flags |= demo3_record_differs(carry->rounding, log->carry.rounding, 19, DEMO3_RECORD_CARRY);
+    log->carry = *carry;
+    demo3_record_head(&page, log, x, flags);
+    demo3_record_put_reals(&page, phi_ddot, DEMO3_N);
+    status = demo3_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    demo3_record_result(&page, log, x, carry, status);
     return status;
 }

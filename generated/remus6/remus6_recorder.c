@@ -238,6 +238,9 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
     }
     remus6_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 25; ++i) {
+        log->carry.rounding[i] = (remus6_real)0;
+    }
     log->fresh = 1;
     return REMUS6_OK;
 }
@@ -300,12 +303,15 @@ static void remus6_record_head(remus6_page *page, remus6_recorder *log, const re
             remus6_record_put(page, log->stream[i], REMUS6_RECORD_REAL_BYTES);
         }
     }
+    if (flags & REMUS6_RECORD_CARRY) {
+        remus6_record_put_reals(page, log->carry.rounding, 25);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 REMUS6_CODE
 static void remus6_record_result(remus6_page *page, remus6_recorder *log,
-                              const remus6_state *x, remus6_status status)
+                              const remus6_state *x, const remus6_step_carry *carry, remus6_status status)
 {
     uint32_t hash = REMUS6_RECORD_BASIS;
     hash = remus6_record_hash(hash, x->position, 3);
@@ -313,6 +319,10 @@ static void remus6_record_result(remus6_page *page, remus6_recorder *log,
     hash = remus6_record_hash(hash, x->V, 6);
     hash = remus6_record_hash(hash, x->phi, REMUS6_N);
     hash = remus6_record_hash(hash, x->phi_dot, REMUS6_N);
+    if (carry != NULL) {
+        hash = remus6_record_hash(hash, carry->rounding, 25);
+        log->carry = *carry;
+    }
     log->seen = *x;
     remus6_record_put(page, (remus6_record_word)status, 1);
     remus6_record_put(page, hash, 4);
@@ -346,7 +356,7 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
         }
     }
     status = remus6_step(table, x, tau, locked, dt, order, x);
-    remus6_record_result(&page, log, x, status);
+    remus6_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -363,6 +373,58 @@ remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_tab
     remus6_record_head(&page, log, x, flags);
     remus6_record_put_reals(&page, phi_ddot, REMUS6_N);
     status = remus6_step_driven(table, x, phi_ddot, dt, order, x);
-    remus6_record_result(&page, log, x, status);
+    remus6_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+REMUS6_CODE
+remus6_status remus6_recorder_step_carried(remus6_recorder *log, const remus6_table *table, remus6_state *x,
+                                           const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                           remus6_real dt, int order, remus6_step_carry *carry)
+{
+    remus6_page page;
+    remus6_status status;
+    unsigned flags = REMUS6_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return REMUS6_BAD_ARGUMENT; }
+    for (int s = 0; s < REMUS6_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? REMUS6_RECORD_LOCKS : 0u;
+    }
+    flags |= remus6_notice_changes(log, table, x, dt, order);
+    flags |= remus6_record_differs(carry->rounding, log->carry.rounding, 25, REMUS6_RECORD_CARRY);
+    log->carry = *carry;
+    remus6_record_head(&page, log, x, flags);
+    remus6_record_put_reals(&page, tau, REMUS6_N);
+    if ((flags & REMUS6_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < REMUS6_N; first += REMUS6_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < REMUS6_N && s < first + REMUS6_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            remus6_record_put(&page, mask, 1);
+        }
+    }
+    status = remus6_step_carried(table, x, tau, locked, dt, order, carry, x);
+    remus6_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+REMUS6_CODE
+remus6_status remus6_recorder_step_driven_carried(remus6_recorder *log, const remus6_table *table,
+                                                  remus6_state *x, const remus6_real phi_ddot[REMUS6_N],
+                                                  remus6_real dt, int order, remus6_step_carry *carry)
+{
+    remus6_page page;
+    remus6_status status;
+    unsigned flags = REMUS6_RECORD_DRIVEN | REMUS6_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return REMUS6_BAD_ARGUMENT; }
+    flags |= remus6_notice_changes(log, table, x, dt, order);
+    flags |= remus6_record_differs(carry->rounding, log->carry.rounding, 25, REMUS6_RECORD_CARRY);
+    log->carry = *carry;
+    remus6_record_head(&page, log, x, flags);
+    remus6_record_put_reals(&page, phi_ddot, REMUS6_N);
+    status = remus6_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    remus6_record_result(&page, log, x, carry, status);
     return status;
 }

@@ -212,6 +212,9 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
     }
     sat4_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 21; ++i) {
+        log->carry.rounding[i] = (sat4_real)0;
+    }
     log->fresh = 1;
     return SAT4_OK;
 }
@@ -264,12 +267,15 @@ static void sat4_record_head(sat4_page *page, sat4_recorder *log, const sat4_sta
     if (flags & SAT4_RECORD_PHI_DOT) {
         sat4_record_put_reals(page, x->phi_dot, SAT4_N);
     }
+    if (flags & SAT4_RECORD_CARRY) {
+        sat4_record_put_reals(page, log->carry.rounding, 21);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 SAT4_CODE
 static void sat4_record_result(sat4_page *page, sat4_recorder *log,
-                              const sat4_state *x, sat4_status status)
+                              const sat4_state *x, const sat4_step_carry *carry, sat4_status status)
 {
     uint32_t hash = SAT4_RECORD_BASIS;
     hash = sat4_record_hash(hash, x->position, 3);
@@ -277,6 +283,10 @@ static void sat4_record_result(sat4_page *page, sat4_recorder *log,
     hash = sat4_record_hash(hash, x->V, 6);
     hash = sat4_record_hash(hash, x->phi, SAT4_N);
     hash = sat4_record_hash(hash, x->phi_dot, SAT4_N);
+    if (carry != NULL) {
+        hash = sat4_record_hash(hash, carry->rounding, 21);
+        log->carry = *carry;
+    }
     log->seen = *x;
     sat4_record_put(page, (sat4_record_word)status, 1);
     sat4_record_put(page, hash, 4);
@@ -310,7 +320,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
         }
     }
     status = sat4_step(table, x, tau, locked, dt, order, x);
-    sat4_record_result(&page, log, x, status);
+    sat4_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -327,6 +337,58 @@ sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *tabl
     sat4_record_head(&page, log, x, flags);
     sat4_record_put_reals(&page, phi_ddot, SAT4_N);
     status = sat4_step_driven(table, x, phi_ddot, dt, order, x);
-    sat4_record_result(&page, log, x, status);
+    sat4_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+SAT4_CODE
+sat4_status sat4_recorder_step_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
+                                       const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
+                                       int order, sat4_step_carry *carry)
+{
+    sat4_page page;
+    sat4_status status;
+    unsigned flags = SAT4_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
+    for (int s = 0; s < SAT4_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? SAT4_RECORD_LOCKS : 0u;
+    }
+    flags |= sat4_notice_changes(log, x, dt, order);
+    flags |= sat4_record_differs(carry->rounding, log->carry.rounding, 21, SAT4_RECORD_CARRY);
+    log->carry = *carry;
+    sat4_record_head(&page, log, x, flags);
+    sat4_record_put_reals(&page, tau, SAT4_N);
+    if ((flags & SAT4_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < SAT4_N; first += SAT4_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < SAT4_N && s < first + SAT4_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            sat4_record_put(&page, mask, 1);
+        }
+    }
+    status = sat4_step_carried(table, x, tau, locked, dt, order, carry, x);
+    sat4_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+SAT4_CODE
+sat4_status sat4_recorder_step_driven_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
+                                              const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
+                                              sat4_step_carry *carry)
+{
+    sat4_page page;
+    sat4_status status;
+    unsigned flags = SAT4_RECORD_DRIVEN | SAT4_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return SAT4_BAD_ARGUMENT; }
+    flags |= sat4_notice_changes(log, x, dt, order);
+    flags |= sat4_record_differs(carry->rounding, log->carry.rounding, 21, SAT4_RECORD_CARRY);
+    log->carry = *carry;
+    sat4_record_head(&page, log, x, flags);
+    sat4_record_put_reals(&page, phi_ddot, SAT4_N);
+    status = sat4_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    sat4_record_result(&page, log, x, carry, status);
     return status;
 }

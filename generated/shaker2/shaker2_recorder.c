@@ -218,6 +218,9 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
     }
     shaker2_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 17; ++i) {
+        log->carry.rounding[i] = (shaker2_real)0;
+    }
     log->fresh = 1;
     return SHAKER2_OK;
 }
@@ -270,12 +273,15 @@ static void shaker2_record_head(shaker2_page *page, shaker2_recorder *log, const
     if (flags & SHAKER2_RECORD_PHI_DOT) {
         shaker2_record_put_reals(page, x->phi_dot, SHAKER2_N);
     }
+    if (flags & SHAKER2_RECORD_CARRY) {
+        shaker2_record_put_reals(page, log->carry.rounding, 17);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 SHAKER2_CODE
 static void shaker2_record_result(shaker2_page *page, shaker2_recorder *log,
-                              const shaker2_state *x, shaker2_status status)
+                              const shaker2_state *x, const shaker2_step_carry *carry, shaker2_status status)
 {
     uint32_t hash = SHAKER2_RECORD_BASIS;
     hash = shaker2_record_hash(hash, x->position, 3);
@@ -283,6 +289,10 @@ static void shaker2_record_result(shaker2_page *page, shaker2_recorder *log,
     hash = shaker2_record_hash(hash, x->V, 6);
     hash = shaker2_record_hash(hash, x->phi, SHAKER2_N);
     hash = shaker2_record_hash(hash, x->phi_dot, SHAKER2_N);
+    if (carry != NULL) {
+        hash = shaker2_record_hash(hash, carry->rounding, 17);
+        log->carry = *carry;
+    }
     log->seen = *x;
     shaker2_record_put(page, (shaker2_record_word)status, 1);
     shaker2_record_put(page, hash, 4);
@@ -316,7 +326,7 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
         }
     }
     status = shaker2_step(table, x, tau, locked, dt, order, x);
-    shaker2_record_result(&page, log, x, status);
+    shaker2_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -334,6 +344,59 @@ shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2
     shaker2_record_head(&page, log, x, flags);
     shaker2_record_put_reals(&page, phi_ddot, SHAKER2_N);
     status = shaker2_step_driven(table, x, phi_ddot, dt, order, x);
-    shaker2_record_result(&page, log, x, status);
+    shaker2_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+SHAKER2_CODE
+shaker2_status shaker2_recorder_step_carried(shaker2_recorder *log, const shaker2_table *table,
+                                             shaker2_state *x, const shaker2_real tau[SHAKER2_N],
+                                             const int locked[SHAKER2_N], shaker2_real dt, int order,
+                                             shaker2_step_carry *carry)
+{
+    shaker2_page page;
+    shaker2_status status;
+    unsigned flags = SHAKER2_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || carry == NULL
+        || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? SHAKER2_RECORD_LOCKS : 0u;
+    }
+    flags |= shaker2_notice_changes(log, x, dt, order);
+    flags |= shaker2_record_differs(carry->rounding, log->carry.rounding, 17, SHAKER2_RECORD_CARRY);
+    log->carry = *carry;
+    shaker2_record_head(&page, log, x, flags);
+    shaker2_record_put_reals(&page, tau, SHAKER2_N);
+    if ((flags & SHAKER2_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < SHAKER2_N; first += SHAKER2_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < SHAKER2_N && s < first + SHAKER2_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            shaker2_record_put(&page, mask, 1);
+        }
+    }
+    status = shaker2_step_carried(table, x, tau, locked, dt, order, carry, x);
+    shaker2_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+SHAKER2_CODE
+shaker2_status shaker2_recorder_step_driven_carried(shaker2_recorder *log, const shaker2_table *table,
+                                                    shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
+                                                    shaker2_real dt, int order, shaker2_step_carry *carry)
+{
+    shaker2_page page;
+    shaker2_status status;
+    unsigned flags = SHAKER2_RECORD_DRIVEN | SHAKER2_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || carry == NULL
+        || log->write == NULL) { return SHAKER2_BAD_ARGUMENT; }
+    flags |= shaker2_notice_changes(log, x, dt, order);
+    flags |= shaker2_record_differs(carry->rounding, log->carry.rounding, 17, SHAKER2_RECORD_CARRY);
+    log->carry = *carry;
+    shaker2_record_head(&page, log, x, flags);
+    shaker2_record_put_reals(&page, phi_ddot, SHAKER2_N);
+    status = shaker2_step_driven_carried(table, x, phi_ddot, dt, order, carry, x);
+    shaker2_record_result(&page, log, x, carry, status);
     return status;
 }

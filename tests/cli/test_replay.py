@@ -98,6 +98,26 @@ def test_a_step_becomes_a_unit_test(flown: Path, step: int) -> None:
         assert (done.returncode, done.stdout[:4]) == (status, said)
 
 
+def test_a_step_with_a_carry_becomes_a_unit_test(tmp_path: Path) -> None:
+    """It compares the carry as well, and passes; it fails where the carry that is left is another."""
+    flew = Recorder("demo3", "float", tmp_path)
+    flew.fly(20)
+    Path("flight.log").write_bytes(flew.log)
+    said = run("replay", DEMO3, "--log", "flight.log", "--step", "16", "--emit-test", "16")
+    assert said.exit_code == 0, said.output
+    assert "step 16, step_carried: OK" in said.output
+    assert "before carry 0x1.12e0be" in said.output  # 1e-9, which the flight wrote
+    source = (tmp_path / "demo3.c").read_text()
+    edited = source.replace("->rounding[i + 13] = ", "->rounding[i + 13] = 0.5f * ")
+    for text, status, words in ((source, 0, "PASS"), (edited, 1, "FAIL: other bits in the carry")):
+        Path("tried.c").write_text(text)
+        flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wfloat-equal", "-Werror", "-O2"]
+        command = ["gcc", *flags, "-ffp-contract=off", f"-I{tmp_path}", "demo3_step_16.c", "tried.c", "-o", "tried"]
+        subprocess.run(command, check=True)
+        done = subprocess.run(["./tried"], capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout.strip()) == (status, words)
+
+
 def test_against_the_folder_that_flew(flown: Path) -> None:
     assert run("replay", "--log", str(flown), "--against", str(flown.parent)).exit_code == 0
 

@@ -14,6 +14,7 @@ from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elem
 from mahovik.core.derive.symbols import from_six, matrix, six_of, symmetric, vector
 from mahovik.laws.leg import derive as leg
 from mahovik.laws.suspension import derive as suspension
+from mahovik.laws.weight import derive as weight
 
 TIME = sp.Symbol("t")
 
@@ -77,10 +78,10 @@ def test_six_numbers_of_a_symmetric_matrix() -> None:
 def test_weight_acts_at_the_mass_centre_of_all_bodies() -> None:
     """(m g, mu x g); buoyancy takes away the displaced mass at its centre."""
     g, mu, displaced = vector("g"), vector("mu"), vector("displaced_moment")
-    plain = derived.weight(False)
+    plain = weight.weight(False)
     assert remainders(plain - (sp.Symbol("m") * g).col_join(cross_product(mu, g))) == []
     wanted = (sp.Symbol("weight_mass") * g).col_join(cross_product(mu, g) - cross_product(displaced, g))
-    assert remainders(derived.weight(True) - wanted) == []
+    assert remainders(weight.weight(True) - wanted) == []
 
 
 def test_transfer_of_points_is_the_paper_s_T() -> None:

@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from mahovik.core.derive.document import Block, Formula, Table, Text, sections
+from mahovik.laws.weight.derive import weight
 from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,
@@ -30,7 +31,7 @@ def blocks() -> list[Block]:
         block
         for sequence in ("ship", "aircraft", "euler")
         for added in (False, True)
-        for section in sections(sequence, added_mass=added, weight=True, displaces=added)
+        for section in sections(sequence, added_mass=added, weight=weight(added), displaces=added)
         for block in section.blocks
     ]
 

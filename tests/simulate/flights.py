@@ -57,6 +57,7 @@ class Recorder:
         ffi, name = self.ffi, self.name
         self.recorder = ffi.new(f"{name}_recorder *", {"write": self._write})
         self.x = ffi.new(f"{name}_state *", {"attitude": [1.0, 0.0, 0.0, 0.0]})
+        self.carry = ffi.new(f"{name}_step_carry *")
         self.table = ffi.new(f"{name}_table *", ffi.addressof(self.library, f"{name}_default")[0])
         self.calls.clear()
 
@@ -88,6 +89,9 @@ class Recorder:
             if k == 12:
                 settings[1] = 3  # no such order
             driven = bool(count) and k % 6 == 5
-            taken = [*drive, *([] if driven else locked), *(w.tolist() for w in wrench), *settings]
-            statuses.append(self.call("step_driven" if driven else "step", *taken))
+            carried = [self.carry] if k % 3 == 1 or k > 15 else []
+            if k == 16:
+                self.carry.rounding[0] = 1e-9
+            taken = [*drive, *([] if driven else locked), *(w.tolist() for w in wrench), *settings, *carried]
+            statuses.append(self.call(("step_driven" if driven else "step") + "_carried" * len(carried), *taken))
         return statuses

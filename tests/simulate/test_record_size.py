@@ -33,7 +33,10 @@ def test_a_step_with_everything_is_one_call_of_exactly_the_stated_size(name: str
             recorder.table.stream = [0.1 * number, 0.2, 0.3]
         drive = [[1e-3] * count, [1] * count] if count else []
         wrench = [[1.0] * (6 * len(layout.inputs))] if layout.inputs else []
-        return recorder.call("step", *drive, *wrench, 1e-4 * number, 2 if number % 2 else 4)
+        for k in range(len(recorder.carry.rounding)):
+            recorder.carry.rounding[k] = 1e-9 * (number + k)
+        settings = [1e-4 * number, 2 if number % 2 else 4]
+        return recorder.call("step_carried", *drive, *wrench, *settings, recorder.carry)
 
     assert recorder.call("start") == 0
     assert step(1) == 0

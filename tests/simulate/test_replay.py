@@ -41,7 +41,9 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 @pytest.fixture(scope="module")
 def bench8(tmp_path_factory: pytest.TempPathFactory) -> Recorder:
-    return Recorder("bench8", "double", tmp_path_factory.mktemp("bench8"))
+    recorder = Recorder("bench8", "double", tmp_path_factory.mktemp("bench8"))
+    recorder.fly(STEPS)
+    return recorder
 
 
 @cache
@@ -100,8 +102,11 @@ def test_all_kinds_of_input_were_there(flown: Recorder) -> None:
     assert len({s.dt for s in steps}) == 2
     assert any(s.stream is not None for s in steps) == layout.stream
     assert any(s.wrench.any() for s in steps) == bool(layout.inputs)
+    assert {s.function for s in steps if not s.driven} == {"step", "step_carried"}
+    assert any(s.carry is not None for s in steps)
+    assert any(s.carried and s.carry is None for s in steps)
     if layout.flywheels:
-        assert any(s.driven for s in steps)
+        assert any(s.driven and s.carried for s in steps)
         assert any(any(s.locked) for s in steps)
         assert any(s.status == -1 for s in steps)
 
@@ -245,7 +250,7 @@ def test_damage_is_jumped_over_to_the_next_start(bench8: Recorder) -> None:
 def test_another_format_is_named(bench8: Recorder) -> None:
     data = bytearray(bench8.log)
     data[len(MAGIC)] = 9
-    assert "format 9, this mahovik reads 1 and 2" in damages(bytes(data))[0]
+    assert "format 9, this mahovik reads 1, 2 and 3" in damages(bytes(data))[0]
 
 
 # ---- files ----

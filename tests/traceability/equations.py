@@ -16,6 +16,7 @@ from mahovik.core.derive.document import generalized as document
 from mahovik.core.program.function import Function
 from mahovik.laws.leg import derive as leg
 from mahovik.laws.suspension import derive as suspension
+from mahovik.laws.weight import derive as weight
 from mahovik.proof.reference import (
     coupled,
     forward,
@@ -72,7 +73,7 @@ DERIVED: dict[str, tuple[Any, ...]] = {
     "(4)": (carrier.remainder,),
     "(5)": (accumulate.sums, carrier.remainder),
     "(6)": (flywheel.literal, accumulate.weights, carrier.mass_matrix_rate),
-    "(7)": (wrench.weight, wrench.moment_of_force, suspension.relative_quaternion, leg.leg),
+    "(7)": (weight.weight, wrench.moment_of_force, suspension.relative_quaternion, leg.leg),
     "(8)": (carrier.remainder, carrier.reduced_inertia, carrier.reduced_moment, carrier.linear_part, sensitivity),
     "(9)": (flywheel.literal, flywheel.spin_momentum, accumulate.columns, carrier.velocity_column),
     "(10)": (attitude.attitude, attitude.kinematics, motion),

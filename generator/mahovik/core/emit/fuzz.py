@@ -24,6 +24,7 @@ from mahovik.core.emit.calls import (
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import pointed
 from mahovik.core.emit.draws import Draws
+from mahovik.core.emit.recorder import RECORDED
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.call import Argument
@@ -69,7 +70,7 @@ class _Harness:
             vary=vary,
             functions=functions,
             members=[f"static {declaration(self._names, a, _argument_name(a.name))}" for a in self._inputs],
-            recorders=[self._recorder(f) for f in code.public if f.name in ("step", "step_driven")],
+            recorders=[self._recorder(f) for f in code.public if f.name in RECORDED],
             epsilon=code.real(precision.epsilon),
             smallest=code.real(precision.smallest),
             subnormal=code.real(precision.smallest * precision.epsilon),
@@ -190,8 +191,14 @@ class _Harness:
 
     def _recorder(self, f: Function) -> dict[str, Any]:
         """The recorder's step beside step itself."""
-        given = [argument_text(a, self._place(f, a)) for a in f.arguments if a.name not in ("next", "table", "x")]
-        return {"name": f.name, "draws": self._draws(f), "given": ", ".join(given)}
+        taken = [a for a in f.arguments if a.name not in ("next", "table", "x")]
+
+        def given(carry: str) -> str:
+            return ", ".join(f"&{carry}" if a.name == "carry" else argument_text(a, self._place(f, a)) for a in taken)
+
+        carry = any(a.name == "carry" for a in taken)
+        texts = {"given": given("plain_carry"), "given_logged": given("logged_carry")}
+        return {"name": f.name, "draws": self._draws(f), "carry": carry, **texts}
 
 
 def _argument_name(name: str) -> str:

@@ -16,10 +16,10 @@ from mahovik.core.program.types import Field, Kind, Struct, leaves
 MAGIC = b"\x89MHVK\r\n\x1a"
 """First bytes of a start record. They show whether a transfer as text has damaged a log."""
 
-FORMAT = 2
-"""Version of a log that recorders write. In version 1 the hash of a state was made byte by byte."""
+FORMAT = 3
+"""Version of a log that recorders write. Version 2 had no steps with a carry, 1 a hash of the state byte by byte."""
 
-READ = (1, FORMAT)
+READ = (1, 2, FORMAT)
 """Versions that `replay` reads."""
 
 STEP = 0x53
@@ -31,6 +31,8 @@ CHANGING = {
     "DRIVEN": (1 << 7, "by step_driven: phi_ddot instead of tau"),
     "LOCKS": (1 << 8, "any flywheel is locked: a bit each"),
     "WRENCH": (1 << 9, "any run-time wrench is not zero"),
+    "CARRIED": (1 << 10, "by a step with a carry: the hash goes over the carry too"),
+    "CARRY": (1 << 11, "the carry, when it is not as it was left"),
 }
 """Flags of a step; those of the members of the state are 1 << place."""
 
@@ -54,7 +56,7 @@ RESERVED = frozenset(
 
 
 def state_hash(members: Sequence[bytes], version: int = FORMAT) -> int:
-    """Hash of a state from the bytes of its members, as a log of that version has it.
+    """Hash of a state from the bytes of its members, and of a carry, as a log of that version has it.
 
     A word that differs always gives another hash. The turn makes each bit of a word move between two words, so that
     changes of sign of two numbers do not cancel.

@@ -34,6 +34,9 @@ def recorded(generated: Generated) -> bool:
     return not generated.fast and bool(logging(generated.program))
 
 
+RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
+"""Functions whose steps are logged."""
+
 _FRAMES = 320
 """Stack of the recorder's own functions, bytes: an upper bound for the deepest chain of calls, without the record."""
 
@@ -53,10 +56,13 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
     table = table_bytes(layout, generated.values.table)
     fixed = 7 + 9 + count * size
     state = sum(int(f.shape[0]) for f in layout.state.fields) * size
-    changing = size + 4 + state + 3 * size * layout.stream + (count + 7) // 8
+    steps = logging(program)
+    carries = any(_has_carry(f) for f in steps)
+    changing = size + 4 + state * (2 if carries else 1) + 3 * size * layout.stream + (count + 7) // 8
     longest = fixed + changing + 6 * wrenches * size
     flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
-    flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
+    kept = (each for each in CHANGING.items() if carries or each[0] not in ("CARRIED", "CARRY"))
+    flags += [(flag, bit, meaning) for flag, (bit, meaning) in kept]
     return {
         "lanes": layout.lanes,
         "source": f"{source_hash(generated.files, name):08x}",
@@ -71,6 +77,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
         "flywheels": names.constant("N") if count else 0,
         "wrenches": names.constant("WRENCHES") if wrenches else 0,
         "stream": layout.stream,
+        "rounding": names.length(layout.carry.fields[0].shape[0]) if carries else 0,
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
         "put_functions": [
             {"struct": struct.name, "lines": [line for f in struct.fields for line in _put_statements(f, names)]}
@@ -78,7 +85,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
         ],
         "start_prototype": prototype(_start(layout), names),
         "start_stack": _rounded(longest + _FRAMES),
-        "functions": [_step(f, names) | {"stack": _rounded(_stack(f, program) + longest)} for f in logging(program)],
+        "functions": [_step(f, names) | {"stack": _rounded(_stack(f, program) + longest)} for f in steps],
     }
 
 
@@ -93,12 +100,17 @@ def _start(layout: Layout) -> Function:
 
 def logging(program: Program) -> list[Function]:
     """The steps with a log, without bodies: the result of each replaces its state."""
-    return [_logging(f) for f in program.functions if f.public and f.name in ("step", "step_driven")]
+    return [_logging(f) for f in program.functions if f.public and f.name in RECORDED]
 
 
 def _logging(f: Function) -> Function:
     arguments = [Argument("x", a.type, (), "inout") if a.name == "x" else a for a in f.arguments if a.name != "next"]
     return Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
+
+
+def _has_carry(f: Function) -> bool:
+    """Whether a step keeps what rounding takes."""
+    return any(a.name == "carry" for a in f.arguments)
 
 
 def _stack(logged: Function, program: Program) -> int:
@@ -121,9 +133,16 @@ def _step(f: Function, names: Names) -> dict[str, Any]:
         "null_check": wrapped(text, "    "),
         "drive": next((n for n in ("tau", "phi_ddot") if n in taken), ""),
         "driven": "phi_ddot" in taken,
+        "carried": "carry" in taken,
+        "flags": " | ".join(names.constant(f"RECORD_{flag}") for flag in _kind(taken)) or "0",
         "locked": "locked" in taken,
         "passed": [*taken, "x"],
     }
+
+
+def _kind(taken: list[str]) -> list[str]:
+    """Flags of all records of a step that takes these arguments."""
+    return [flag for flag, name in (("DRIVEN", "phi_ddot"), ("CARRIED", "carry")) if name in taken]
 
 
 def _put_statements(f: Field, names: Names) -> list[str]:

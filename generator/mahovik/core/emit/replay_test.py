@@ -30,11 +30,12 @@ def replay_test(
     after: Numbers,
     status: int,
     table: Mapping[str, Any] | None,
+    carry_after: Sequence[float] | None = None,
 ) -> str:
     """The text of a C program that makes step `count` again. It returns 0 where status and state have the same bits.
 
-    `function` is step or step_driven, `inputs` what it takes beside table and state, by the names of its arguments;
-    `table` None is the default.
+    `function` is that of the step, `inputs` what it takes beside table and state, by the names of its arguments;
+    `table` None is the default. `carry_after`: numbers of the carry after a step that has one.
     """
     code, layout = Code(generated.program, identities(stand)), generated.layout
     names = code.names
@@ -44,7 +45,18 @@ def replay_test(
         for title, numbers in (("before", before), ("after", after))
     ]
     passed = {"table": "&table" if table is not None else f"&{names.function('default')}", "x": "&x", "next": "&x"}
+    if carry_after is not None:
+        for title, carried in (("carry_before", inputs["carry"]), ("carry_after", carry_after)):
+            variables.append(
+                {
+                    "declaration": names.declaration(title, layout.carry),
+                    "lines": _members({"rounding": carried}, code),
+                }
+            )
+        passed["carry"] = "&carry"
     for name, value in inputs.items():
+        if name == "carry":
+            continue
         if not arguments[name].shape:
             passed[name] = _number(value, code) if name == "dt" else str(value)
             continue
@@ -52,7 +64,8 @@ def replay_test(
         text = ", ".join(str(int(v)) if name == "locked" else _number(v, code) for v in value)
         declaration = names.declaration(name, arguments[name].type, (len(value),))
         variables.append({"declaration": declaration, "lines": wrapped(text, INDENT)})
-    numbers = [v for group in (before, after, inputs) for values in group.values() for v in np.atleast_1d(values)]
+    kept = {"carry_after": carry_after} if carry_after is not None else {}
+    numbers = [v for group in (before, after, inputs, kept) for values in group.values() for v in np.atleast_1d(values)]
     return code.render(
         "replay_test.c.j2",
         file=file,
@@ -64,6 +77,7 @@ def replay_test(
         passed=[passed[a] for a in arguments],
         status=names.constant(status_words(status)),
         members=list(after),
+        carry=names.type(layout.carry) if carry_after is not None else "",
     )
 
 

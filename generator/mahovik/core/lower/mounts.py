@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.laws import part
 from mahovik.core.formula.derived import drive as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.flywheels import turn_of
@@ -100,7 +101,7 @@ def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], 
     bound: dict[str, Any] = {"g": gs, "m": m.mass, "mu": m.first_moment}
     if buoyant:
         bound |= {"weight_mass": m.mass - m.displaced_mass, "displaced_moment": m.displaced_moment}
-    assign(body, list(W), derived_wrench.weight_reaction(buoyant), bound, add=True)
+    part("weight", "lower").subtract_weight(body, buoyant, bound, W)
 
 
 def mounts(lib: Library) -> Function:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.contract.laws import part
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.core.lower.lanes import row_of
@@ -117,8 +118,7 @@ def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums
             for i in range(3):
                 body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
         binding["displaced_moment"] = moment
-    body.note("weight of all bodies: its line of action moves with the flywheels")
-    assign(body, list(F), derived.weight(layout.displaces), binding, add=True)
+    part("weight", "lower").add_weight(body, layout.displaces, binding, F)
 
 
 def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:

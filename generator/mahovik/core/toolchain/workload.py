@@ -41,7 +41,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     """C that calls each public function with the arguments of each state, by argument name.
 
     `x` and what has no constant in the emitted C comes from `states`; a function with `order` is called with 4 and 2.
-    `recorder`: the steps of the recorder as well.
+    `recorder`: the steps of the recorder as well, those without a carry.
     """
     names = Names(program.name)
     public = [f for f in program.functions if f.public]
@@ -57,7 +57,8 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     for f in public:
         for order in (4, 2) if any(a.name == "order" for a in f.arguments) else (0,):
             calls.append({"label": _label(f, order), "text": _call(f, names, order)})
-    steps = [(f, order) for f in (logging(program) if recorder else ()) for order in (4, 2)]
+    logged = [f for f in logging(program) if all(a.name != "carry" for a in f.arguments)] if recorder else []
+    steps = [(f, order) for f in logged for order in (4, 2)]
     calls += [{"label": _label(f, order), "text": f"{f.name}_{order}(s)"} for f, order in steps]
     return template("workload.c.j2").render(
         name=program.name,

@@ -168,10 +168,13 @@ class _Session:
 
         path = Path(f"{self._stand.name}_step_{found.step.count}.c")
         name, inputs = step_inputs(self._machine.generated, found.step)
+        carry = found.carry_after.tolist() if found.step.carried else None
+        if carry is not None:
+            inputs["carry"] = found.carry
         before, after = ({k: v.tolist() for k, v in each.items()} for each in (found.before, found.after))
         text = replay_test(
             self._stand, self._machine.generated, path.name, found.step.count,
-            name, inputs, before, after, found.status, found.table,
+            name, inputs, before, after, found.status, found.table, carry,
         )  # fmt: skip
         write(path, text)
         self._said.append(f"{path}   step {found.step.count} as a unit test: build it with {self._stand.name}.c")

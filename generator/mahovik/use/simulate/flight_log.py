@@ -51,7 +51,8 @@ class Step:
     """The record of one step: all inputs and the result.
 
     `written` are members of the state set since the previous step; `drive` is tau, or phi_ddot if `driven`; `hash` is
-    of the state after the step, made as the `version` of the format says.
+    of the state after the step, made as the `version` of the format says. `carried`: the step keeps what rounding
+    takes, and `hash` is of its carry as well; `carry`: the carry before it, None where it is as it was left.
     """
 
     offset: int
@@ -65,8 +66,15 @@ class Step:
     locked: tuple[int, ...]
     wrench: Reals
     stream: Reals | None
+    carry: Reals | None
+    carried: bool
     status: int
     hash: int
+
+    @property
+    def function(self) -> str:
+        """Name of the function of the C that made it."""
+        return ("step_driven" if self.driven else "step") + ("_carried" if self.carried else "")
 
 
 @dataclass(frozen=True)
@@ -229,7 +237,7 @@ class _Reader:
         read.take(len(MAGIC))
         version, size = read.number("B"), read.number("B")
         if version not in READ:
-            known = " and ".join(map(str, READ))
+            known = f"{', '.join(map(str, READ[:-1]))} and {READ[-1]}"
             return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {known}"), at
         if size not in (4, 8):
             return self._damage_at(at), at
@@ -288,6 +296,7 @@ class _Reader:
             if flags & 1 << place:
                 written[member] = read.reals(length)
         stream = read.reals(3) if flags & FLAGS["STREAM"] else None
+        carry = read.reals(sum(members(start.flywheels).values())) if flags & FLAGS["CARRY"] else None
         drive = read.reals(start.flywheels)
         locked = (0,) * start.flywheels
         if flags & FLAGS["LOCKS"]:
@@ -298,9 +307,11 @@ class _Reader:
         status, after = read.number("b"), read.number("I")
         if not read.checked():
             return None
-        driven = bool(flags & FLAGS["DRIVEN"])
-        step = Step(at, start.version, count, written, dt, order, drive, driven, locked, wrench, stream, status, after)
-        return step, read.at
+        driven, carried = (bool(flags & FLAGS[name]) for name in ("DRIVEN", "CARRIED"))
+        return Step(
+            *(at, start.version, count, written, dt, order, drive, driven, locked, wrench, stream, carry, carried),
+            *(status, after),
+        ), read.at
 
 
 def members(flywheels: int) -> dict[str, int]:

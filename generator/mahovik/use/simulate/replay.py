@@ -31,7 +31,10 @@ Members = dict[str, Reals]
 
 @dataclass(frozen=True)
 class Outcome:
-    """One step on this machine. `before` is the state with everything written to it; `table` None: the default."""
+    """One step on this machine. `before` is the state with everything written to it; `table` None: the default.
+
+    `carry`, `carry_after`: what rounding took from the state, before and after the step.
+    """
 
     step: Step
     before: Members
@@ -39,13 +42,15 @@ class Outcome:
     status: int
     equal: bool
     table: Mapping[str, Any] | None
+    carry: Reals
+    carry_after: Reals
 
     @property
     def difference(self) -> str:
         """How the step differs from the log."""
         if self.status != self.step.status:
             return f"status {status_words(self.step.status)} in the log, {status_words(self.status)} here"
-        here = _hash(self.after, self.step)
+        here = _hash(self.after, self.carry_after, self.step)
         return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
 
 
@@ -69,19 +74,27 @@ class CMachine:
             self._views[f.name] = whole[at : at + int(f.shape[0])]
             at += int(f.shape[0])
         self._table = self._ffi.new(f"{stand.name}_table *")
+        self._carry = np.zeros(at, dtype=dtype)
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
         """Set a state and a table; None: the default."""
         given = self._c.library.default("default")[0] if table is None else table
         self._table = self._ffi.new(f"{self._prefix}_table *", given)
+        self._carry[:] = 0.0
         self.write(state, None)
 
-    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """Write members of the state, and the table's stream."""
+    def write(self, written: Mapping[str, Reals], stream: Reals | None, carry: Reals | None = None) -> None:
+        """Write members of the state, the table's stream, and the carry."""
         for name, values in written.items():
             self._views[name][:] = values
         if stream is not None:
             self._table.stream = stream.tolist()
+        if carry is not None:
+            self._carry[:] = carry
+
+    def carry(self) -> Reals:
+        """Copy of the carry."""
+        return self._carry.copy()
 
     def state(self) -> Members:
         """Copy of the state."""
@@ -91,6 +104,8 @@ class CMachine:
         """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
         known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
+        if step.carried:
+            known["carry"] = self._ffi.cast(f"{self._prefix}_step_carry *", self._carry.ctypes.data)
         for key, value in inputs.items():
             if isinstance(value, np.ndarray):
                 kind = f"{self._prefix}_real[]" if value.dtype.kind == "f" else "int[]"
@@ -121,6 +136,7 @@ class InterpreterMachine:
         self._interpreter = Interpreter(self.generated.program)
         self._x: Any = None
         self._table: Any = None
+        self._carry: Any = None
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
         """Set a state and a table; None: the default."""
@@ -128,13 +144,20 @@ class InterpreterMachine:
         layout = self.generated.layout
         self._table = self._interpreter.filled(layout.table, plain(given))
         self._x = self._interpreter.filled(layout.state, {name: list(v) for name, v in state.items()})
+        self._carry = self._interpreter.filled(layout.carry, {"rounding": [0.0] * sum(map(len, state.values()))})
 
-    def write(self, written: Mapping[str, Reals], stream: Reals | None) -> None:
-        """Write members of the state, and the table's stream."""
+    def write(self, written: Mapping[str, Reals], stream: Reals | None, carry: Reals | None = None) -> None:
+        """Write members of the state, the table's stream, and the carry."""
         for name, values in written.items():
             setattr(self._x, name, list(values))
         if stream is not None:
             self._table.stream = list(stream)
+        if carry is not None:
+            self._carry.rounding = list(carry)
+
+    def carry(self) -> Reals:
+        """Copy of the carry."""
+        return np.array(plain(self._carry)["rounding"], dtype=self.generated.program.precision.scalar)
 
     def state(self) -> Members:
         """Copy of the state."""
@@ -144,7 +167,7 @@ class InterpreterMachine:
     def step(self, step: Step) -> int:
         """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x, "carry": self._carry}
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
         known["dt"] = self.generated.program.precision.scalar(step.dt)
         arguments = self.generated.program.function(name).arguments
@@ -160,7 +183,7 @@ Machine = CMachine | InterpreterMachine
 
 def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
     """The function that made the step, and its inputs by argument name."""
-    name = "step_driven" if step.driven else "step"
+    name = step.function
     drive = "phi_ddot" if step.driven else "tau"
     locked = np.array(step.locked, dtype=np.intc)
     given = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
@@ -179,21 +202,22 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
             table = _table(machine, record)
             machine.begin(record.state, table)
             continue
-        machine.write(record.written, record.stream)
+        machine.write(record.written, record.stream, record.carry)
         if record.stream is not None:
             table = {**(table or machine.default_table()), "stream": record.stream.tolist()}
-        before = machine.state()
+        before, carry = machine.state(), machine.carry()
         status = machine.step(record)
-        after = machine.state()
-        equal = status == record.status and _hash(after, record) == record.hash
-        yield Outcome(record, before, after, status, equal, table)
+        after, carry_after = machine.state(), machine.carry()
+        equal = status == record.status and _hash(after, carry_after, record) == record.hash
+        yield Outcome(record, before, after, status, equal, table, carry, carry_after)
         if not equal:
             return
 
 
-def _hash(state: Members, step: Step) -> int:
-    """Hash of a state as the log of a step has it."""
-    return state_hash([m.tobytes() for m in state.values()], step.version)
+def _hash(state: Members, carry: Reals, step: Step) -> int:
+    """Hash of a state, with its carry if the step has one, as the log of a step has it."""
+    numbers = [*state.values(), carry] if step.carried else list(state.values())
+    return state_hash([each.tobytes() for each in numbers], step.version)
 
 
 def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
@@ -310,7 +334,7 @@ def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
         yield eval_line(outcome, wrenches)
     except StateError as error:
         yield json.dumps({"id": f"step {step.count}", "error": str(error)})
-    yield f"step {step.count}, {'step_driven' if step.driven else 'step'}: {status_words(outcome.status)}"
+    yield f"step {step.count}, {step.function}: {status_words(outcome.status)}"
     yield f"dt {float(step.dt).hex()} order {step.order}"
     inputs: Mapping[str, Any] = {"phi_ddot" if step.driven else "tau": step.drive, "wrench": step.wrench}
     for name, values in inputs.items():
@@ -323,6 +347,9 @@ def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
     for title, state in (("before", outcome.before), ("after", outcome.after)):
         for name, values in state.items():
             yield _hexadecimal(f"{title} {name}", values)
+    if step.carried:
+        yield _hexadecimal("before carry", outcome.carry)
+        yield _hexadecimal("after carry", outcome.carry_after)
 
 
 def _hexadecimal(name: str, values: Any) -> str:

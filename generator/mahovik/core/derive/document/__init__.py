@@ -5,14 +5,19 @@ A part of an equation is a SymPy object, or text in the notation of docs/model.m
 running text such notation stands between backticks.
 """
 
+import sympy as sp
+
 from mahovik.core.derive.document import carrier, factors, flywheel, generalized
 from mahovik.core.derive.document.parts import Block, Formula, Part, Section, Table, Text
 
 __all__ = ["Block", "Formula", "Part", "Section", "Table", "Text", "sections"]
 
 
-def sections(sequence: str, *, added_mass: bool, weight: bool, displaces: bool) -> tuple[Section, ...]:
-    """All sections as one reads them: of an attitude sequence, with added mass, weight and buoyancy or without."""
+def sections(sequence: str, *, added_mass: bool, weight: sp.Matrix | None, displaces: bool) -> tuple[Section, ...]:
+    """All sections as one reads them: of an attitude sequence, with added mass, weight and buoyancy or without.
+
+    `weight`: that of all bodies, as the law derives it; None without gravity.
+    """
     return (
         factors.factors(),
         flywheel.literal_terms(),

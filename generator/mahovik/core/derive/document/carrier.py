@@ -5,7 +5,6 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive import carrier as derived
-from mahovik.core.derive import wrench
 from mahovik.core.derive.document.parts import Block, Formula, Section, Text
 from mahovik.core.derive.screw import Phi, blocks
 from mahovik.core.derive.symbols import from_six, matrix
@@ -22,8 +21,8 @@ def velocity_matrix(added_mass: bool) -> sp.Matrix:
     return (Phi(derived.V) * K + derived.mass_matrix_rate()).applyfunc(sp.expand)
 
 
-def equation(added_mass: bool, weight: bool, displaces: bool) -> Section:
-    """(2), (4), (7)-(9) with the sums of all bodies."""
+def equation(added_mass: bool, weight: sp.Matrix | None, displaces: bool) -> Section:
+    """(2), (4), (7)-(9) with the sums of all bodies; `weight`: that of all bodies, None without gravity."""
     rate = derived.mass_matrix_rate()
     M = velocity_matrix(added_mass)
     named = [f"M_{{{1 + i // 3}{1 + j // 3}}} =" for i, j in BLOCKS]
@@ -44,7 +43,7 @@ def equation(added_mass: bool, weight: bool, displaces: bool) -> Section:
         Text("The velocity matrix, `M = {M_{11}, M_{12}; M_{21}, M_{22}}`, block by block:"),
         *(Formula((name, M[i : i + 3, j : j + 3]), "9") for name, (i, j) in zip(named, BLOCKS, strict=True)),
     ]
-    if weight:
+    if weight is not None:
         content += [
             Text(
                 "Weight of all bodies at once, in (7): the force `m g` acts at the mass centre, and `mu` moves with "
@@ -56,7 +55,7 @@ def equation(added_mass: bool, weight: bool, displaces: bool) -> Section:
                     else "."
                 )
             ),
-            Formula(("F_g =", wrench.weight(displaces)), "7"),
+            Formula(("F_g =", weight), "7"),
         ]
     content += [
         Text(

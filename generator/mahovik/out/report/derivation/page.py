@@ -10,7 +10,7 @@ from typing import Any
 from markupsafe import Markup
 
 from mahovik import __version__
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import of_bodies, part
 from mahovik.core.derive.attitude import ANGLES
 from mahovik.core.derive.document import Part, sections
 from mahovik.core.derive.document.flywheel import HEAD
@@ -136,6 +136,7 @@ def _content(stand: Stand, printer: _Printer) -> dict[str, Any]:
     """Everything that the templates put in order, and how they print it."""
     form = structure(stand)
     displaces = any(of(form) for of in of_bodies("lower", "displaces"))
+    weight = part("weight", "derive").weight(displaces) if form.weight else None
     found, identity = numbers(stand), identities(stand)
     turns = " ".join(f"C_{axis}({angle})" for axis, angle in zip(SEQUENCES[stand.angles], ANGLES, strict=True))
     return {
@@ -147,7 +148,7 @@ def _content(stand: Stand, printer: _Printer) -> dict[str, Any]:
         "bodies": _bodies(stand),
         "sequence": f"{stand.angles}, `C = {turns}`",
         "numbers": found,
-        "sections": sections(stand.angles, added_mass=form.added_mass, weight=form.weight, displaces=displaces),
+        "sections": sections(stand.angles, added_mass=form.added_mass, weight=weight, displaces=displaces),
         "notes": _NOTES,
         "head": HEAD,
     }
