@@ -110,7 +110,7 @@ BY_NAME = {
     "quaternion": (*TARGET, *REFUSALS), "state_from_coordinates": (*TARGET, *CHECKS),
     "within": REFUSALS, "check_state": REFUSALS,
     "check_motion": (*REFUSALS, *CHECKS), "frame_of_axes": (*PARAMETERS, *CHECKS), "excessive": TASKS,
-    "balance": TASKS,
+    "balance": TASKS, "motor_lacks": TASKS,
     "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),
     "coupled": MOTION, "stages": (*MOTION, *STEPS), "stages_driven": (*MOTION, *STEPS),

@@ -42,7 +42,7 @@ class PublicFunction:
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
     judges    its independent checks, by name of JUDGES
-    ignores   arguments, or members of them, that it does not look at
+    ignores   arguments, or members of them, that it does not look at, or that change no more than a bit of the status
     """
 
     name: str
@@ -72,6 +72,9 @@ class PublicFunction:
 _STATE = ("table", "x")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
+
+_FRICTION = ("motor_viscous", "motor_coulomb", "motor_coulomb_speed")
+"""Members of the options that only EXCESSIVE looks at."""
 
 _ROWS = (
     PublicFunction(
@@ -199,7 +202,7 @@ _ROWS = (
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FOR_TORQUES),
+        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",
@@ -211,7 +214,7 @@ _ROWS = (
         needs="tasks",
         tasks=True,
         unread="infinity, which is no limit at all",
-        ignores=("near", "limit", "most", "damping"),
+        ignores=("near", "limit", "most", "damping", *_FRICTION),
     ),
     PublicFunction(
         "forward_jacobian",
