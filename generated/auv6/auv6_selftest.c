@@ -315,6 +315,7 @@ static void take_row(tally *sum, const auv6_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const auv6_sensor *value)
@@ -1263,8 +1264,8 @@ static const function functions[FUNCTIONS] =
       0xc052ac6eu },
     { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xa992278bu, 32 }, { 0, 0x2b5328bbu, 32 }, { -2, 0xb25f73e4u, 32 } },
-      0xfec59890u },
+      { { 0, 0x8883abb5u, 32 }, { 0, 0xd6eeb54au, 32 }, { -2, 0xffc58281u, 32 } },
+      0xa7892ee5u },
     { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xf350c984u, 32 }, { 0, 0x665b890bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },

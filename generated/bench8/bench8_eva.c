@@ -562,6 +562,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -573,6 +574,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -584,6 +586,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -595,6 +598,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->flywheel[4].mu_c[0], 3);
     written(&x->flywheel[4].mu_s[0], 3);
     written(&x->flywheel[4].J_c[0], 6);
@@ -606,6 +610,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[4].t_s[0], 3);
     written(&x->flywheel[4].spin, 1);
     written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[4].spin_root_inv, 1);
     written(&x->flywheel[5].mu_c[0], 3);
     written(&x->flywheel[5].mu_s[0], 3);
     written(&x->flywheel[5].J_c[0], 6);
@@ -617,6 +622,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[5].t_s[0], 3);
     written(&x->flywheel[5].spin, 1);
     written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->flywheel[6].mu_c[0], 3);
     written(&x->flywheel[6].mu_s[0], 3);
     written(&x->flywheel[6].J_c[0], 6);
@@ -628,6 +634,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[6].t_s[0], 3);
     written(&x->flywheel[6].spin, 1);
     written(&x->flywheel[6].spin_inv, 1);
+    written(&x->flywheel[6].spin_root_inv, 1);
     written(&x->flywheel[7].mu_c[0], 3);
     written(&x->flywheel[7].mu_s[0], 3);
     written(&x->flywheel[7].J_c[0], 6);
@@ -639,6 +646,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[7].t_s[0], 3);
     written(&x->flywheel[7].spin, 1);
     written(&x->flywheel[7].spin_inv, 1);
+    written(&x->flywheel[7].spin_root_inv, 1);
     written(&x->gravity[0], 3);
     written(&x->suspension.stiffness[0][0], 36);
     written(&x->suspension.damping[0][0], 36);
@@ -663,6 +671,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -674,6 +683,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -685,6 +695,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -696,6 +707,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->flywheel[4].mu_c[0], 3);
     initialised(&x->flywheel[4].mu_s[0], 3);
     initialised(&x->flywheel[4].J_c[0], 6);
@@ -707,6 +719,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[4].t_s[0], 3);
     initialised(&x->flywheel[4].spin, 1);
     initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[4].spin_root_inv, 1);
     initialised(&x->flywheel[5].mu_c[0], 3);
     initialised(&x->flywheel[5].mu_s[0], 3);
     initialised(&x->flywheel[5].J_c[0], 6);
@@ -718,6 +731,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[5].t_s[0], 3);
     initialised(&x->flywheel[5].spin, 1);
     initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->flywheel[6].mu_c[0], 3);
     initialised(&x->flywheel[6].mu_s[0], 3);
     initialised(&x->flywheel[6].J_c[0], 6);
@@ -729,6 +743,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[6].t_s[0], 3);
     initialised(&x->flywheel[6].spin, 1);
     initialised(&x->flywheel[6].spin_inv, 1);
+    initialised(&x->flywheel[6].spin_root_inv, 1);
     initialised(&x->flywheel[7].mu_c[0], 3);
     initialised(&x->flywheel[7].mu_s[0], 3);
     initialised(&x->flywheel[7].J_c[0], 6);
@@ -740,6 +755,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[7].t_s[0], 3);
     initialised(&x->flywheel[7].spin, 1);
     initialised(&x->flywheel[7].spin_inv, 1);
+    initialised(&x->flywheel[7].spin_root_inv, 1);
     initialised(&x->gravity[0], 3);
     initialised(&x->suspension.stiffness[0][0], 36);
     initialised(&x->suspension.damping[0][0], 36);

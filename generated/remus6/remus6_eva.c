@@ -612,6 +612,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -623,6 +624,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -634,6 +636,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -645,6 +648,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->flywheel[4].mu_c[0], 3);
     written(&x->flywheel[4].mu_s[0], 3);
     written(&x->flywheel[4].J_c[0], 6);
@@ -656,6 +660,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[4].t_s[0], 3);
     written(&x->flywheel[4].spin, 1);
     written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[4].spin_root_inv, 1);
     written(&x->flywheel[5].mu_c[0], 3);
     written(&x->flywheel[5].mu_s[0], 3);
     written(&x->flywheel[5].J_c[0], 6);
@@ -667,6 +672,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[5].t_s[0], 3);
     written(&x->flywheel[5].spin, 1);
     written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
     written(&x->sensor[1].origin[0], 3);
@@ -739,6 +745,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -750,6 +757,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -761,6 +769,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -772,6 +781,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->flywheel[4].mu_c[0], 3);
     initialised(&x->flywheel[4].mu_s[0], 3);
     initialised(&x->flywheel[4].J_c[0], 6);
@@ -783,6 +793,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[4].t_s[0], 3);
     initialised(&x->flywheel[4].spin, 1);
     initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[4].spin_root_inv, 1);
     initialised(&x->flywheel[5].mu_c[0], 3);
     initialised(&x->flywheel[5].mu_s[0], 3);
     initialised(&x->flywheel[5].J_c[0], 6);
@@ -794,6 +805,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[5].t_s[0], 3);
     initialised(&x->flywheel[5].spin, 1);
     initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
     initialised(&x->sensor[1].origin[0], 3);

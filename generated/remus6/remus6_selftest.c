@@ -315,6 +315,7 @@ static void take_row(tally *sum, const remus6_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const remus6_sensor *value)
@@ -1272,8 +1273,8 @@ static const function functions[FUNCTIONS] =
       0xc01e18bfu },
     { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xf18254e8u, 32 }, { 0, 0xfe3ac9b6u, 32 }, { -2, 0x3fcf95c4u, 32 } },
-      0xd2ca316du },
+      { { 0, 0xb071ddf8u, 32 }, { 0, 0x31f5733au, 32 }, { -2, 0xb77c2610u, 32 } },
+      0xfad9d9e9u },
     { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xfcdfa476u, 32 }, { 0, 0xf0d20713u, 32 }, { -2, 0x8e5b0aa0u, 0 } },

@@ -303,6 +303,7 @@ static void take_row(tally *sum, const shaker2_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_suspension(tally *sum, const shaker2_suspension *value)
@@ -1156,8 +1157,8 @@ static const function functions[FUNCTIONS] =
       0xa00d421cu },
     { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0x74e09729u, 32 }, { 0, 0xee42c60cu, 32 }, { -2, 0x69231526u, 32 } },
-      0x1d1fc040u },
+      { { 0, 0x9307ab21u, 32 }, { 0, 0x923114a4u, 32 }, { -2, 0xf1af824eu, 32 } },
+      0xf4bddec0u },
     { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xe276c32du, 12 }, { 0, 0x40c8c148u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
