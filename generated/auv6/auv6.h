@@ -29,7 +29,7 @@ extern "C" {
 
 #define AUV6_STRUCTURE 0x192ea446u  /* hash of the stand's names, counts and kinds of wrench */
 #define AUV6_PHYSICS   0x002b2abcu  /* hash of its structure and all numbers */
-#define AUV6_TABLE_HASH 0x7c3dd86du /* FNV-1a of all numbers of the default table but its stream */
+#define AUV6_TABLE_HASH 0xc7c2c8e4u /* FNV-1a of all numbers of the default table but its stream */
 #define AUV6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define AUV6_REAL_BYTES 8           /* bytes of a auv6_real */
 #define AUV6_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -140,17 +140,18 @@ typedef struct auv6_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct auv6_row {
-    auv6_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    auv6_real mu_s[3];   /* kg m; sin phi */
-    auv6_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    auv6_real J_s[6];    /* kg m2; sin phi */
-    auv6_real J_2c[6];   /* kg m2; cos 2 phi */
-    auv6_real J_2s[6];   /* kg m2; sin 2 phi */
-    auv6_real t_0[3];    /* kg m2; moment part of I: constant */
-    auv6_real t_c[3];    /* kg m2; cos phi */
-    auv6_real t_s[3];    /* kg m2; sin phi */
-    auv6_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    auv6_real spin_inv;  /* 1/(kg m2) */
+    auv6_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    auv6_real mu_s[3];        /* kg m; sin phi */
+    auv6_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    auv6_real J_s[6];         /* kg m2; sin phi */
+    auv6_real J_2c[6];        /* kg m2; cos 2 phi */
+    auv6_real J_2s[6];        /* kg m2; sin 2 phi */
+    auv6_real t_0[3];         /* kg m2; moment part of I: constant */
+    auv6_real t_c[3];         /* kg m2; cos phi */
+    auv6_real t_s[3];         /* kg m2; sin phi */
+    auv6_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    auv6_real spin_inv;       /* 1/(kg m2) */
+    auv6_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } auv6_row;
 
 /* Pose of an instrument or a point. */
@@ -269,23 +270,19 @@ typedef struct auv6_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct auv6_inverse_options {
-    auv6_real weight[AUV6_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
-                                             * by default */
-    auv6_real limit[AUV6_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                             * infinity: no limit */
-    auv6_real most[AUV6_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    auv6_real motor_torque[AUV6_N];         /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                             * infinity: no limit */
-    auv6_real motor_speed[AUV6_N];          /* rad/s; no-load speed, where the torque that drives has
-                                             * fallen to 0; greater than 0; infinity: none */
-    auv6_real motor_viscous[AUV6_N];        /* N m s; viscous friction, which the motor bears; 0: none */
-    auv6_real motor_coulomb[AUV6_N];        /* N m; dry friction, which the motor bears; 0: none */
-    auv6_real motor_coulomb_speed[AUV6_N];  /* rad/s; speed at which three quarters of the dry friction
-                                             * act; greater than 0 */
-    auv6_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
-                                             * singular value, 0..1 */
-    auv6_real damping;                      /* damping of small singular values, as a fraction of the
-                                             * largest, 0..1; 0: none */
+    auv6_real weight[AUV6_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                      * default */
+    auv6_real limit[AUV6_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
+                                      * no limit */
+    auv6_real most[AUV6_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    auv6_real motor_torque[AUV6_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                      * infinity: no limit */
+    auv6_real motor_speed[AUV6_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
+                                      * greater than 0; infinity: none */
+    auv6_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
+                                      * value, 0..1 */
+    auv6_real damping;               /* damping of small singular values, as a fraction of the largest,
+                                      * 0..1; 0: none */
 } auv6_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -500,7 +497,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43859 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
+ * At most 43553 operations on reals, 1187 of them divisions. Stack: at most 5136 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -509,18 +506,15 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near` and limits are ignored
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
- * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
- * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
- * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
- * the status is negative.
- * At most 3792 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 3366 operations on reals, 49 of them divisions. Stack: at most 4576 bytes. */
 auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
@@ -579,7 +573,7 @@ auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const
  * the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12039 operations on reals, 102 of them divisions. Stack: at most 2416 bytes. */
+ * At most 12189 operations on reals, 108 of them divisions. Stack: at most 2416 bytes. */
 auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

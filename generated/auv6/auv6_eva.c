@@ -603,6 +603,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -614,6 +615,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -625,6 +627,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -636,6 +639,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->flywheel[4].mu_c[0], 3);
     written(&x->flywheel[4].mu_s[0], 3);
     written(&x->flywheel[4].J_c[0], 6);
@@ -647,6 +651,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[4].t_s[0], 3);
     written(&x->flywheel[4].spin, 1);
     written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[4].spin_root_inv, 1);
     written(&x->flywheel[5].mu_c[0], 3);
     written(&x->flywheel[5].mu_s[0], 3);
     written(&x->flywheel[5].J_c[0], 6);
@@ -658,6 +663,7 @@ static void written_table(const auv6_table *x)
     written(&x->flywheel[5].t_s[0], 3);
     written(&x->flywheel[5].spin, 1);
     written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
     written(&x->gravity[0], 3);
@@ -688,6 +694,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -699,6 +706,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -710,6 +718,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -721,6 +730,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->flywheel[4].mu_c[0], 3);
     initialised(&x->flywheel[4].mu_s[0], 3);
     initialised(&x->flywheel[4].J_c[0], 6);
@@ -732,6 +742,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[4].t_s[0], 3);
     initialised(&x->flywheel[4].spin, 1);
     initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[4].spin_root_inv, 1);
     initialised(&x->flywheel[5].mu_c[0], 3);
     initialised(&x->flywheel[5].mu_s[0], 3);
     initialised(&x->flywheel[5].J_c[0], 6);
@@ -743,6 +754,7 @@ static void initialised_table(const auv6_table *x)
     initialised(&x->flywheel[5].t_s[0], 3);
     initialised(&x->flywheel[5].spin, 1);
     initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
     initialised(&x->gravity[0], 3);

@@ -22,7 +22,7 @@ typedef uint64_t auv6_record_word;  /* the bits of a real */
 enum {
     AUV6_RECORD_STEP = 0x53,
     AUV6_RECORD_REAL_BYTES = 8,
-    AUV6_RECORD_TABLE_BYTES = 2952,
+    AUV6_RECORD_TABLE_BYTES = 3000,
     AUV6_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void auv6_record_put_row(auv6_page *page, const auv6_row *from)
     auv6_record_put_reals(page, from->t_s, 3);
     auv6_record_put_reals(page, &from->spin, 1);
     auv6_record_put_reals(page, &from->spin_inv, 1);
+    auv6_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 AUV6_CODE

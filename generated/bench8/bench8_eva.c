@@ -571,6 +571,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -582,6 +583,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -593,6 +595,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -604,6 +607,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->flywheel[4].mu_c[0], 3);
     written(&x->flywheel[4].mu_s[0], 3);
     written(&x->flywheel[4].J_c[0], 6);
@@ -615,6 +619,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[4].t_s[0], 3);
     written(&x->flywheel[4].spin, 1);
     written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[4].spin_root_inv, 1);
     written(&x->flywheel[5].mu_c[0], 3);
     written(&x->flywheel[5].mu_s[0], 3);
     written(&x->flywheel[5].J_c[0], 6);
@@ -626,6 +631,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[5].t_s[0], 3);
     written(&x->flywheel[5].spin, 1);
     written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->flywheel[6].mu_c[0], 3);
     written(&x->flywheel[6].mu_s[0], 3);
     written(&x->flywheel[6].J_c[0], 6);
@@ -637,6 +643,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[6].t_s[0], 3);
     written(&x->flywheel[6].spin, 1);
     written(&x->flywheel[6].spin_inv, 1);
+    written(&x->flywheel[6].spin_root_inv, 1);
     written(&x->flywheel[7].mu_c[0], 3);
     written(&x->flywheel[7].mu_s[0], 3);
     written(&x->flywheel[7].J_c[0], 6);
@@ -648,6 +655,7 @@ static void written_table(const bench8_table *x)
     written(&x->flywheel[7].t_s[0], 3);
     written(&x->flywheel[7].spin, 1);
     written(&x->flywheel[7].spin_inv, 1);
+    written(&x->flywheel[7].spin_root_inv, 1);
     written(&x->gravity[0], 3);
     written(&x->suspension.stiffness[0][0], 36);
     written(&x->suspension.damping[0][0], 36);
@@ -672,6 +680,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -683,6 +692,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -694,6 +704,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -705,6 +716,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->flywheel[4].mu_c[0], 3);
     initialised(&x->flywheel[4].mu_s[0], 3);
     initialised(&x->flywheel[4].J_c[0], 6);
@@ -716,6 +728,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[4].t_s[0], 3);
     initialised(&x->flywheel[4].spin, 1);
     initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[4].spin_root_inv, 1);
     initialised(&x->flywheel[5].mu_c[0], 3);
     initialised(&x->flywheel[5].mu_s[0], 3);
     initialised(&x->flywheel[5].J_c[0], 6);
@@ -727,6 +740,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[5].t_s[0], 3);
     initialised(&x->flywheel[5].spin, 1);
     initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->flywheel[6].mu_c[0], 3);
     initialised(&x->flywheel[6].mu_s[0], 3);
     initialised(&x->flywheel[6].J_c[0], 6);
@@ -738,6 +752,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[6].t_s[0], 3);
     initialised(&x->flywheel[6].spin, 1);
     initialised(&x->flywheel[6].spin_inv, 1);
+    initialised(&x->flywheel[6].spin_root_inv, 1);
     initialised(&x->flywheel[7].mu_c[0], 3);
     initialised(&x->flywheel[7].mu_s[0], 3);
     initialised(&x->flywheel[7].J_c[0], 6);
@@ -749,6 +764,7 @@ static void initialised_table(const bench8_table *x)
     initialised(&x->flywheel[7].t_s[0], 3);
     initialised(&x->flywheel[7].spin, 1);
     initialised(&x->flywheel[7].spin_inv, 1);
+    initialised(&x->flywheel[7].spin_root_inv, 1);
     initialised(&x->gravity[0], 3);
     initialised(&x->suspension.stiffness[0][0], 36);
     initialised(&x->suspension.damping[0][0], 36);

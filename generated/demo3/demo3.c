@@ -2091,7 +2091,7 @@ static demo3_status demo3_demand(const demo3_table *table, const demo3_state *x,
     for (int s = 0; s < DEMO3_N; ++s) {
         const demo3_real s_phi = sine[s];
         const demo3_real c_phi = cosine[s];
-        const demo3_real scale = 1.0 / demo3_sqrt(table->flywheel[s].spin);
+        const demo3_real scale = table->flywheel[s].spin_root_inv;
         work->scale[s] = scale;
         work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
         work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
@@ -2575,28 +2575,32 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
     demo3_sincos_each(x->phi, sine, cosine);
     status = demo3_demand(table, x, sine, cosine, V_dot, &work);
     if (status != DEMO3_OK) { return status; }
+    demo3_real answer[DEMO3_N];
     /* normal equations: W^T W y = W^T r */
-    demo3_real gram[3][3];
-    demo3_real z[3];
+    demo3_real gram[DEMO3_N][DEMO3_N];
+    demo3_real z[DEMO3_N];
     demo3_real trace = 0.0;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < i + 1; ++j) {
+    for (int s = 0; s < DEMO3_N; ++s) {
+        for (int t = 0; t < s + 1; ++t) {
             demo3_real total = 0.0;
-            for (int k = 0; k < 6; ++k) {
-                total += work.W[k][i] * work.W[k][j];
+            for (int i = 0; i < 6; ++i) {
+                total += work.W[i][s] * work.W[i][t];
             }
-            gram[i][j] = total;
+            gram[s][t] = total;
         }
-        trace += gram[i][i];
+        trace += gram[s][s];
         demo3_real side = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            side += work.W[k][i] * work.r[k];
+        for (int i = 0; i < 6; ++i) {
+            side += work.W[i][s] * work.r[i];
         }
-        z[i] = side;
+        z[s] = side;
     }
     const demo3_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int s = 0; s < DEMO3_N; ++s) {
+        gram[s][s] += lambda2;
+    }
     for (int j = 0; j < 3; ++j) {
-        demo3_real pivot = gram[j][j] + lambda2;
+        demo3_real pivot = gram[j][j];
         const demo3_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
         demo3_real rest = z[j];
         for (int k = 0; k < j; ++k) {
@@ -2623,10 +2627,8 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
         }
         z[i] = rest;
     }
-    demo3_real answer[DEMO3_N];
     for (int s = 0; s < DEMO3_N; ++s) {
-        demo3_real y = z[s];
-        answer[s] = y * work.scale[s];
+        answer[s] = z[s] * work.scale[s];
     }
     status = demo3_within(answer, DEMO3_N, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return DEMO3_RANGE; }
@@ -2892,7 +2894,7 @@ static demo3_status demo3_frame_of_axes(const demo3_real axis[3], const demo3_re
 DEMO3_CODE
 static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[6], const demo3_real O[3],
                         const demo3_real R[9], demo3_real mu[restrict 3], demo3_real J1[restrict 6],
-                        demo3_real t[restrict 3])
+                        int spins, demo3_real t[restrict 3])
 {
     demo3_real b1[3];  /* R b */
     demo3_real RJ[9];  /* R J */
@@ -2923,12 +2925,14 @@ static void demo3_carry(demo3_real m, const demo3_real b[3], const demo3_real J[
     J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
     J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
     J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
-    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
-        + (Jr[4] - O[2] * b1[0]) * R[6];
-    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
-        + (Jr[5] - O[2] * b1[1]) * R[6];
-    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
-        + (Jr[5] - O[1] * b1[2]) * R[3];
+    if (spins != 0) {
+        t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+            + (Jr[4] - O[2] * b1[0]) * R[6];
+        t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+            + (Jr[5] - O[2] * b1[1]) * R[6];
+        t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+            + (Jr[5] - O[1] * b1[2]) * R[3];
+    }
 }
 
 /* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
@@ -3059,7 +3063,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
     b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
     b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
     b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
-    demo3_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    demo3_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, 0, t);
     mass += parameters->carrier.mass;
     first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
     inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3078,7 +3082,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        demo3_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        demo3_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3089,7 +3093,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        demo3_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+        demo3_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
             table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
@@ -3097,7 +3101,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        demo3_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+        demo3_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
             table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
@@ -3106,7 +3110,7 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        demo3_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        demo3_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -3114,9 +3118,10 @@ demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *tabl
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        demo3_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        demo3_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
         table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
         table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_root_inv = 1.0 / demo3_sqrt(parameters->flywheel[s].body.inertia[0]);
     }
     table->mass = mass;
     table->mass_inverse = 1.0 / mass;
@@ -3469,10 +3474,10 @@ const demo3_table demo3_default =
     .first_moment = { 0.0, 0.0, 6.938893903907228e-18 },
     .inertia = { 0.17671946902654836, 0.19985309734513274, 0.2520274336283189, 7.964601769884158e-5, 0.007598230088495141, -0.015734513274336327 },
     .flywheel = {
-        /*     mu_c[3]            mu_s[3]            J_c[6]                            J_s[6]                            J_2c[6]                           J_2s[6]                                              t_0[3]                                                 t_c[3]             t_s[3]             spin        spin_inv */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {                  0.004,                   0.0,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w1 */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { -4.136462142204289e-16,                 0.004,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w2 */
-        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {   0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,  250.0 },  /* w3 */
+        /*     mu_c[3]            mu_s[3]            J_c[6]                            J_s[6]                            J_2c[6]                           J_2s[6]                                              t_0[3]                                                 t_c[3]             t_s[3]             spin        spin_inv                    spin_root_inv */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {                  0.004,                   0.0,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w1 */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { -4.136462142204289e-16,                 0.004,                   0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w2 */
+        { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }, {   0.001128865042058947, 0.0007525766947066698, 0.0037628834735348427 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.004,   250.0, 15.811388300841898 },  /* w3 */
     },
 };
 

@@ -29,7 +29,7 @@ extern "C" {
 
 #define DEMO3_STRUCTURE 0x055bf547u  /* hash of the stand's names, counts and kinds of wrench */
 #define DEMO3_PHYSICS   0xfdeb29e7u  /* hash of its structure and all numbers */
-#define DEMO3_TABLE_HASH 0x69c75902u /* FNV-1a of all numbers of the default table but its stream */
+#define DEMO3_TABLE_HASH 0xf5c5cd4bu /* FNV-1a of all numbers of the default table but its stream */
 #define DEMO3_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define DEMO3_REAL_BYTES 8           /* bytes of a demo3_real */
 #define DEMO3_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -118,17 +118,18 @@ typedef struct demo3_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct demo3_row {
-    demo3_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    demo3_real mu_s[3];   /* kg m; sin phi */
-    demo3_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    demo3_real J_s[6];    /* kg m2; sin phi */
-    demo3_real J_2c[6];   /* kg m2; cos 2 phi */
-    demo3_real J_2s[6];   /* kg m2; sin 2 phi */
-    demo3_real t_0[3];    /* kg m2; moment part of I: constant */
-    demo3_real t_c[3];    /* kg m2; cos phi */
-    demo3_real t_s[3];    /* kg m2; sin phi */
-    demo3_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    demo3_real spin_inv;  /* 1/(kg m2) */
+    demo3_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    demo3_real mu_s[3];        /* kg m; sin phi */
+    demo3_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    demo3_real J_s[6];         /* kg m2; sin phi */
+    demo3_real J_2c[6];        /* kg m2; cos 2 phi */
+    demo3_real J_2s[6];        /* kg m2; sin 2 phi */
+    demo3_real t_0[3];         /* kg m2; moment part of I: constant */
+    demo3_real t_c[3];         /* kg m2; cos phi */
+    demo3_real t_s[3];         /* kg m2; sin phi */
+    demo3_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    demo3_real spin_inv;       /* 1/(kg m2) */
+    demo3_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } demo3_row;
 
 /* The constants of the equations. Made by prepare, except the laws at the end (gravity, ...). */
@@ -214,23 +215,19 @@ typedef struct demo3_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6,
-                                               * 1 by default */
-    demo3_real limit[DEMO3_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                               * infinity: no limit */
-    demo3_real most[DEMO3_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    demo3_real motor_torque[DEMO3_N];         /* N m; EXCESSIVE if the drive torque is larger; not
-                                               * negative; infinity: no limit */
-    demo3_real motor_speed[DEMO3_N];          /* rad/s; no-load speed, where the torque that drives has
-                                               * fallen to 0; greater than 0; infinity: none */
-    demo3_real motor_viscous[DEMO3_N];        /* N m s; viscous friction, which the motor bears; 0: none */
-    demo3_real motor_coulomb[DEMO3_N];        /* N m; dry friction, which the motor bears; 0: none */
-    demo3_real motor_coulomb_speed[DEMO3_N];  /* rad/s; speed at which three quarters of the dry friction
-                                               * act; greater than 0 */
-    demo3_real near;                          /* status NEAR_SINGULAR below this fraction of the largest
-                                               * singular value, 0..1 */
-    demo3_real damping;                       /* damping of small singular values, as a fraction of the
-                                               * largest, 0..1; 0: none */
+    demo3_real weight[DEMO3_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
+                                        * default */
+    demo3_real limit[DEMO3_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                        * infinity: no limit */
+    demo3_real most[DEMO3_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    demo3_real motor_torque[DEMO3_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                        * infinity: no limit */
+    demo3_real motor_speed[DEMO3_N];   /* rad/s; no-load speed, where the torque that drives has fallen to
+                                        * 0; greater than 0; infinity: none */
+    demo3_real near;                   /* status NEAR_SINGULAR below this fraction of the largest singular
+                                        * value, 0..1 */
+    demo3_real damping;                /* damping of small singular values, as a fraction of the largest,
+                                        * 0..1; 0: none */
 } demo3_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -439,7 +436,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 30232 operations on reals, 933 of them divisions. Stack: at most 4512 bytes. */
+ * At most 30079 operations on reals, 924 of them divisions. Stack: at most 4512 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -448,18 +445,15 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and `limit` are ignored
+ *   options      weights and damping; `near` and limits are ignored
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
- * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
- * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
- * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
- * the status is negative.
- * At most 1907 operations on reals, 42 of them divisions. Stack: at most 3536 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
+ * is negative.
+ * At most 1694 operations on reals, 27 of them divisions. Stack: at most 3472 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 
@@ -508,7 +502,7 @@ demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, c
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 4334 operations on reals, 28 of them divisions. Stack: at most 2016 bytes. */
+ * At most 4409 operations on reals, 31 of them divisions. Stack: at most 2016 bytes. */
 demo3_status demo3_prepare(const demo3_parameters *parameters, demo3_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

@@ -541,6 +541,7 @@ static void written_table(const demo3_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -552,6 +553,7 @@ static void written_table(const demo3_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -563,6 +565,7 @@ static void written_table(const demo3_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
 }
 
 static void initialised_table(const demo3_table *x)
@@ -582,6 +585,7 @@ static void initialised_table(const demo3_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -593,6 +597,7 @@ static void initialised_table(const demo3_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -604,6 +609,7 @@ static void initialised_table(const demo3_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
 }
 
 static void untouched_mount_table(const demo3_mount_table *x)

@@ -22,7 +22,7 @@ typedef uint64_t demo3_record_word;  /* the bits of a real */
 enum {
     DEMO3_RECORD_STEP = 0x53,
     DEMO3_RECORD_REAL_BYTES = 8,
-    DEMO3_RECORD_TABLE_BYTES = 1072,
+    DEMO3_RECORD_TABLE_BYTES = 1096,
     DEMO3_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void demo3_record_put_row(demo3_page *page, const demo3_row *from)
     demo3_record_put_reals(page, from->t_s, 3);
     demo3_record_put_reals(page, &from->spin, 1);
     demo3_record_put_reals(page, &from->spin_inv, 1);
+    demo3_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 DEMO3_CODE

@@ -302,6 +302,7 @@ static void take_row(tally *sum, const demo3_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_table(tally *sum, const demo3_table *value)
@@ -1112,8 +1113,8 @@ static const function functions[FUNCTIONS] =
       0x3b4d207fu },
     { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xf9a2692fu, 32 }, { 0, 0x953bbffbu, 32 }, { -2, 0x714e82a3u, 32 } },
-      0xef731f6du },
+      { { 0, 0x3ed32297u, 32 }, { 0, 0x507507b7u, 32 }, { -2, 0x1a04e23au, 32 } },
+      0x50af2327u },
     { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0x1933a6d7u, 18 }, { 0, 0x645fabf4u, 18 }, { -2, 0x8e5b0aa0u, 0 } },

@@ -2405,7 +2405,7 @@ static remus6_status remus6_demand(const remus6_table *table, const remus6_state
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real s_phi = sine[s];
         const remus6_real c_phi = cosine[s];
-        const remus6_real scale = 1.0 / remus6_sqrt(table->flywheel[s].spin);
+        const remus6_real scale = table->flywheel[s].spin_root_inv;
         work->scale[s] = scale;
         work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
         work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
@@ -2895,22 +2895,22 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
     remus6_sincos_each(x->phi, sine, cosine);
     status = remus6_demand(table, x, sine, cosine, V_dot, &work);
     if (status != REMUS6_OK) { return status; }
-    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z */
-    remus6_real gram[6][6];
-    remus6_real z[6];
-    remus6_real trace = 0.0;
-    /* I has had its use: W Omega^-1 takes its place */
+    remus6_real answer[REMUS6_N];
+    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is there */
     for (int s = 0; s < REMUS6_N; ++s) {
         const remus6_real give = 1.0 / options->weight[s];
         for (int i = 0; i < 6; ++i) {
             work.I_[i][s] = work.W[i][s] * give;
         }
     }
+    remus6_real gram[6][6];
+    remus6_real z[6];
+    remus6_real trace = 0.0;
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < i + 1; ++j) {
             remus6_real total = 0.0;
-            for (int k = 0; k < REMUS6_N; ++k) {
-                total += work.I_[i][k] * work.W[j][k];
+            for (int s = 0; s < REMUS6_N; ++s) {
+                total += work.I_[i][s] * work.W[j][s];
             }
             gram[i][j] = total;
         }
@@ -2918,8 +2918,11 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
         z[i] = work.r[i];
     }
     const remus6_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int i = 0; i < 6; ++i) {
+        gram[i][i] += lambda2;
+    }
     for (int j = 0; j < 6; ++j) {
-        remus6_real pivot = gram[j][j] + lambda2;
+        remus6_real pivot = gram[j][j];
         const remus6_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
         remus6_real rest = z[j];
         for (int k = 0; k < j; ++k) {
@@ -2946,11 +2949,10 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
         }
         z[i] = rest;
     }
-    remus6_real answer[REMUS6_N];
     for (int s = 0; s < REMUS6_N; ++s) {
         remus6_real y = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            y += work.I_[k][s] * z[k];
+        for (int i = 0; i < 6; ++i) {
+            y += work.I_[i][s] * z[i];
         }
         answer[s] = y * work.scale[s];
     }
@@ -3295,7 +3297,7 @@ static remus6_status remus6_frame_of_axes(const remus6_real axis[3], const remus
 REMUS6_CODE
 static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_real J[6],
                          const remus6_real O[3], const remus6_real R[9], remus6_real mu[restrict 3],
-                         remus6_real J1[restrict 6], remus6_real t[restrict 3])
+                         remus6_real J1[restrict 6], int spins, remus6_real t[restrict 3])
 {
     remus6_real b1[3];  /* R b */
     remus6_real RJ[9];  /* R J */
@@ -3326,12 +3328,14 @@ static void remus6_carry(remus6_real m, const remus6_real b[3], const remus6_rea
     J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
     J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
     J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
-    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
-        + (Jr[4] - O[2] * b1[0]) * R[6];
-    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
-        + (Jr[5] - O[2] * b1[1]) * R[6];
-    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
-        + (Jr[5] - O[1] * b1[2]) * R[3];
+    if (spins != 0) {
+        t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+            + (Jr[4] - O[2] * b1[0]) * R[6];
+        t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+            + (Jr[5] - O[2] * b1[1]) * R[6];
+        t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+            + (Jr[5] - O[1] * b1[2]) * R[3];
+    }
 }
 
 /* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
@@ -3654,7 +3658,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
     b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
     b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
     b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
-    remus6_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    remus6_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, 0, t);
     mass += parameters->carrier.mass;
     first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
     inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3679,7 +3683,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         b[1] = parameters->instrument[k].body.mass * parameters->instrument[k].body.center_of_mass[1];
         b[2] = parameters->instrument[k].body.mass * parameters->instrument[k].body.center_of_mass[2];
         remus6_carry(parameters->instrument[k].body.mass, b, parameters->instrument[k].body.inertia, O, R, mu,
-            J1, t);
+            J1, 0, t);
         mass += parameters->instrument[k].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3712,7 +3716,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        remus6_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        remus6_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3723,7 +3727,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
             table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
@@ -3731,7 +3735,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+        remus6_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
             table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
@@ -3740,7 +3744,7 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -3748,9 +3752,10 @@ remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        remus6_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
         table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
         table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_root_inv = 1.0 / remus6_sqrt(parameters->flywheel[s].body.inertia[0]);
         weight_mass += parameters->flywheel[s].body.mass;
     }
     (void)remus6_translation_block(parameters, mass, table->A, table->A_inv);
@@ -4221,13 +4226,13 @@ const remus6_table remus6_default =
     .weight_mass = -0.7130000000000019,
     .displaced_moment = { 0.0, 0.0, 0.0 },
     .flywheel = {
-        /*                        mu_c[3]                                                                       mu_s[3]                                                                     J_c[6]                                                                                                                                             J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                                                          t_0[3]                                                                      t_c[3]                                                                     t_s[3]                                                    spin                   spin_inv */
-        { {                    0.0,                     0.0,                 0.0002 }, {                  0.0002,                    0.0,                    0.0 }, {   8.000000000000001e-6,   8.000000000000001e-6,                    0.0,                -6.0e-7, -4.4000000000000006e-5,  -7.000000000000001e-6 }, {                   0.0,   8.800000000000001e-5,    8.800000000000001e-5,  -7.000000000000001e-6, -4.000000000000001e-6,                 6.0e-7 }, { 2.4999999999999998e-6,                    0.0, -2.4999999999999998e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -2.4999999999999998e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {                -6.0e-7,   4.000000000000001e-6,  -7.000000000000001e-6 }, { -7.000000000000001e-6, 4.4000000000000006e-5,                 6.0e-7 }, 0.00015, 6666.666666666667 },  /* w1 */
-        { {                    0.0,                     0.0,               -0.00021 }, {                -0.00021,                    0.0,                    0.0 }, {  -8.400000000000001e-6,  -8.400000000000001e-6,                    0.0,  4.3301270189221934e-7, -4.6200000000000005e-5,  -7.100000000000001e-6 }, {                   0.0,   9.240000000000001e-5,    9.240000000000001e-5,  -7.100000000000001e-6, 4.2000000000000004e-6, -4.3301270189221934e-7 }, { 1.4999999999999958e-6,                    0.0, -1.4999999999999958e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -1.4999999999999958e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {  4.3301270189221934e-7, -4.2000000000000004e-6,  -7.100000000000001e-6 }, { -7.100000000000001e-6, 4.6200000000000005e-5, -4.3301270189221934e-7 }, 0.00015, 6666.666666666667 },  /* w2 */
-        { {                    0.0,   0.0001819869941920188,  -5.459609825760563e-5 }, {                -0.00019,                    0.0,                    0.0 }, {  -1.055524566313709e-5, -3.4959493816948696e-6, -7.0592962814422205e-6, -2.1838439303042257e-5,   6.551531790912675e-6,  -6.885476745041117e-6 }, {                   0.0, -4.5600000000000004e-5,  -4.5600000000000004e-5, -3.6850608457734625e-6,  6.083130514088461e-6,                    0.0 }, {  2.000000000000001e-6, -1.8348623853211026e-6, -1.6513761467889914e-7,                   0.0,                    0.0,  5.504587155963307e-7 }, {                    0.0,                    0.0,                   0.0, 1.9156525704423043e-6,  -5.746957711326911e-7,                   0.0 }, {                    0.0,  4.3102182834951804e-5, 0.00014367394278317266 }, {                    0.0,  -6.083130514088461e-6,  -3.685060845773462e-6 }, { 4.7676878606084506e-6, -6.551531790912676e-6, -2.1838439303042253e-5 }, 0.00015, 6666.666666666667 },  /* w3 */
-        { {   5.176380902050416e-5, -0.00018503782919872591,  -5.551134875961776e-5 }, {  0.00019318516525781366,  4.9580736903006636e-5,  1.4874221070901985e-5 }, { -1.0732194093526102e-5, -1.5753995090498062e-5, -1.9824827332870034e-5, -2.3239815684257194e-5,  -8.214276121769256e-6,   6.661361851154133e-6 }, {  2.875682740374385e-6, -4.5471986397621155e-5,   -4.438121018575502e-5,  2.0859851232045232e-6, -4.010648429226172e-6, -1.7849065285082388e-6 }, { 2.4999999999999998e-6, -2.2935779816513764e-6, -2.0642201834862379e-7,                   0.0,                    0.0, -6.880733944954128e-7 }, {                    0.0,                    0.0,                   0.0, 2.3945657130528785e-6,   7.183697139158634e-7,                   0.0 }, {                    0.0, -4.3102182834951804e-5, 0.00014367394278317263 }, { -1.1899376856721588e-6,   7.580461486242648e-6,  -9.813391733517068e-6 }, { -4.440907900769421e-6,  5.108447580539007e-6,  -2.116926332343702e-5 }, 0.00015, 6666.666666666667 },  /* w4 */
-        { {                    0.0,                  0.0002,                    0.0 }, {   -3.922322702763681e-5,                    0.0, 0.00019611613513818404 }, {   -5.76923076923077e-8,                    0.0,    5.76923076923077e-8,   -2.54762332682534e-7,  1.3846153846153846e-7,  -8.050952466536508e-6 }, { 1.5789216819183695e-5,  1.5689290811054723e-5,   -9.992600812897368e-8, -1.4708710135363802e-7, 1.3291066615959356e-6,  -2.941742027072761e-8 }, {  9.615384615384617e-8, -2.4999999999999998e-6,  2.4038461538461535e-6,                   0.0,  -4.807692307692307e-7,                   0.0 }, {                    0.0,                    0.0,                   0.0,  4.902903378454601e-7,                    0.0,   -2.4514516892273e-6 }, { 0.00014708710135363798,                    0.0,  2.9417420270727602e-5 }, { -2.9417420270727608e-8,  -1.828736702240804e-6,  1.4708710135363802e-7 }, {  8.050952466536508e-6,               -1.5e-7, -2.5476233268253394e-7 }, 0.00015, 6666.666666666667 },  /* w5 */
-        { { -1.3512873805140461e-5,  0.00017915690403018868, -1.0963848769665967e-5 }, { -0.00011341093352635507, 1.2490009027033012e-21, 0.00013977825351849506 }, {   4.228378223622281e-9, -1.2778969833748272e-5,  -1.289866322289885e-5,  -8.173969852574897e-5,  5.1711462346589714e-6, -3.6694133986843315e-6 }, {  5.601829405287051e-6,  -9.776185708667751e-5, -0.00010356367775738655,   3.776898295141705e-7, -6.154822757347233e-5,  3.4379119769943453e-7 }, {  9.783520127195736e-7,  -2.476635514018691e-6,  1.4982835012991177e-6, 1.8679974039194442e-7, -1.2346092070261717e-6, 1.5156243841269663e-7 }, { -2.3649809149148292e-7, -3.453196525605468e-23, 2.3649809149148292e-7, 1.5677740535305014e-6,  4.9798269790799174e-8, -1.932271539438302e-6 }, { 0.00011593629236629821,  1.4501047335684955e-5,   9.406644321183016e-5 }, {  3.0486770866053853e-7,  -6.609334590423563e-5, -4.2177814276157097e-7 }, { 3.5878637345064282e-6, -4.213149761627226e-6,  -8.179864387340778e-5 }, 0.00015, 6666.666666666667 },  /* w6 */
+        /*                        mu_c[3]                                                                       mu_s[3]                                                                     J_c[6]                                                                                                                                             J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                                                          t_0[3]                                                                      t_c[3]                                                                     t_s[3]                                                    spin                  spin_inv                   spin_root_inv */
+        { {                    0.0,                     0.0,                 0.0002 }, {                  0.0002,                    0.0,                    0.0 }, {   8.000000000000001e-6,   8.000000000000001e-6,                    0.0,                -6.0e-7, -4.4000000000000006e-5,  -7.000000000000001e-6 }, {                   0.0,   8.800000000000001e-5,    8.800000000000001e-5,  -7.000000000000001e-6, -4.000000000000001e-6,                 6.0e-7 }, { 2.4999999999999998e-6,                    0.0, -2.4999999999999998e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -2.4999999999999998e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {                -6.0e-7,   4.000000000000001e-6,  -7.000000000000001e-6 }, { -7.000000000000001e-6, 4.4000000000000006e-5,                 6.0e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w1 */
+        { {                    0.0,                     0.0,               -0.00021 }, {                -0.00021,                    0.0,                    0.0 }, {  -8.400000000000001e-6,  -8.400000000000001e-6,                    0.0,  4.3301270189221934e-7, -4.6200000000000005e-5,  -7.100000000000001e-6 }, {                   0.0,   9.240000000000001e-5,    9.240000000000001e-5,  -7.100000000000001e-6, 4.2000000000000004e-6, -4.3301270189221934e-7 }, { 1.4999999999999958e-6,                    0.0, -1.4999999999999958e-6,                   0.0,                    0.0,                   0.0 }, {                    0.0,                    0.0,                   0.0,                   0.0, -1.4999999999999958e-6,                   0.0 }, {                    0.0,                0.00015,                    0.0 }, {  4.3301270189221934e-7, -4.2000000000000004e-6,  -7.100000000000001e-6 }, { -7.100000000000001e-6, 4.6200000000000005e-5, -4.3301270189221934e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w2 */
+        { {                    0.0,   0.0001819869941920188,  -5.459609825760563e-5 }, {                -0.00019,                    0.0,                    0.0 }, {  -1.055524566313709e-5, -3.4959493816948696e-6, -7.0592962814422205e-6, -2.1838439303042257e-5,   6.551531790912675e-6,  -6.885476745041117e-6 }, {                   0.0, -4.5600000000000004e-5,  -4.5600000000000004e-5, -3.6850608457734625e-6,  6.083130514088461e-6,                    0.0 }, {  2.000000000000001e-6, -1.8348623853211026e-6, -1.6513761467889914e-7,                   0.0,                    0.0,  5.504587155963307e-7 }, {                    0.0,                    0.0,                   0.0, 1.9156525704423043e-6,  -5.746957711326911e-7,                   0.0 }, {                    0.0,  4.3102182834951804e-5, 0.00014367394278317266 }, {                    0.0,  -6.083130514088461e-6,  -3.685060845773462e-6 }, { 4.7676878606084506e-6, -6.551531790912676e-6, -2.1838439303042253e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w3 */
+        { {   5.176380902050416e-5, -0.00018503782919872591,  -5.551134875961776e-5 }, {  0.00019318516525781366,  4.9580736903006636e-5,  1.4874221070901985e-5 }, { -1.0732194093526102e-5, -1.5753995090498062e-5, -1.9824827332870034e-5, -2.3239815684257194e-5,  -8.214276121769256e-6,   6.661361851154133e-6 }, {  2.875682740374385e-6, -4.5471986397621155e-5,   -4.438121018575502e-5,  2.0859851232045232e-6, -4.010648429226172e-6, -1.7849065285082388e-6 }, { 2.4999999999999998e-6, -2.2935779816513764e-6, -2.0642201834862379e-7,                   0.0,                    0.0, -6.880733944954128e-7 }, {                    0.0,                    0.0,                   0.0, 2.3945657130528785e-6,   7.183697139158634e-7,                   0.0 }, {                    0.0, -4.3102182834951804e-5, 0.00014367394278317263 }, { -1.1899376856721588e-6,   7.580461486242648e-6,  -9.813391733517068e-6 }, { -4.440907900769421e-6,  5.108447580539007e-6,  -2.116926332343702e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w4 */
+        { {                    0.0,                  0.0002,                    0.0 }, {   -3.922322702763681e-5,                    0.0, 0.00019611613513818404 }, {   -5.76923076923077e-8,                    0.0,    5.76923076923077e-8,   -2.54762332682534e-7,  1.3846153846153846e-7,  -8.050952466536508e-6 }, { 1.5789216819183695e-5,  1.5689290811054723e-5,   -9.992600812897368e-8, -1.4708710135363802e-7, 1.3291066615959356e-6,  -2.941742027072761e-8 }, {  9.615384615384617e-8, -2.4999999999999998e-6,  2.4038461538461535e-6,                   0.0,  -4.807692307692307e-7,                   0.0 }, {                    0.0,                    0.0,                   0.0,  4.902903378454601e-7,                    0.0,   -2.4514516892273e-6 }, { 0.00014708710135363798,                    0.0,  2.9417420270727602e-5 }, { -2.9417420270727608e-8,  -1.828736702240804e-6,  1.4708710135363802e-7 }, {  8.050952466536508e-6,               -1.5e-7, -2.5476233268253394e-7 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w5 */
+        { { -1.3512873805140461e-5,  0.00017915690403018868, -1.0963848769665967e-5 }, { -0.00011341093352635507, 1.2490009027033012e-21, 0.00013977825351849506 }, {   4.228378223622281e-9, -1.2778969833748272e-5,  -1.289866322289885e-5,  -8.173969852574897e-5,  5.1711462346589714e-6, -3.6694133986843315e-6 }, {  5.601829405287051e-6,  -9.776185708667751e-5, -0.00010356367775738655,   3.776898295141705e-7, -6.154822757347233e-5,  3.4379119769943453e-7 }, {  9.783520127195736e-7,  -2.476635514018691e-6,  1.4982835012991177e-6, 1.8679974039194442e-7, -1.2346092070261717e-6, 1.5156243841269663e-7 }, { -2.3649809149148292e-7, -3.453196525605468e-23, 2.3649809149148292e-7, 1.5677740535305014e-6,  4.9798269790799174e-8, -1.932271539438302e-6 }, { 0.00011593629236629821,  1.4501047335684955e-5,   9.406644321183016e-5 }, {  3.0486770866053853e-7,  -6.609334590423563e-5, -4.2177814276157097e-7 }, { 3.5878637345064282e-6, -4.213149761627226e-6,  -8.179864387340778e-5 }, 0.00015, 6666.666666666667, 81.64965809277261 },  /* w6 */
     },
     .sensor = {
         /*      origin[3]                           axes[9] */

@@ -621,6 +621,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -632,6 +633,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -643,6 +645,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -654,6 +657,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->flywheel[4].mu_c[0], 3);
     written(&x->flywheel[4].mu_s[0], 3);
     written(&x->flywheel[4].J_c[0], 6);
@@ -665,6 +669,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[4].t_s[0], 3);
     written(&x->flywheel[4].spin, 1);
     written(&x->flywheel[4].spin_inv, 1);
+    written(&x->flywheel[4].spin_root_inv, 1);
     written(&x->flywheel[5].mu_c[0], 3);
     written(&x->flywheel[5].mu_s[0], 3);
     written(&x->flywheel[5].J_c[0], 6);
@@ -676,6 +681,7 @@ static void written_table(const remus6_table *x)
     written(&x->flywheel[5].t_s[0], 3);
     written(&x->flywheel[5].spin, 1);
     written(&x->flywheel[5].spin_inv, 1);
+    written(&x->flywheel[5].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
     written(&x->sensor[1].origin[0], 3);
@@ -748,6 +754,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -759,6 +766,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -770,6 +778,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -781,6 +790,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->flywheel[4].mu_c[0], 3);
     initialised(&x->flywheel[4].mu_s[0], 3);
     initialised(&x->flywheel[4].J_c[0], 6);
@@ -792,6 +802,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[4].t_s[0], 3);
     initialised(&x->flywheel[4].spin, 1);
     initialised(&x->flywheel[4].spin_inv, 1);
+    initialised(&x->flywheel[4].spin_root_inv, 1);
     initialised(&x->flywheel[5].mu_c[0], 3);
     initialised(&x->flywheel[5].mu_s[0], 3);
     initialised(&x->flywheel[5].J_c[0], 6);
@@ -803,6 +814,7 @@ static void initialised_table(const remus6_table *x)
     initialised(&x->flywheel[5].t_s[0], 3);
     initialised(&x->flywheel[5].spin, 1);
     initialised(&x->flywheel[5].spin_inv, 1);
+    initialised(&x->flywheel[5].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
     initialised(&x->sensor[1].origin[0], 3);

@@ -22,7 +22,7 @@ typedef uint64_t remus6_record_word;  /* the bits of a real */
 enum {
     REMUS6_RECORD_STEP = 0x53,
     REMUS6_RECORD_REAL_BYTES = 8,
-    REMUS6_RECORD_TABLE_BYTES = 2680,
+    REMUS6_RECORD_TABLE_BYTES = 2728,
     REMUS6_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void remus6_record_put_row(remus6_page *page, const remus6_row *from)
     remus6_record_put_reals(page, from->t_s, 3);
     remus6_record_put_reals(page, &from->spin, 1);
     remus6_record_put_reals(page, &from->spin_inv, 1);
+    remus6_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 REMUS6_CODE

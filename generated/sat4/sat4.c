@@ -2083,7 +2083,7 @@ static sat4_status sat4_demand(const sat4_table *table, const sat4_state *x, con
     for (int s = 0; s < SAT4_N; ++s) {
         const sat4_real s_phi = sine[s];
         const sat4_real c_phi = cosine[s];
-        const sat4_real scale = 1.0 / sat4_sqrt(table->flywheel[s].spin);
+        const sat4_real scale = table->flywheel[s].spin_root_inv;
         work->scale[s] = scale;
         work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
         work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
@@ -2565,28 +2565,32 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     sat4_sincos_each(x->phi, sine, cosine);
     status = sat4_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SAT4_OK) { return status; }
+    sat4_real answer[SAT4_N];
     /* normal equations: W^T W y = W^T r */
-    sat4_real gram[4][4];
-    sat4_real z[4];
+    sat4_real gram[SAT4_N][SAT4_N];
+    sat4_real z[SAT4_N];
     sat4_real trace = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < i + 1; ++j) {
+    for (int s = 0; s < SAT4_N; ++s) {
+        for (int t = 0; t < s + 1; ++t) {
             sat4_real total = 0.0;
-            for (int k = 0; k < 6; ++k) {
-                total += work.W[k][i] * work.W[k][j];
+            for (int i = 0; i < 6; ++i) {
+                total += work.W[i][s] * work.W[i][t];
             }
-            gram[i][j] = total;
+            gram[s][t] = total;
         }
-        trace += gram[i][i];
+        trace += gram[s][s];
         sat4_real side = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            side += work.W[k][i] * work.r[k];
+        for (int i = 0; i < 6; ++i) {
+            side += work.W[i][s] * work.r[i];
         }
-        z[i] = side;
+        z[s] = side;
     }
     const sat4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int s = 0; s < SAT4_N; ++s) {
+        gram[s][s] += lambda2;
+    }
     for (int j = 0; j < 4; ++j) {
-        sat4_real pivot = gram[j][j] + lambda2;
+        sat4_real pivot = gram[j][j];
         const sat4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
         sat4_real rest = z[j];
         for (int k = 0; k < j; ++k) {
@@ -2613,10 +2617,8 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
         }
         z[i] = rest;
     }
-    sat4_real answer[SAT4_N];
     for (int s = 0; s < SAT4_N; ++s) {
-        sat4_real y = z[s];
-        answer[s] = y * work.scale[s];
+        answer[s] = z[s] * work.scale[s];
     }
     status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
@@ -2719,7 +2721,7 @@ SAT4_CODE
 static void sat4_scale_turning(const sat4_table *table, sat4_inverse_work *restrict work)
 {
     for (int s = 0; s < SAT4_N; ++s) {
-        work->scale[s] = 1.0 / sat4_sqrt(table->flywheel[s].spin);
+        work->scale[s] = table->flywheel[s].spin_root_inv;
     }
     for (int i = 0; i < 3; ++i) {
         const sat4_real root = sat4_sqrt(work->G[i][i]);
@@ -3329,19 +3331,19 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
             }
             z[j] = rest;
             if (!(pivot > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
-            gram[j][j] = 1.0 / pivot;
+            gram[j][j] = pivot;
             for (int i = j + 1; i < 3; ++i) {
                 sat4_real below = gram[i][j];
                 for (int k = 0; k < j; ++k) {
                     below -= gram[i][k] * gram[k][j];
                 }
                 gram[i][j] = below;
-                gram[j][i] = below * gram[j][j];
+                gram[j][i] = below / pivot;
             }
         }
         for (int t = 0; t < 3; ++t) {
             const int i = 2 - t;
-            sat4_real rest = z[i] * gram[i][i];
+            sat4_real rest = z[i] / gram[i][i];
             for (int k = i + 1; k < 3; ++k) {
                 rest -= gram[i][k] * z[k];
             }
@@ -3394,19 +3396,19 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
             }
             z[j] = rest;
             if (!(pivot > least)) { return SAT4_NOT_POSITIVE_DEFINITE; }
-            gram[j][j] = 1.0 / pivot;
+            gram[j][j] = pivot;
             for (int i = j + 1; i < 3; ++i) {
                 sat4_real below = gram[i][j];
                 for (int k = 0; k < j; ++k) {
                     below -= gram[i][k] * gram[k][j];
                 }
                 gram[i][j] = below;
-                gram[j][i] = below * gram[j][j];
+                gram[j][i] = below / pivot;
             }
         }
         for (int t = 0; t < 3; ++t) {
             const int i = 2 - t;
-            sat4_real rest = z[i] * gram[i][i];
+            sat4_real rest = z[i] / gram[i][i];
             for (int k = i + 1; k < 3; ++k) {
                 rest -= gram[i][k] * z[k];
             }
@@ -3484,7 +3486,7 @@ static sat4_status sat4_torque_demand_turning(const sat4_table *table, const sat
         sat4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         const sat4_real spin = table->flywheel[s].spin;
         tau_0[s] = spin * preferred[s] + drive.bias;
-        work->scale[s] = 1.0 / sat4_sqrt(spin);
+        work->scale[s] = table->flywheel[s].spin_root_inv;
         if (locked[s] == 0) {
             sat4_eliminate(drive.I_, table->flywheel[s].spin_inv, preferred[s], &K, F);
         }
@@ -4437,7 +4439,7 @@ static sat4_status sat4_frame_of_axes(const sat4_real axis[3], const sat4_real z
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 SAT4_CODE
 static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], const sat4_real O[3],
-                       const sat4_real R[9], sat4_real mu[restrict 3], sat4_real J1[restrict 6],
+                       const sat4_real R[9], sat4_real mu[restrict 3], sat4_real J1[restrict 6], int spins,
                        sat4_real t[restrict 3])
 {
     sat4_real b1[3];  /* R b */
@@ -4469,12 +4471,14 @@ static void sat4_carry(sat4_real m, const sat4_real b[3], const sat4_real J[6], 
     J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
     J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
     J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
-    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
-        + (Jr[4] - O[2] * b1[0]) * R[6];
-    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
-        + (Jr[5] - O[2] * b1[1]) * R[6];
-    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
-        + (Jr[5] - O[1] * b1[2]) * R[3];
+    if (spins != 0) {
+        t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+            + (Jr[4] - O[2] * b1[0]) * R[6];
+        t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+            + (Jr[5] - O[2] * b1[1]) * R[6];
+        t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+            + (Jr[5] - O[1] * b1[2]) * R[3];
+    }
 }
 
 /* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
@@ -4625,7 +4629,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
     b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
     b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
     b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
-    sat4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    sat4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, 0, t);
     mass += parameters->carrier.mass;
     first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
     inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -4644,7 +4648,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        sat4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        sat4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -4655,7 +4659,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
             table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
@@ -4663,7 +4667,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+        sat4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
             table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
@@ -4672,7 +4676,7 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -4680,9 +4684,10 @@ sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table)
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        sat4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
         table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
         table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_root_inv = 1.0 / sat4_sqrt(parameters->flywheel[s].body.inertia[0]);
     }
     table->mass = mass;
     table->mass_inverse = 1.0 / mass;
@@ -5049,11 +5054,11 @@ const sat4_table sat4_default =
     .first_moment = { 0.2016, -0.1512, -0.1632 },
     .inertia = { 2.6489272, 2.4992799999999997, 2.157196, 0.030604799999999998, -0.0224192, 0.011814400000000003 },
     .flywheel = {
-        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                           J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                         J_2s[6]                                                                                                      t_0[3]                                                                  t_c[3]                                                                    t_s[3]                                                      spin                   spin_inv */
-        { { -1.0606601717798212e-6,  1.0606601717798212e-6,                    0.0 }, { -6.123724356957945e-7,  -6.123724356957945e-7,   1.224744871391589e-6 }, {   3.370542323655877e-7, -1.296362432175337e-7, -2.0741798914805395e-7, 1.0370899457402699e-7, -1.367073110293992e-7,    3.29983164553722e-8 }, {  -5.103103630798287e-7,  -1.510518674716293e-7, -2.694438717061496e-7,   1.347219358530748e-7, -2.7352635461078826e-7,  -9.389710680668849e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5, -1.7500000000000154e-5, -1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, { 1.7554676489946113e-7,  4.08248290463864e-9, -1.7962924780409975e-7 }, {  -2.404163056034262e-7,   7.071067811865476e-8,  -2.333452377915607e-7 }, 0.019099, 52.35876223886067 },  /* rw1 */
-        { {   2.126747150240683e-7,  -9.382090029679942e-7,  1.1508837179920625e-6 }, { 1.2061382448083765e-6,   7.872508283576474e-7,   4.188874164507291e-7 }, {  -5.948142193588943e-7, -9.760411873355889e-8, -1.8225328758151434e-7, -9.112664379075716e-8, 2.1027404290628543e-7,  -9.952050730296364e-8 }, {   1.421909514374645e-7, -1.7348100250018028e-7, -2.870643854398383e-7, -1.4353219271991916e-7,  2.2201437438913993e-7, -1.1064274564177849e-9 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5,  1.7500000000000154e-5, -1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, {  2.859579579834206e-7, 6.505001105069839e-8, -1.5783597696882242e-7 }, {  -8.273278027855073e-8,   2.802075532477106e-8, -2.4860505031266775e-7 }, 0.019099, 52.35876223886067 },  /* rw2 */
-        { {  -7.872508283576474e-7,  1.2061382448083765e-6,   4.188874164507292e-7 }, { -9.382090029679943e-7, -2.1267471502406824e-7, -1.1508837179920625e-6 }, { -1.2495441134190554e-7, 2.4642010325387865e-9,  -1.958642261931874e-7,   9.79321130965937e-8, -6.875694774604506e-8,   2.462776699682773e-7 }, {  2.3092983218402502e-7,   5.701766233357886e-7,    7.3565170154154e-8,    -3.6782585077077e-8, -1.1183930531451655e-7, -1.4361118618105235e-7 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5,  1.7500000000000154e-5,  1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { -7.004601602689835e-8, 3.827413516036253e-8, -1.6962339557588178e-7 }, { -5.0413443775089934e-8, -2.6462117393923255e-7,   6.370930618722218e-8 }, 0.019099, 52.35876223886067 },  /* rw3 */
-        { {  1.0674354894251936e-7, -1.0032522651328782e-6, -1.1099958140753976e-6 }, { 1.2200843473953578e-6,   7.024847987720081e-7,  -5.175995486233495e-7 }, {   5.986652211363478e-7, 1.4739918513103358e-7,   9.753241242992077e-8,   4.87662062149604e-8, 1.5748088640788743e-7, -1.0218452448139849e-7 }, { -1.8047002061721514e-8,  1.5088409165166358e-7, 2.6053856736380353e-7,  1.3026928368190176e-7,   2.547178944177226e-7,  2.6104696497384394e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5, -1.7500000000000154e-5,  1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { 2.8664326386118794e-7, 5.820672946080976e-9,   8.446554685669254e-8 }, {   4.652112051477716e-9,   5.994847397796668e-8,  2.2563301800265715e-7 }, 0.019099, 52.35876223886067 },  /* rw4 */
+        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                           J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                         J_2s[6]                                                                                                      t_0[3]                                                                  t_c[3]                                                                    t_s[3]                                                      spin                  spin_inv                   spin_root_inv */
+        { { -1.0606601717798212e-6,  1.0606601717798212e-6,                    0.0 }, { -6.123724356957945e-7,  -6.123724356957945e-7,   1.224744871391589e-6 }, {   3.370542323655877e-7, -1.296362432175337e-7, -2.0741798914805395e-7, 1.0370899457402699e-7, -1.367073110293992e-7,    3.29983164553722e-8 }, {  -5.103103630798287e-7,  -1.510518674716293e-7, -2.694438717061496e-7,   1.347219358530748e-7, -2.7352635461078826e-7,  -9.389710680668849e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5, -1.7500000000000154e-5, -1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, { 1.7554676489946113e-7,  4.08248290463864e-9, -1.7962924780409975e-7 }, {  -2.404163056034262e-7,   7.071067811865476e-8,  -2.333452377915607e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw1 */
+        { {   2.126747150240683e-7,  -9.382090029679942e-7,  1.1508837179920625e-6 }, { 1.2061382448083765e-6,   7.872508283576474e-7,   4.188874164507291e-7 }, {  -5.948142193588943e-7, -9.760411873355889e-8, -1.8225328758151434e-7, -9.112664379075716e-8, 2.1027404290628543e-7,  -9.952050730296364e-8 }, {   1.421909514374645e-7, -1.7348100250018028e-7, -2.870643854398383e-7, -1.4353219271991916e-7,  2.2201437438913993e-7, -1.1064274564177849e-9 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5,  1.7500000000000154e-5, -1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0,  3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665,  0.011026812791252665, 0.011026812791252666 }, {  2.859579579834206e-7, 6.505001105069839e-8, -1.5783597696882242e-7 }, {  -8.273278027855073e-8,   2.802075532477106e-8, -2.4860505031266775e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw2 */
+        { {  -7.872508283576474e-7,  1.2061382448083765e-6,   4.188874164507292e-7 }, { -9.382090029679943e-7, -2.1267471502406824e-7, -1.1508837179920625e-6 }, { -1.2495441134190554e-7, 2.4642010325387865e-9,  -1.958642261931874e-7,   9.79321130965937e-8, -6.875694774604506e-8,   2.462776699682773e-7 }, {  2.3092983218402502e-7,   5.701766233357886e-7,    7.3565170154154e-8,    -3.6782585077077e-8, -1.1183930531451655e-7, -1.4361118618105235e-7 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5,  3.50000000000003e-5,  1.7500000000000154e-5,  1.7500000000000154e-5 }, { -3.0310889132455615e-5,  3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5,  3.0310889132455615e-5 }, { -0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { -7.004601602689835e-8, 3.827413516036253e-8, -1.6962339557588178e-7 }, { -5.0413443775089934e-8, -2.6462117393923255e-7,   6.370930618722218e-8 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw3 */
+        { {  1.0674354894251936e-7, -1.0032522651328782e-6, -1.1099958140753976e-6 }, { 1.2200843473953578e-6,   7.024847987720081e-7,  -5.175995486233495e-7 }, {   5.986652211363478e-7, 1.4739918513103358e-7,   9.753241242992077e-8,   4.87662062149604e-8, 1.5748088640788743e-7, -1.0218452448139849e-7 }, { -1.8047002061721514e-8,  1.5088409165166358e-7, 2.6053856736380353e-7,  1.3026928368190176e-7,   2.547178944177226e-7,  2.6104696497384394e-8 }, { -1.7500000000000148e-5, -1.7500000000000148e-5, 3.500000000000031e-5, -3.50000000000003e-5, -1.7500000000000154e-5,  1.7500000000000154e-5 }, {  3.0310889132455615e-5, -3.0310889132455615e-5, 0.0, 0.0, -3.0310889132455615e-5, -3.0310889132455615e-5 }, {  0.011026812791252665, -0.011026812791252665, 0.011026812791252666 }, { 2.8664326386118794e-7, 5.820672946080976e-9,   8.446554685669254e-8 }, {   4.652112051477716e-9,   5.994847397796668e-8,  2.2563301800265715e-7 }, 0.019099, 52.35876223886067, 7.235935477798338 },  /* rw4 */
     },
     .sensor = {
         /*     origin[3]                           axes[9] */

@@ -642,6 +642,7 @@ static void written_table(const sat4_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -653,6 +654,7 @@ static void written_table(const sat4_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -664,6 +666,7 @@ static void written_table(const sat4_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -675,6 +678,7 @@ static void written_table(const sat4_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
 }
@@ -696,6 +700,7 @@ static void initialised_table(const sat4_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -707,6 +712,7 @@ static void initialised_table(const sat4_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -718,6 +724,7 @@ static void initialised_table(const sat4_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -729,6 +736,7 @@ static void initialised_table(const sat4_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
 }

@@ -22,7 +22,7 @@ typedef uint64_t sat4_record_word;  /* the bits of a real */
 enum {
     SAT4_RECORD_STEP = 0x53,
     SAT4_RECORD_REAL_BYTES = 8,
-    SAT4_RECORD_TABLE_BYTES = 1496,
+    SAT4_RECORD_TABLE_BYTES = 1528,
     SAT4_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void sat4_record_put_row(sat4_page *page, const sat4_row *from)
     sat4_record_put_reals(page, from->t_s, 3);
     sat4_record_put_reals(page, &from->spin, 1);
     sat4_record_put_reals(page, &from->spin_inv, 1);
+    sat4_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 SAT4_CODE

@@ -2289,7 +2289,7 @@ static shaker2_status shaker2_demand(const shaker2_table *table, const shaker2_s
     for (int s = 0; s < SHAKER2_N; ++s) {
         const shaker2_real s_phi = sine[s];
         const shaker2_real c_phi = cosine[s];
-        const shaker2_real scale = 1.0 / shaker2_sqrt(table->flywheel[s].spin);
+        const shaker2_real scale = table->flywheel[s].spin_root_inv;
         work->scale[s] = scale;
         work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
         work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
@@ -2778,28 +2778,32 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
     shaker2_sincos_each(x->phi, sine, cosine);
     status = shaker2_demand(table, x, sine, cosine, V_dot, &work);
     if (status != SHAKER2_OK) { return status; }
+    shaker2_real answer[SHAKER2_N];
     /* normal equations: W^T W y = W^T r */
-    shaker2_real gram[2][2];
-    shaker2_real z[2];
+    shaker2_real gram[SHAKER2_N][SHAKER2_N];
+    shaker2_real z[SHAKER2_N];
     shaker2_real trace = 0.0;
-    for (int i = 0; i < 2; ++i) {
-        for (int j = 0; j < i + 1; ++j) {
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        for (int t = 0; t < s + 1; ++t) {
             shaker2_real total = 0.0;
-            for (int k = 0; k < 6; ++k) {
-                total += work.W[k][i] * work.W[k][j];
+            for (int i = 0; i < 6; ++i) {
+                total += work.W[i][s] * work.W[i][t];
             }
-            gram[i][j] = total;
+            gram[s][t] = total;
         }
-        trace += gram[i][i];
+        trace += gram[s][s];
         shaker2_real side = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            side += work.W[k][i] * work.r[k];
+        for (int i = 0; i < 6; ++i) {
+            side += work.W[i][s] * work.r[i];
         }
-        z[i] = side;
+        z[s] = side;
     }
     const shaker2_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        gram[s][s] += lambda2;
+    }
     for (int j = 0; j < 2; ++j) {
-        shaker2_real pivot = gram[j][j] + lambda2;
+        shaker2_real pivot = gram[j][j];
         const shaker2_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
         shaker2_real rest = z[j];
         for (int k = 0; k < j; ++k) {
@@ -2826,10 +2830,8 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
         }
         z[i] = rest;
     }
-    shaker2_real answer[SHAKER2_N];
     for (int s = 0; s < SHAKER2_N; ++s) {
-        shaker2_real y = z[s];
-        answer[s] = y * work.scale[s];
+        answer[s] = z[s] * work.scale[s];
     }
     status = shaker2_within(answer, SHAKER2_N, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
@@ -3096,7 +3098,7 @@ static shaker2_status shaker2_frame_of_axes(const shaker2_real axis[3], const sh
 SHAKER2_CODE
 static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2_real J[6],
                           const shaker2_real O[3], const shaker2_real R[9], shaker2_real mu[restrict 3],
-                          shaker2_real J1[restrict 6], shaker2_real t[restrict 3])
+                          shaker2_real J1[restrict 6], int spins, shaker2_real t[restrict 3])
 {
     shaker2_real b1[3];  /* R b */
     shaker2_real RJ[9];  /* R J */
@@ -3127,12 +3129,14 @@ static void shaker2_carry(shaker2_real m, const shaker2_real b[3], const shaker2
     J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
     J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
     J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
-    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
-        + (Jr[4] - O[2] * b1[0]) * R[6];
-    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
-        + (Jr[5] - O[2] * b1[1]) * R[6];
-    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
-        + (Jr[5] - O[1] * b1[2]) * R[3];
+    if (spins != 0) {
+        t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+            + (Jr[4] - O[2] * b1[0]) * R[6];
+        t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+            + (Jr[5] - O[2] * b1[1]) * R[6];
+        t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+            + (Jr[5] - O[1] * b1[2]) * R[3];
+    }
 }
 
 /* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
@@ -3264,7 +3268,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
     b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
     b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
     b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
-    shaker2_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    shaker2_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, 0, t);
     mass += parameters->carrier.mass;
     first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
     inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3283,7 +3287,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        shaker2_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        shaker2_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -3294,7 +3298,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
             table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
@@ -3302,7 +3306,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+        shaker2_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
             table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
@@ -3311,7 +3315,7 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -3319,9 +3323,10 @@ shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_tab
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        shaker2_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
         table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
         table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_root_inv = 1.0 / shaker2_sqrt(parameters->flywheel[s].body.inertia[0]);
     }
     table->mass = mass;
     table->mass_inverse = 1.0 / mass;
@@ -3694,9 +3699,9 @@ const shaker2_table shaker2_default =
     .first_moment = { 0.0, 0.0, 0.0 },
     .inertia = { 0.058216000000000004, 0.061208, 0.07760800000000001, 0.0, 0.0, 0.0 },
     .flywheel = {
-        /*     mu_c[3]              mu_s[3]                   J_c[6]                                 J_s[6]                                 J_2c[6]                                                              J_2s[6]                                                  t_0[3]                  t_c[3]             t_s[3]                spin                    spin_inv */
-        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, {  0.00032, 0.0,  0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, {  0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838 },  /* left */
-        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, { -0.00032, 0.0, -0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0,  0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, { -0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838 },  /* right */
+        /*     mu_c[3]              mu_s[3]                   J_c[6]                                 J_s[6]                                 J_2c[6]                                                              J_2s[6]                                                  t_0[3]                  t_c[3]             t_s[3]                spin                   spin_inv                  spin_root_inv */
+        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, {  0.00032, 0.0,  0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, {  0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838, 33.1861655799986 },  /* left */
+        { { 0.0, 0.002, 0.0 }, { 0.0, 0.0, 0.002 }, { -0.00032, 0.0, -0.00032, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0,  0.00016 }, { 0.0, -3.999999999999989e-6, 3.999999999999989e-6, 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0, 0.0, 0.0, -3.999999999999989e-6 }, { 0.000908, 0.0, 0.0 }, { -0.00016, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.000908, 1101.3215859030838, 33.1861655799986 },  /* right */
     },
     .gravity = { 0.0, 0.0, -9.81 },
     .suspension = {

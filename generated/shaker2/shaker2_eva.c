@@ -541,6 +541,7 @@ static void written_table(const shaker2_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -552,6 +553,7 @@ static void written_table(const shaker2_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->gravity[0], 3);
     written(&x->suspension.stiffness[0][0], 36);
     written(&x->suspension.damping[0][0], 36);
@@ -576,6 +578,7 @@ static void initialised_table(const shaker2_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -587,6 +590,7 @@ static void initialised_table(const shaker2_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->gravity[0], 3);
     initialised(&x->suspension.stiffness[0][0], 36);
     initialised(&x->suspension.damping[0][0], 36);

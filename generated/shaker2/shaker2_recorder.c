@@ -22,7 +22,7 @@ typedef uint64_t shaker2_record_word;  /* the bits of a real */
 enum {
     SHAKER2_RECORD_STEP = 0x53,
     SHAKER2_RECORD_REAL_BYTES = 8,
-    SHAKER2_RECORD_TABLE_BYTES = 1400,
+    SHAKER2_RECORD_TABLE_BYTES = 1416,
     SHAKER2_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void shaker2_record_put_row(shaker2_page *page, const shaker2_row *from)
     shaker2_record_put_reals(page, from->t_s, 3);
     shaker2_record_put_reals(page, &from->spin, 1);
     shaker2_record_put_reals(page, &from->spin_inv, 1);
+    shaker2_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 SHAKER2_CODE

@@ -12,7 +12,7 @@ from api.models import stand
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand.random_state import random_state, random_wrenches
 from mahovik.errors import StateError
-from mahovik.out.api.core import Real
+from mahovik.out.api.compiled import Real
 from mahovik.out.api.evaluator import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 

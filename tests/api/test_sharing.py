@@ -177,6 +177,21 @@ def test_keys_tell_apart_what_differs() -> None:
     assert len(keys) == 16
 
 
+@pytest.mark.slow
+def test_what_compiles_nothing_loads_no_reader_or_printer_of_c(tmp_path: Path) -> None:
+    """Each of these makes the start of `eval` slower than it need be."""
+    code = (
+        "import sys, mahovik.out.api.evaluator as e; from mahovik.core.stand import load;"
+        "from mahovik import stands; e.KeptBackend(load(stands.path('demo3')), 'double');"
+        "print(sorted(sys.modules.keys() & set(sys.argv[1:])))"
+    )
+    slow = ["cffi", "pycparser", "sympy", "subprocess", "mahovik.core.emit.generate", "mahovik.core.lower.program"]
+    command = [sys.executable, "-c", code, *slow]
+    env = {**os.environ, "MAHOVIK_CACHE": str(tmp_path)}
+    subprocess.run(command, env=env, check=True, capture_output=True)  # compiles
+    assert subprocess.run(command, env=env, check=True, capture_output=True, text=True).stdout == "[]\n"
+
+
 @pytest.mark.parametrize("damage", ["digit", "half"])
 def test_damaged_numbers_are_not_believed(
     damage: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]

@@ -85,7 +85,7 @@ def demand(lib: Library) -> Function:
         with body.loop("s", layout.count) as s:
             turn = let_turn(body, seen.turns, s)
             row = row_of(lib, body, table.place, s)
-            scale = body.let("scale", 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
+            scale = body.let("scale", entry(lib, table.place, s, "spin_root_inv"))
             body.set(w.scale[s], scale)
             assign(body, [w.I[i][s] for i in range(6)], derived_rows.columns().I, turn | columns_of(row))
             with body.loop("i", 6) as i:

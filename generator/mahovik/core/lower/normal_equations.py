@@ -95,7 +95,11 @@ def tall_answer(lib: Library, body: Body, work: Place, p: Place, rows: int, answ
 
 
 def solve_definite(lib: Library, body: Body, gram: Place, z: Place, size: int) -> None:
-    """z = gram^-1 z by gram = L D L^T, in place: the lower triangle is given; L D below, L^T above, D^-1 on it."""
+    """z = gram^-1 z by gram = L D L^T, in place and without a square root.
+
+    The lower triangle is given; then L D is on and below the diagonal, L^T above it. Pivots divide: where they are
+    tiny their inverses overflow, their quotients do not.
+    """
     with body.loop("j", size) as j:
         pivot = body.local("pivot")
         body.set(pivot, gram[j][j])
@@ -107,18 +111,18 @@ def solve_definite(lib: Library, body: Body, gram: Place, z: Place, size: int) -
             body.add(rest, -(gram[k][j] * z[k]))
         body.set(z[j], rest)
         lib.guard(body, Not(pivot > least), "NOT_POSITIVE_DEFINITE")
-        body.set(gram[j][j], 1 / pivot)
+        body.set(gram[j][j], pivot)
         with body.loop("i", size, start=j + 1) as i:
             below = body.local("below")
             body.set(below, gram[i][j])
             with body.loop("k", j) as k:
                 body.add(below, -(gram[i][k] * gram[k][j]))
             body.set(gram[i][j], below)
-            body.set(gram[j][i], below * gram[j][j])
+            body.set(gram[j][i], below / pivot)
     with body.loop("t", size) as t:
         i_ = body.let("i", integer(size - 1) - t)
         rest = body.local("rest")
-        body.set(rest, z[i_] * gram[i_][i_])
+        body.set(rest, z[i_] / gram[i_][i_])
         with body.loop("k", size, start=i_ + 1) as k:
             body.add(rest, -(gram[i_][k] * z[k]))
         body.set(z[i_], rest)

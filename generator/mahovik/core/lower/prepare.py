@@ -11,9 +11,9 @@ from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
+from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, Status, real
+from mahovik.core.program.expression import Expr, Place, Status, integer, real, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -27,6 +27,7 @@ def carry(lib: Library) -> Function:
     R = Argument("R", Kind.REAL, (9,), purpose="its axes in E1")
     mu = Argument("mu", Kind.REAL, (3,), "out", "kg m", "first moment about O1")
     J = Argument("J1", Kind.REAL, (6,), "out", "kg m2", "about O1")
+    spins = Argument("spins", Kind.INT, purpose="0: t is not wanted")
     t = Argument("t", Kind.REAL, (3,), "out", "kg m2", "moment part of I for a spin about the first axis")
     body = Body()
     b1 = body.local("b1", (3,), comment="R b")
@@ -43,11 +44,12 @@ def carry(lib: Library) -> Function:
     assign(body, list(J.place), moved_J, binding)
     axis = [R.place[0], R.place[3], R.place[6]]
     moment = derived.spin_momentum()
-    assign(body, list(t.place), moment, binding | {"axis": axis})
+    with body.when(unequal(spins.place, integer(0))):
+        assign(body, list(t.place), moment, binding | {"axis": axis})
     return Function(
         "carry",
         "Carries one harmonic of a spatial inertia from a body's frame to E1 about O1.",
-        (m, b, J_own, O, R, mu, J, t),
+        (m, b, J_own, O, R, mu, J, spins, t),
         body.statements,
         equation="(2)",
     )
@@ -187,7 +189,7 @@ class _Work:
     def fixed(self, b: Place) -> None:
         """A body that does not turn: origin and R are set."""
         self.first_moment(b)
-        args = (b.mass, self.b, b.inertia, self.origin, self.R, self.mu, self.J1, self.t)
+        args = (b.mass, self.b, b.inertia, self.origin, self.R, self.mu, self.J1, integer(0), self.t)
         self.body.call(self.lib["carry"], *args)
         self.add(b.mass)
         self.displaced(b, None)
@@ -252,11 +254,13 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
             assign(body, list(half), part.b, binding)
             assign(body, list(Jh), part.J, binding)
             mass: Expr = w.body.mass if name == "0" else real(0)
-            body.call(lib["carry"], mass, half, Jh, work.origin, work.R, mu, J, t)
+            spins = integer(0 if t is work.t else 1)
+            body.call(lib["carry"], mass, half, Jh, work.origin, work.R, mu, J, spins, t)
             if name == "0":
                 work.add(w.body.mass)
         body.set(row.spin, w.body.inertia[0])
         body.set(row.spin_inv, 1 / w.body.inertia[0])
+        body.set(row.spin_root_inv, 1 / call(lib["sqrt"], w.body.inertia[0]))
         work.displaced(w.body, row)
         if lib.layout.lanes > 1:
             body.call(lib["put_row"], out, s, row)

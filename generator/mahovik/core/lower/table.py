@@ -148,6 +148,7 @@ class Tables(Features):
             Field("t_s", REAL, (3,), "kg m2", "sin phi"),
             Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
             Field("spin_inv", REAL, (), "1/(kg m2)", ""),
+            Field("spin_root_inv", REAL, (), "1/(kg m2)^0.5", "1/sqrt(spin): scales the unknowns of (12)"),
         ]
         if self.flywheel_displaces:
             fields += [

@@ -8,7 +8,6 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
-from mahovik.core.toolchain.process import run
 from mahovik.errors import NoCompilerError, ToolchainError
 
 WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
@@ -46,6 +45,8 @@ def find_compiler(named: str | None = None) -> list[str]:
 
 def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = ()) -> str:
     """Runs the compiler and returns what it printed. Raises ToolchainError with its first complaint."""
+    from mahovik.core.toolchain.process import run  # its `subprocess` would slow the start of what compiles nothing
+
     command = [*(compiler or find_compiler()), *arguments]
     try:
         done = run(command)

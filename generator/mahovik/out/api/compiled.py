@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import tempfile
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,13 +27,17 @@ from mahovik.core.toolchain.arrays import ArrayLibrary, build
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import ToolchainError
 from mahovik.out.api import store
-from mahovik.out.functions import notices
 
 if TYPE_CHECKING:
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.values import Values
     from mahovik.core.program.function import Program
 
+
+Real = Literal["double", "float"]
+
+ELEMENT: Mapping[str, np.dtype[Any]] = {"double": np.dtype(np.float64), "float": np.dtype(np.float32)}
+"""NumPy's name of each element type."""
 
 _FUNCTIONS: TypeAdapter[tuple[ArrayFunction, ...]] = TypeAdapter(tuple[ArrayFunction, ...])
 _RECORDS: TypeAdapter[dict[str, tuple[Member, ...]]] = TypeAdapter(dict[str, tuple[Member, ...]])
@@ -81,13 +86,13 @@ def compiled(
     if found is not None:
         numbers = store.find_numbers(numbers_key)
         if numbers is None:
-            with cached(notices.warn):
+            with cached(warnings.warn):
                 numbers = _keep(numbers_key, _numbers(stand, real))
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             return _load(stand, *found, numbers, element, command, parallel)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        with cached(notices.warn):
+        with cached(warnings.warn):
             library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
         store.keep(key, library, facts)
         return _load(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,20 +22,17 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
-from mahovik.out.api.compiled import compiled
+from mahovik.out.api.compiled import ELEMENT, Real, compiled
 from mahovik.out.api.fields import Array, field, functions
 from mahovik.out.api.inputs import Given, attitudes, pack_states, wrenches
 from mahovik.out.api.results import Result
 from mahovik.out.api.states import States
 from mahovik.out.api.tables import Tables, make_tables
 
-Real = Literal["double", "float"]
 Wrenches = Mapping[str, ArrayLike] | None
 Locks = Sequence[str] | ArrayLike
 AnyResult = TypeVar("AnyResult", bound=Result)
 
-ELEMENT: Mapping[str, np.dtype[Any]] = {"double": np.dtype(np.float64), "float": np.dtype(np.float32)}
-"""NumPy's name of each element type."""
 
 _PLACE = ("x", "y", "z")
 

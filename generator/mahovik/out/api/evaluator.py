@@ -15,8 +15,7 @@ from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.structure import structure
-from mahovik.out.api.compiled import Compiled, compiled
-from mahovik.out.api.core import ELEMENT, Real
+from mahovik.out.api.compiled import ELEMENT, Compiled, Real, compiled
 from mahovik.proof.verify.program_backend import FunctionBackend, with_all_inputs
 
 

@@ -16,7 +16,8 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import results
 from mahovik.out.api.call import OnError
-from mahovik.out.api.core import ELEMENT, Built, Locks, Real, Wrenches
+from mahovik.out.api.compiled import ELEMENT, Real
+from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.results import Result

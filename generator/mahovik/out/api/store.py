@@ -22,7 +22,7 @@ from mahovik.core.emit.templates import folders
 from mahovik.core.formula import cache as formulas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import Structure
-from mahovik.core.toolchain.arrays import machine
+from mahovik.core.toolchain.arrays import machine, program_file
 from mahovik.errors import UsageError
 from mahovik.writing import write_all
 
@@ -37,8 +37,9 @@ _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.
 
 
 def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool, batches: bool = True) -> str:
-    """Structure, element type, compiler with this processor, generator. Raises ToolchainError."""
-    return _key(repr(of), real, repr(list(compiler)), machine(tuple(compiler)), str(parallel), str(batches))
+    """Structure, element type, compiler, with batches this processor, generator. Raises ToolchainError, OSError."""
+    target = machine(tuple(compiler)) if batches else program_file(tuple(compiler))
+    return _key(repr(of), real, repr(list(compiler)), target, str(parallel), str(batches))
 
 
 def numbers_key(stand: Stand, real: str) -> str:

@@ -113,7 +113,7 @@ def scale_turning(lib: Library) -> Function:
     w = work.place
     body = Body()
     with body.loop("s", layout.count) as s:
-        body.set(w.scale[s], 1 / call(lib["sqrt"], entry(lib, table.place, s, "spin")))
+        body.set(w.scale[s], entry(lib, table.place, s, "spin_root_inv"))
     with body.loop("i", 3) as i:
         root = body.let("root", call(lib["sqrt"], w.G[i][i]))
         body.set(w.G[i][i], root)

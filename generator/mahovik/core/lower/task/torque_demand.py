@@ -21,7 +21,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.schur import invert_block, start_schur
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.task.demand import factor3, substitute3
-from mahovik.core.program.build import Body, call
+from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place, equal, integer, real, select
 from mahovik.core.program.function import Function
@@ -59,7 +59,7 @@ def torque_demand(lib: Library, turning: bool) -> Function:
         if seen.own is not None:
             bias = bias - seen.own[s * integer(6) + 3]
         body.set(tau_0.place[s], spin * preferred.place[s] + bias)
-        body.set(w.scale[s], 1 / call(lib["sqrt"], spin))
+        body.set(w.scale[s], entry(lib, table.place, s, "spin_root_inv"))
         free = equal(locked.place[s], integer(0))
         with body.when(free):
             body.call(lib["eliminate"], coupling.I, entry(lib, table.place, s, "spin_inv"), preferred.place[s], K, F)
