@@ -50,8 +50,8 @@ def check(
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
     is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance, or would lose what short steps add; and where (12) is singular in practice,
-    so that a task should name the rows that are demanded.
+    float would not resolve an unbalance, or would lose what short steps add; where (12) is singular in practice, so
+    that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
@@ -64,6 +64,7 @@ def check(
     from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.resolution import shortfalls
+    from mahovik.use.study.unreached import unreached
 
     written = written_numbers(stand_file)
     unbalances = {each.where: each.text for each in written if each.key == "unbalance.static"}
@@ -71,7 +72,7 @@ def check(
     short = shortfalls(stand, [row.speed for row in summary.unbalance])
     step = USUAL_STEP if dt is None else read_step(dt)
     lost = lost_increments(stand, [row.speed for row in summary.unbalance], step)
-    over = excess(stand)
+    over, missed = excess(stand), unreached(stand)
     if as_json:
         from dataclasses import asdict
 
@@ -82,12 +83,13 @@ def check(
             "float": [asdict(each) for each in short],
             "increments": [asdict(each) | {"part": each.part} for each in lost],
             "excess": None if over is None else asdict(over),
+            "unreached": [asdict(each) for each in missed],
             "written": [asdict(each) for each in written],
         }
         print_json(found)
         return
     steps = [str(each) for each in lost] if dt is not None else [lost_increments_line(lost)] if lost else []
-    _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else [])], written)
+    _print(summary, names, [*map(str, short), *steps, *([str(over)] if over else []), *map(str, missed)], written)
 
 
 def read_distance(text: str) -> float:
