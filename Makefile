@@ -57,6 +57,7 @@ help:
 	@echo "make jitter-campaign  jitter against the C, time of a sweep: docs/results/jitter.md, docs/results/jitter-sweep.md"
 	@echo "make linear-campaign  linear models against CasADi, steady states against the C: docs/results/linear.md, docs/results/response.md"
 	@echo "make jitter-picture  the sweep that the README shows: docs/jitter.svg"
+	@echo "make satellite-picture  the jitter of the satellite's tutorial: docs/satellite-jitter.svg"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make quiet-campaign  how much quieter quiet makes sat4 and random satellites: docs/results/quiet.md; minutes"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/results/benchmarks.md; .venv-bench, about ten minutes at first"
@@ -219,6 +220,14 @@ jitter-picture: setup-test
 	mkdir -p build/demo
 	sed -n '/^```toml telescope.toml/,/^```$$/{/^```/!p}' README.md > build/demo/telescope.toml
 	$(BIN)/mahovik response build/demo/telescope.toml --at carrier --speed wheel=0..4000rpm --steps 81 -o docs/jitter.svg
+
+satellite-picture: setup-test
+	mkdir -p build/demo
+	for file in wheel bearing sight mask; do \
+	  sed -n "/^\`\`\`csv $$file.csv/,/^\`\`\`$$/{/^\`\`\`/!p}" docs/tutorial-satellite.md > build/demo/$$file.csv; done
+	cd build/demo && $(CURDIR)/$(BIN)/mahovik jitter $(CURDIR)/generator/mahovik/stands/eye4.toml \
+	  --speed rw1=0..6000rpm --speed rw2=-rw1 --speed rw3=0.97*rw1 --speed rw4=-0.97*rw1 --steps 600 \
+	  --sight sight.csv --harmonics all=wheel.csv --inner-modes all=bearing.csv -o $(CURDIR)/docs/satellite-jitter.svg
 
 programme-picture: setup-test
 	mkdir -p build/demo

@@ -28,6 +28,7 @@ TOOLS = (
     "design_campaign",
     "quiet_campaign",
     "following_campaign",
+    "attitude_loop",
     "control_loop",
     "pil",
     "api_speed",

@@ -87,6 +87,8 @@ def test_a_line_of_sight_is_the_angle_where_its_matrix_says_so(tmp_path: Path) -
         (("--harmonics", "{wheel}"), "expected NAME=FILE.csv"),
         (("--require", "rms 1 kg"), "expected an angle"),
         (("--require", "peak 1 arcsec"), "expected rms, rss or worst"),
+        (("--require", "rms 0.1"), 'a limit with a unit, as "rms 0.1 arcsec"'),
+        (("--require", "rms 0.1e-3"), 'a limit with a unit, as "rms 0.1 arcsec"'),
         (("--exact",), "no speed is swept"),
         (("--modes", "{wheel}"), 'unknown column "order [-]"'),
         (("--sight", "{wheel}"), "one of --at and --sight"),

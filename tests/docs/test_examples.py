@@ -46,6 +46,7 @@ SLOW = {
     "docs/results/rounding.md",
     "docs/studies.md",
     "docs/targets.md",
+    "docs/tutorial-satellite.md",
     "docs/tutorial.md",
     "docs/verification.md",
 }

@@ -15,6 +15,7 @@ from report.browser.chromium import Opened, launched
 
 DOCS = ROOT / "docs"
 INDEX = DOCS / "index.md"
+TUTORIAL = DOCS / "tutorial.md"
 RESULTS = DOCS / "results" / "index.md"
 PYTHON = DOCS / "python.md"
 
@@ -26,7 +27,8 @@ def listed(index: Path) -> list[Path]:
 def test_every_page_is_in_one_index_once() -> None:
     there = set(DOCS.rglob("*.md")) - {INDEX}
     functions = [page for page in listed(PYTHON) if page.parent == DOCS / "python"]
-    assert sorted([*listed(INDEX), *listed(RESULTS), *functions]) == sorted(there)
+    tutorials = [page for page in listed(TUTORIAL) if page.name.startswith("tutorial-")]
+    assert sorted([*listed(INDEX), *listed(RESULTS), *functions, *tutorials]) == sorted(there)
     assert {page.parent for page in listed(RESULTS)} == {RESULTS.parent}
 
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Stand
+from mahovik.out.cli import main
 from mahovik.stands import names, path
 from mahovik.use.study.task_reach import task_shortfalls
 
@@ -82,3 +86,34 @@ def test_without_flywheels_there_is_no_direction_that_helps() -> None:
     stand = replace(two("wx"), flywheels=())
     (found,) = task_shortfalls(stand)
     assert found.flywheel == "" and found.direction == (1.0,)
+
+
+def with_wheels(*numbers: int) -> Stand:
+    """eye4 with some of its four wheels."""
+    whole = load(path("eye4"))
+    return replace(whole, flywheels=tuple(whole.flywheels[k] for k in numbers))
+
+
+def test_three_wheels_of_the_pyramid_are_enough() -> None:
+    for left_out in range(4):
+        assert task_shortfalls(with_wheels(*(k for k in range(4) if k != left_out))) == []
+
+
+@pytest.mark.parametrize(("wheels", "axis"), [((0, 1), (0, 1, -1)), ((1, 2), (1, 0, 1)), ((0, 2), (1, -1, 0))])
+def test_two_wheels_do_no_work_on_turns_across_both_axes(wheels: tuple[int, int], axis: tuple[float, ...]) -> None:
+    (found,) = task_shortfalls(with_wheels(*wheels))
+    assert abs(np.array(found.direction) @ axis) / np.linalg.norm(axis) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_check_warns_in_one_line(tmp_path: Path) -> None:
+    text = path("eye4").read_text(encoding="utf-8")
+    head, first, second, *_, rest = text.split("[[flywheel]]")
+    file = tmp_path / "two.toml"
+    two = "[[flywheel]]".join([head, first, second]) + rest[rest.index("[[point]]") :]
+    file.write_text(two.replace('"eye4"', '"two"'), encoding="utf-8")
+    printed = CliRunner().invoke(main, ["check", str(file)])
+    assert printed.exit_code == 0
+    (line,) = (each for each in printed.output.splitlines() if "UNREACHABLE" in each)
+    assert "task pointing" in line and "wy" in line and "wz" in line and "remove a row" in line
+    found = json.loads(CliRunner().invoke(main, ["check", str(file), "--json"]).output)
+    assert [each["task"] for each in found["unreached"]] == ["pointing"]

@@ -125,6 +125,16 @@ def test_a_shape_missing_for_a_mount_is_named(tmp_path: Path) -> None:
         run(stand, f"w={OMEGA}", Makers(structure=read_structure(file, stand)), "angle")
 
 
+def test_a_shape_of_some_columns_says_which_to_add(tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, 'static = "5 g cm"')
+    file = table(tmp_path, MODES.format("w z [-],w rx [rad/m]", 10, 5, "1,0"))
+    with pytest.raises(JitterFileError) as caught:
+        read_structure(file, stand)
+    assert 'mode shape of "w" has z, rx alone, expected all of x, y, z, rx, ry, rz; add columns w x, w y, w ry' in str(
+        caught.value
+    )
+
+
 def rotor(inner: InnerModes, omega: float, speed: float) -> tuple[float, float]:
     """Gains of a forward and a backward turning moment, by the two real equations of the rocking rotor."""
     own, damping = inner.modes["rocking"]

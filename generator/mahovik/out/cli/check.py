@@ -50,8 +50,8 @@ def check(
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, and numbers with units as they are written. The grade
     is that of the static part; --planes adds the couple, which has no grade alone. Warns of plausible slips, and if
-    float would not resolve an unbalance, or would lose what short steps add; and where (12) is singular in practice,
-    so that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
+    float would not resolve an unbalance, or would lose what short steps add; where (12) is singular in practice, so
+    that a task should name the rows that are demanded; and of tasks that the flywheels do not reach.
     """
     stand = load_stand(stand_file)
     asked = None if speed is None else read_speed(speed)
@@ -83,7 +83,7 @@ def check(
             "float": [asdict(each) for each in short],
             "increments": [asdict(each) | {"part": each.part} for each in lost],
             "excess": None if over is None else asdict(over),
-            "tasks_short": [asdict(each) for each in unreached],
+            "unreached": [asdict(each) for each in unreached],
             "written": [asdict(each) for each in written],
         }
         print_json(found)

@@ -22,6 +22,7 @@ from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
 from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
 from mahovik.use.plan.slew.limits import Limits, Used, used
+from mahovik.use.plan.slew.missing import missing_words
 from mahovik.use.plan.slew.path import Path, Tabulated
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
@@ -96,7 +97,7 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     if slew.kind == "still":
         wanted = np.zeros(len(S))
     elif (twist := mean.missing(wanted)) is not None:
-        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {_missing_words(twist)}")
+        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {missing_words(twist)}")
     if slew.goal == "quietest":
         assert slew.duration is not None
         path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
@@ -110,15 +111,6 @@ def _check_start(slew: Slew, limits: Limits) -> None:
             raise NoSlewError(
                 "BOUND_REACH", f"momentum saturation: {name} starts at {abs(speed):.6g} rad/s, at most {most:.6g} rad/s"
             )
-
-
-def _missing_words(twist: Array) -> str:
-    """No moment about the axis of a twist; of a translation, no force along it."""
-    turns = float(np.linalg.norm(twist[3:])) > 1e-6 * float(np.linalg.norm(twist[:3]))
-    part = twist[3:] if turns else twist[:3]
-    unit = part / np.linalg.norm(part)
-    direction = ", ".join(f"{x:.4g}" for x in np.where(np.abs(unit) > 1e-9, unit, 0.0) + 0.0)
-    return f"they give no {'moment about' if turns else 'force along'} ({direction}) of E1"
 
 
 def _quietest(exact: Exact, path: Path, duration: float) -> Table:
@@ -216,10 +208,10 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
         sigma, speed, acceleration = law.at(t)
         found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
         if found.missing is not None:
-            raise NoSlewError("SPAN", f"the flywheels do not reach the task: {_missing_words(found.missing)}")
+            raise NoSlewError("SPAN", f"the flywheels do not reach the task: {missing_words(found.missing)}")
         _refuse_singular(exact, found)
         residuals, takes = _intervals(exact, path.limits, found)
-        far = (np.diff(t) > law.duration / SHORTEST) | (_turned(exact, found) > 0.5 * TURN)
+        far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, found) > 0.5 * TURN)
         splitting = (residuals > 0.5 * TOLERANCE) & far
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
@@ -288,7 +280,7 @@ def _uneven(exact: Exact) -> Array:
     return np.asarray(changing > EVEN * mean)
 
 
-def _turned(exact: Exact, found: Found) -> Array:
+def _turn_between_rows(exact: Exact, found: Found) -> Array:
     """The furthest that an uneven flywheel turns in each interval between rows; rad."""
     angles = np.abs(np.diff(found.angles.phi, axis=0))
     return np.asarray(angles[:, _uneven(exact)].max(axis=1, initial=0.0))

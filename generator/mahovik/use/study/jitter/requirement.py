@@ -73,7 +73,7 @@ class Verdict:
         return self.requirement.limit / self.value - 1.0 if self.value else np.inf
 
 
-_TEXT = re.compile(r"\s*(\w+)\s+([-+\d.eE]+\s*[^\d\s].*?)(?:\s+([\d.eE+-]+)\s*\.\.\s*([\d.eE+-]+)\s*Hz)?\s*")
+_TEXT = re.compile(r"\s*(\w+)\s+([-+\d.eE]+\s*[^\d\s.eE+-].*?)(?:\s+([\d.eE+-]+)\s*\.\.\s*([\d.eE+-]+)\s*Hz)?\s*")
 
 
 def read_requirements(texts: Sequence[str], quantity: Quantity) -> tuple[Requirement, ...]:
@@ -92,7 +92,7 @@ def _read_text(text: str, quantity: Quantity) -> Requirement:
     parts = _TEXT.fullmatch(text)
     if parts is None or parts[1].lower() not in SUMS:
         raise UsageError(
-            f'--require {text}: expected rms, rss or worst and a limit, as "rms 0.1 arcsec", or a CSV file'
+            f'--require {text}: expected rms, rss or worst and a limit with a unit, as "rms 0.1 arcsec", or a CSV file'
         )
     try:
         limit = number(parts[2], _dimension(quantity))

@@ -19,7 +19,6 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
-from mahovik.nearest import suggestion
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.csv_table import PLAIN, JitterFileError, read_columns, refuse
 from mahovik.use.study.jitter.lines import SAME
@@ -80,7 +79,13 @@ def read_structure(path: Path, stand: Stand) -> Structure:
     for body in dict.fromkeys(name.rpartition(" ")[0] for name in numbers if name not in plain):
         missing = [part for part in SHAPE if f"{body} {part}" not in numbers]
         if missing:
-            raise JitterFileError([f'{path}: shape of "{body}" without {", ".join(missing)}{suggestion(body, ())}'])
+            found_parts = ", ".join(part for part in SHAPE if part not in missing)
+            raise JitterFileError(
+                [
+                    f'{path}: mode shape of "{body}" has {found_parts} alone, expected all of {", ".join(SHAPE)}; '
+                    f"add columns {', '.join(f'{body} {part}' for part in missing)}, 0 where nothing moves"
+                ]
+            )
         shapes[body] = np.array([numbers[f"{body} {part}"] for part in SHAPE])
     for i in range(found.rows):
         if not (numbers["frequency"][i] > 0.0 and numbers["modal mass"][i] > 0.0 and numbers["damping"][i] >= 0.0):
