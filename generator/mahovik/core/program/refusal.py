@@ -47,7 +47,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import called, statements, with_blocks
+from mahovik.core.program.walk import called, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -62,7 +62,7 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
     for function in functions:
         refusing = function.returns is Kind.STATUS
         done[function.name] = _Refusing(done, precision.width).function(function) if refusing else function
-        if _only_looks(function) and _can_be_probed(function, done):
+        if _only_looks(function) and _can_be_probed(function.body, done):
             done[_probe_name(function)] = _Probing(done, precision.width).function(function)
     return done
 
@@ -72,21 +72,25 @@ def _only_looks(function: Function | Signature) -> bool:
     return function.returns is Kind.STATUS and all(a.direction == "in" for a in function.arguments)
 
 
-def _can_be_probed(function: Function, done: Mapping[str, Function]) -> bool:
+def _can_be_probed(body: Statements, done: Mapping[str, Function]) -> bool:
     """Is a check made of conditions and of checks with probes alone? Then its answer can be gathered in one word.
 
     Others, which compute with variables of their own, are done at once: they have no probe.
     """
-    for s in statements(function.body):
+    for call, s in _checks(body):
+        if call is not None:
+            if _probe_name(call.signature) not in done:
+                return False
+            continue
         match s:
             case Declare(variable) if variable.type is Kind.STATUS:
                 pass
-            case Set(place, Call() as call) if place.kind is Kind.STATUS:
-                if _probe_name(call.signature) not in done:
-                    return False
             case When(_, inner, ()) if isinstance(inner[-1], Return):
                 pass
-            case Let() | Note() | Loop() | Shortcut() | Return(Status()):
+            case Loop():
+                if not _can_be_probed(s.body, done):
+                    return False
+            case Let() | Note() | Return(Status()):
                 pass
             case _:
                 return False

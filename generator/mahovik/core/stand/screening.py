@@ -134,7 +134,8 @@ def _moved_everywhere(stand: Stand) -> Any:
         mass = mass + m
         moment = moment + (np.abs(central[0][0]) + np.abs(central[1][1]) + np.abs(central[2][2])) + m * reach * reach
     force, turn = [mass] * 3, [moment] * 3
-    for fixed in (stand.carrier, *stand.instruments):
+    fixed_bodies: tuple[Carrier | Instrument, ...] = (stand.carrier, *stand.instruments)
+    for fixed in fixed_bodies:
         if fixed.added_mass is not None:
             diagonal = [np.abs(_plain(fixed.added_mass[i][i])) for i in range(6)]
             force = [force[i] + diagonal[i] for i in range(3)]

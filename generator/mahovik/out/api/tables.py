@@ -75,9 +75,9 @@ def make_tables(
     blocks, status = _prepare(made, element, threads, found, samples.n)
     refused = np.flatnonzero(status < 0)
     if refused.size:
-        number = int(refused[0])
-        _check(stand, samples, number)
-        raise StandError([f"{stand.name}, sample {number}: refused by prepare: {status_words(int(status[number]))}"])
+        first = int(refused[0])
+        _check(stand, samples, first)
+        raise StandError([f"{stand.name}, sample {first}: refused by prepare: {status_words(int(status[first]))}"])
     return Tables(of, stand, real, samples, blocks)
 
 
