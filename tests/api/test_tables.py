@@ -32,7 +32,7 @@ def leaves(value: Any, path: str = "") -> list[tuple[str, float]]:
     return [(path, float(value))] if not isinstance(value, str | bool) else []
 
 
-def drawn(of: Stand, rng: np.random.Generator, n: int) -> dict[str, Any]:
+def drawn(of: Stand, rng: np.random.Generator, n: int, share: float = 1e-4) -> dict[str, Any]:
     """Some numbers of a stand, changed by little: masses, mountings, laws; and unbalances of all flywheels."""
     known = {f.name for f in of.flywheels} | {p.name for p in (*of.instruments, *of.points)}
     changes: dict[str, Any] = {}
@@ -42,45 +42,50 @@ def drawn(of: Stand, rng: np.random.Generator, n: int) -> dict[str, Any]:
         tensor = any(key in ("inertia", "added_mass") for key in parts)
         mute = {"schema", "motor", "encoder", "inverse_weight", "inverse_most", "task"} & set(parts)
         if x != 0 and not tensor and not mute and rng.random() < 0.4:
-            changes[".".join(parts)] = x * (1 + 1e-3 * rng.uniform(-1, 1, n))
+            changes[".".join(parts)] = x * (1 + share * rng.uniform(-1, 1, n))
     for wheel in of.flywheels:
-        sizes = {"static": 1e-4 * wheel.mass, "static_at": 3.0, "dynamic": 1e-4 * wheel.inertia[0][0], "dynamic_at": 7.0}
-        for key in UNBALANCE:
+        (_, y, z), (J12, J13) = wheel.center_of_mass, wheel.inertia[0][1:]
+        now = (wheel.mass * np.hypot(y, z), np.arctan2(z, y), np.hypot(J12, J13), np.arctan2(-J13, -J12))
+        for key, x in zip(UNBALANCE, now, strict=True):
             if rng.random() < 0.6:
-                values = sizes[key] * rng.uniform(-1 if key.endswith("at") else 0.1, 1, n)
+                values = x * (1 + share * rng.uniform(-1, 1, n))
                 if key == "static" and rng.random() < 0.3:
                     values[rng.random(n) < 0.5] = 0.0  # another way through the reader
                 changes[f"{wheel.name}.unbalance.{key}"] = values
     return changes
 
 
-@pytest.mark.parametrize("name", ["everything", "general", pytest.param("bench8", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("name", ["general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8"))])
 @settings(max_examples=5, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_numbers_have_the_bits_of_stands_that_are_read_afresh(name: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
     of, n = Stand.of(stand(name)), 3
-    samples = Samples.of(drawn(of, rng, n) or {"carrier.mass": np.full(n, of.carrier.mass)}, None)
+    samples = Samples.of(drawn(of, rng, n, 10.0 ** rng.uniform(-6, 0)), n)
     found = variants(of, "double", samples)
     layout, program = lower_structure(structure(of), "double")
     base = [*reals(layout.parameters, found.parameters), *reals(law_struct(layout), found.table)]
-    assert any(x is not None for x in found.varied)
     for j in range(n):
-        changed = of.replace(samples.values(j))
+        try:
+            changed = of.replace(samples.values(j))
+        except StandError:
+            assert found.doubtful[j]
+            continue
         expected = variant(changed, layout, Interpreter(program))[2]
         for number, (x, wanted) in enumerate(zip(found.varied, expected, strict=True)):
             here = x[j] if x is not None else base[number]
             assert np.float64(here).tobytes() == np.float64(wanted).tobytes(), (list(samples.given), number, j)
 
 
-@pytest.mark.parametrize("name", ["general", "everything"])
+@pytest.mark.parametrize("name", ["general", pytest.param("everything", marks=pytest.mark.slow)])
 def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
     m, n, rng = model(name), 11, np.random.default_rng(1)
     of = Stand.of(stand(name))
     tables = m.tables(drawn(of, rng, n))
     assert len(tables) == n
     count = len(m.flywheels)
-    x = m.states(n, V=rng.normal(size=(n, 6)), phi=rng.uniform(-3, 3, (n, count)), phi_dot=rng.normal(size=(n, count)) * 9)
+    angles, speeds = rng.uniform(-3, 3, (n, count)), rng.normal(size=(n, count)) * 9
+    x = m.states(n, V=rng.normal(size=(n, 6)), phi=angles, phi_dot=speeds)
     wheel, twist = rng.normal(size=(n, count)), rng.normal(size=(n, 6))
     calls: dict[str, dict[str, Any]] = {
         "forward": {"phi_ddot": wheel}, "coupled": {"tau": wheel}, "torque": {"V_dot": twist}, "matrices": {},
@@ -152,7 +157,7 @@ def test_errors_say_which_path_and_which_sample() -> None:
 
 
 def test_numbers_that_no_table_has_are_refused() -> None:
-    m = model("bench8")
+    m = model("demo3")
     with pytest.raises(UsageError, match="inverse_weight: acts in no function"):
         m.tables({"w1.inverse_weight": np.ones(2)})
 
@@ -164,7 +169,7 @@ def test_tables_of_another_model_and_of_another_number_are_refused() -> None:
         other.forward(other.state(), tables=tables)
     with pytest.raises(InputError, match="different numbers of states: 3 given, tables 2"):
         m.forward(m.states(3), tables=tables)
-    with pytest.raises(InputError, match="expected what model.tables makes"):
+    with pytest.raises(InputError, match=r"expected what model\.tables makes"):
         m.forward(m.state(), tables=[1])  # type: ignore[arg-type]
 
 

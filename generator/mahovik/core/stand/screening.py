@@ -38,7 +38,17 @@ def doubtful(stand: Stand, n: int) -> NDArray[np.bool_]:
             sure &= _possible(body)
         if varied:
             sure &= _moved_everywhere(stand)
+    if stand.tasks and any(isinstance(x, Column) for x in _places_of_tasks(stand)):
+        sure[:] = False
     return ~sure
+
+
+def _places_of_tasks(stand: Stand) -> Iterator[Any]:
+    """Numbers of where the rows of tasks are: whether these go together, only `task` says."""
+    named = {row.of for task in stand.tasks for row in task.rows}
+    for place in (*stand.instruments, *stand.points):
+        if place.name in named or isinstance(place, Instrument):
+            yield from numbers((place.position, place.angles))
 
 
 def numbers(value: Any) -> Iterator[Any]:
