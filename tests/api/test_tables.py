@@ -55,7 +55,9 @@ def drawn(of: Stand, rng: np.random.Generator, n: int, share: float = 1e-4) -> d
     return changes
 
 
-@pytest.mark.parametrize("name", ["general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8"))])
+@pytest.mark.parametrize(
+    "name", ["general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8"))]
+)
 @settings(max_examples=5, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_numbers_have_the_bits_of_stands_that_are_read_afresh(name: str, seed: int) -> None:
@@ -105,7 +107,7 @@ def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
 
 def test_one_state_is_of_all_stands_and_a_carry_is_kept() -> None:
     m, n = model("general"), 4
-    tables = m.tables({"carrier.mass": stand("general").carrier.mass + np.arange(n)})
+    tables = m.tables({"carrier.mass": stand("general").carrier.mass * (1 - 1e-3 * np.arange(n))})
     x = m.state(V=[1, 0, 0, 0, 0, 1])
     found = m.forward(x, tables=tables)
     assert found.V_dot.shape == (n, 6)
@@ -152,8 +154,8 @@ def test_errors_say_which_path_and_which_sample() -> None:
     text = refused({"carrier.inertia": inertia, "carrier.center_of_mass": np.zeros((4, 3))}, kind=StandError)
     assert "sample 3" in text
     assert "triangle inequality" in text
-    weightless = np.array([[0, 0, -9.81], [0, 0, 0.0]])
-    assert "sample 1: is of another structure" in refused({"gravity": weightless})
+    heavy = np.array([[0, 0, 0.0], [0, 0, -9.81]])
+    assert "sample 1: is of another structure" in refused({"gravity": heavy})
 
 
 def test_numbers_that_no_table_has_are_refused() -> None:
