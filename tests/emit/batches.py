@@ -43,6 +43,8 @@ class Batched:
         self.real: type[np.floating[Any]] = np.float32 if real == "float" else np.float64
         files = {**self.generated.files, **batch_files(given, self.generated)}
         files["vary.c"] = _vary(name, self.layout.table, real)
+        if self.layout.flywheels:
+            files["vary.c"] += _vary_mounting(name, self.layout.mount_table, real)
         with TemporaryDirectory() as folder:
             write(files, Path(folder))
             command = [compiler, *FIRMWARE_WARNINGS, "-Wno-missing-prototypes", "-ffp-contract=off", "-fPIC"]
@@ -73,7 +75,11 @@ class Batched:
     def one(self, batch: Batch, inputs: Arrays, j: int, table: bytes | None = None) -> tuple[int, Arrays]:
         """Status and results of the function for one state, of state j."""
         columns = {name: np.ascontiguousarray(values[:, j]) for name, values in inputs.items()}
-        status, results = self._called(batch.narrow.name, batch, columns, 1, table or self._default(), None)
+        factor = 1 + 1e-4 * j if batch.each else 1.0
+        mounting = ctypes.c_char_p(self.mounting(factor)) if self._takes_mounting(batch) else None
+        status, results = self._called(
+            batch.narrow.name, batch, columns, 1, table or self._default(), None, mounting=mounting
+        )
         return status, {name: values[:, 0] for name, values in results.items()}
 
     def many(
@@ -83,11 +89,18 @@ class Batched:
         name = f"{batch.narrow.name}_batch{'_of' if batch.each else ''}"
         statuses = np.full(n, 99, dtype=np.int32)
         table: ctypes.c_char_p | ctypes.c_void_p = self._default()
+        mounting: ctypes.c_char_p | ctypes.c_void_p | None = None
+        if self._takes_mounting(batch):
+            singles = b"".join(self.mounting(1 + 1e-4 * j if batch.each else 1.0) for j in range(n))
+            mounting = ctypes.c_char_p(singles)
+            if batch.each:
+                mounting = aligned(max(1, -(-n // 8)) * self.library.size_of_wide_mounting())
+                self.library.put_mountings(singles, n, mounting)
         if batch.each:
             table = aligned(max(1, -(-n // 8)) * self.library.size_of_wide())
             given = self.function("tables")
             assert given(ctypes.c_char_p(tables), ctypes.c_size_t(n), table) == 0
-        returned, results = self._called(name, batch, inputs, n, table, statuses, fill)
+        returned, results = self._called(name, batch, inputs, n, table, statuses, fill, mounting)
         return returned, statuses, results
 
     def table(self, factor: float) -> bytes:
@@ -95,6 +108,15 @@ class Batched:
         memory = ctypes.create_string_buffer(self.library.size_of_table())
         self.library.vary(memory, ctypes.c_double(factor))
         return memory.raw
+
+    def mounting(self, factor: float) -> bytes:
+        """A copy of the default mountings, every number a little larger."""
+        memory = ctypes.create_string_buffer(self.library.size_of_mounting())
+        self.library.vary_mounting(memory, ctypes.c_double(factor))
+        return memory.raw
+
+    def _takes_mounting(self, batch: Batch) -> bool:
+        return any(a.name == "mounting" for a in batch.narrow.arguments)
 
     def function(self, name: str) -> Callable[..., int]:
         """A function of the stand by its name without the prefix."""
@@ -113,6 +135,7 @@ class Batched:
         table: bytes | ctypes.c_char_p | ctypes.c_void_p,
         statuses: Numbers | None,
         fill: float = np.nan,
+        mounting: ctypes.c_char_p | ctypes.c_void_p | None = None,
     ) -> tuple[int, Arrays]:
         passed: list[Any] = []
         results: Arrays = {}
@@ -120,6 +143,8 @@ class Batched:
             if a.name == "table":
                 passed += [ctypes.c_char_p(table) if isinstance(table, bytes) else table]
                 passed += [ctypes.c_size_t(n)] if statuses is not None else []
+            elif a.name == "mounting":
+                passed.append(mounting)
             elif a.name == "locked":
                 passed.append(locks(len(inputs["tau"])).ctypes.data_as(ctypes.c_void_p))
             elif a.name in OPTIONS:
@@ -129,7 +154,8 @@ class Batched:
             elif a.direction == "in":
                 passed.append(inputs[a.name].ctypes.data_as(ctypes.c_void_p))
             else:
-                rows = len(inputs["x"]) if isinstance(a.type, Struct) else int(a.shape[0])
+                rows = int(a.shape[0]) if a.shape else 1
+                rows *= _reals(a.type) if isinstance(a.type, Struct) else 1
                 results[a.name] = np.full((rows, n), fill, dtype=self.real)
                 passed.append(results[a.name].ctypes.data_as(ctypes.c_void_p))
         if statuses is not None:
@@ -173,6 +199,58 @@ void vary({name}_table *t, double factor)
     {" ".join(lines)}
 }}
 """
+
+
+def _vary_mounting(name: str, mounting: Struct, real: str) -> str:
+    """The same of the mountings, and C that puts those of n stands side by side."""
+    lines, put = _scaled(mounting, "t->", count()), _put(mounting, "", count())
+    return f"""
+int size_of_mounting(void);
+int size_of_wide_mounting(void);
+void vary_mounting({name}_mount_table *t, double factor);
+void put_mountings(const {name}_mount_table *t, int n, {name}_wide_mount_table *w);
+int size_of_mounting(void) {{ return (int)sizeof({name}_mount_table); }}
+int size_of_wide_mounting(void) {{ return (int)sizeof({name}_wide_mount_table); }}
+void vary_mounting({name}_mount_table *t, double factor)
+{{
+    const {real} f = ({real})factor;
+    (void){name}_prepare_mounts(&{name}_default_parameters, t);
+    {" ".join(lines)}
+}}
+void put_mountings(const {name}_mount_table *t, int n, {name}_wide_mount_table *w)
+{{
+    const int lanes = (int)(sizeof(w[0].flywheel[0].mass) / sizeof({real}));
+    for (int j = 0; j < (n + lanes - 1) / lanes * lanes; ++j) {{
+        const int i = j < n ? j : n - 1;
+        {" ".join(put)}
+    }}
+}}
+"""
+
+
+def _put(struct: Struct, path: str, numbers: Iterator[int]) -> list[str]:
+    found = []
+    for f in struct.fields:
+        at, heads = f"{path}.{f.name}", []
+        for length in f.shape:
+            index = f"p{next(numbers)}"
+            heads.append(f"for (int {index} = 0; {index} < {int(length)}; ++{index}) {{")
+            at += f"[{index}]"
+        inner = (
+            _put(f.type, at, numbers) if isinstance(f.type, Struct) else [f"w[j / lanes]{at}.at[j % lanes] = t[i]{at};"]
+        )
+        found += [*heads, *inner, *("}" for _ in heads)]
+    return found
+
+
+def _reals(struct: Struct) -> int:
+    found = 0
+    for f in struct.fields:
+        size = _reals(f.type) if isinstance(f.type, Struct) else 1
+        for length in f.shape:
+            size *= int(length)
+        found += size
+    return found
 
 
 def _scaled(struct: Struct, path: str, numbers: Iterator[int]) -> list[str]:

@@ -165,7 +165,7 @@ def test_the_number_of_threads_changes_no_bit() -> None:
             returned, statuses, results = built.many(batch, inputs, 100)
             bits = b"".join(values.tobytes() for values in results.values())
             found.add((batch.narrow.name, returned, statuses.tobytes(), bits))
-    assert len(found) == 4
+    assert len(found) == len([b for b in built.batches if not b.each])
 
 
 def test_optimised_for_this_machine() -> None:

@@ -11,7 +11,7 @@ mostly all is well; only where not the check itself says what. It gathers words:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 
 from mahovik.contract.status import STATUS_VALUES
@@ -36,9 +36,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Declare,
     Do,
-    Let,
     Loop,
-    Note,
     Return,
     Set,
     Shortcut,
@@ -47,7 +45,7 @@ from mahovik.core.program.statement import (
     When,
 )
 from mahovik.core.program.types import Kind, Precision
-from mahovik.core.program.walk import called, statements, with_blocks
+from mahovik.core.program.walk import blocks, called, inside, statements, with_blocks
 
 REFUSED = "refused"
 """Name of the argument."""
@@ -59,10 +57,16 @@ POSITIVE = 256
 def without_returns(functions: tuple[Function, ...], precision: Precision) -> dict[str, Function]:
     """Functions, each after those it calls, by name: those of a status with `refused`, the others as they are."""
     done: dict[str, Function] = {}
+    looking: set[str] = set()
+    for f in reversed(functions):
+        if _only_looks(f) or f.name in looking:
+            looking |= called(f.body)
     for function in functions:
         refusing = function.returns is Kind.STATUS
+        if refusing and not _only_looks(function):
+            done[_unchecked_name(function)] = _Unchecked(done).function(function)
         done[function.name] = _Refusing(done, precision.width).function(function) if refusing else function
-        if _only_looks(function) and _can_be_probed(function, done):
+        if _only_looks(function) or (refusing and function.name in looking):
             done[_probe_name(function)] = _Probing(done, precision.width).function(function)
     return done
 
@@ -72,29 +76,12 @@ def _only_looks(function: Function | Signature) -> bool:
     return function.returns is Kind.STATUS and all(a.direction == "in" for a in function.arguments)
 
 
-def _can_be_probed(function: Function, done: Mapping[str, Function]) -> bool:
-    """Is a check made of conditions and of checks with probes alone? Then its answer can be gathered in one word.
-
-    Others, which compute with variables of their own, are done at once: they have no probe.
-    """
-    for s in statements(function.body):
-        match s:
-            case Declare(variable) if variable.type is Kind.STATUS:
-                pass
-            case Set(place, Call() as call) if place.kind is Kind.STATUS:
-                if _probe_name(call.signature) not in done:
-                    return False
-            case When(_, inner, ()) if isinstance(inner[-1], Return):
-                pass
-            case Let() | Note() | Loop() | Shortcut() | Return(Status()):
-                pass
-            case _:
-                return False
-    return True
-
-
 def _probe_name(function: Function | Signature) -> str:
     return f"{function.name}_probe"
+
+
+def _unchecked_name(function: Function | Signature) -> str:
+    return f"{function.name}_unchecked"
 
 
 def _checks(body: Statements) -> Iterator[tuple[Call | None, Statement]]:
@@ -156,7 +143,7 @@ class _Refusing:
         looks: list[Call] = []
         for call, s in _checks(body):
             other = s if isinstance(s, Return) and isinstance(s.value, Status) else None
-            if call is not None and other is None and self._probes and self._has_probe(call.signature):
+            if call is not None and other is None and self._probes and _only_looks(call.signature):
                 looks.append(call)
                 continue
             found += self._looked(looks)
@@ -168,9 +155,6 @@ class _Refusing:
             else:
                 found.append(self._do(call))
         return (*found, *self._looked(looks))
-
-    def _has_probe(self, function: Signature) -> bool:
-        return _only_looks(function) and _probe_name(function) in self._done
 
     def _do(self, call: Call, refused: Place | None = None) -> Do:
         code = self._refused.place if refused is None else refused
@@ -203,7 +187,7 @@ class _Refusing:
             case Return(Call() as call):
                 yield self._do(call)
             case Do(call) if call.signature.returns is Kind.STATUS:  # it was checked before, and cannot refuse here
-                yield self._do(call)
+                yield Do(Call(self._done[_unchecked_name(call.signature)].signature, call.arguments))
             case Return(value):
                 if not isinstance(value, Status):
                     raise TypeError("only a status by name can be returned here")
@@ -213,6 +197,45 @@ class _Refusing:
                     yield Set(place, select(equal(place, word(0)), word(code), place))
             case _:
                 yield with_blocks(s, self._body)
+
+
+class _Unchecked:
+    """Makes a function of a status one that checks nothing, for calls whose arguments were checked before."""
+
+    def __init__(self, done: dict[str, Function]) -> None:
+        self._done = done
+
+    def function(self, function: Function) -> Function:
+        return replace(
+            function,
+            name=_unchecked_name(function),
+            body=tuple(self._body(function.body)),
+            returns=None,
+            statuses=(),
+            public=False,
+        )
+
+    def _body(self, body: Statements) -> Iterator[Statement]:
+        for call, s in _checks(body):
+            if call is not None:
+                if not _only_looks(call.signature):
+                    yield Do(Call(self._done[_unchecked_name(call.signature)].signature, call.arguments))
+                continue
+            match s:
+                case Declare(variable) if variable.type is Kind.STATUS:
+                    pass
+                case Return():
+                    pass
+                case When(_, inner, ()) if isinstance(inner[-1], Return):
+                    pass
+                case When() | Loop():
+                    kept = with_blocks(s, lambda inner: tuple(self._body(inner)))
+                    if any(blocks(kept)):
+                        yield kept
+                case Do(call) if call.signature.returns is Kind.STATUS:
+                    yield Do(Call(self._done[_unchecked_name(call.signature)].signature, call.arguments))
+                case _:
+                    yield s
 
 
 class _Probing:
@@ -239,23 +262,26 @@ class _Probing:
     def _body(self, body: Statements) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
-                yield Do(
-                    Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, self._suspect.place))
-                )
+                yield self._probed(call)
                 continue
             match s:
                 case Declare(variable) if variable.type is Kind.STATUS:
                     pass
-                case Return(value) if isinstance(value, Status) and value.name == "OK":
+                case Return(Status(name="OK")):
                     pass
-                case When(condition, inner, ()) if isinstance(inner[-1], Return):
+                case Return(Call() as last):
+                    yield self._probed(last)
+                case When(condition, inner, ()) if isinstance(inner[-1], Return) or _only_checks(inner):
                     yield Set(self._suspect.place, self._suspect.place | self._doubt(condition))
-                case Loop():
-                    yield replace(s, body=tuple(self._body(s.body)))
-                case Let() | Note():
-                    yield s
+                case When(condition, inner, ()) if _returns(inner) and not _on_ints(condition):
+                    yield from self._body(inner)  # more is suspected than is wrong
+                case When() | Loop():
+                    yield with_blocks(s, lambda inner: tuple(self._body(inner)))
                 case _:
-                    raise TypeError(f"a check that only looks has no {type(s).__name__}: {sorted(called(body))}")
+                    yield s
+
+    def _probed(self, call: Call) -> Do:
+        return Do(Call(self._done[_probe_name(call.signature)].signature, (*call.arguments, self._suspect.place)))
 
     def _doubt(self, condition: Expr) -> Expr:
         """A word whose top bit is set where a condition holds; of limits without a comparison."""
@@ -263,6 +289,20 @@ class _Probing:
         if outside is None:
             return select(condition, word(1 << (self._width - 1)), word(0))
         return excess_bits(*outside, self._width)
+
+
+def _returns(body: Statements) -> bool:
+    """Is there a return in a body?"""
+    return any(isinstance(s, Return) for s in statements(body))
+
+
+def _only_checks(body: Statements) -> bool:
+    """Does a body nothing but call checks that only look?"""
+    return all(call is not None and _only_looks(call.signature) for call, _ in _checks(body))
+
+
+def _on_ints(condition: Expr) -> bool:
+    return any(isinstance(x, Place) and x.kind is Kind.INT for x in inside(condition))
 
 
 def _outside(condition: Expr) -> tuple[Expr, Expr] | None:

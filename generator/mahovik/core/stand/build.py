@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from mahovik.core.stand import datasheet
+from mahovik.core.stand.columns import hypot
 from mahovik.core.stand.law import body_schemas
 from mahovik.core.stand.model import (
     About,
@@ -135,16 +135,16 @@ def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingA
     return MountingAxes(table.axis, table.zero)
 
 
-def _sine(a: Vec3, b: Vec3) -> float:
+def _sine(a: Vec3, b: Vec3) -> Any:
     """Sine of the angle between two directions of any length."""
     (ax, ay, az), (bx, by, bz) = _unit(a), _unit(b)
-    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    return hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
 
 
 def _unit(a: Vec3) -> Vec3:
     largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
     scaled = [x / largest for x in a]
-    length = math.hypot(*scaled)
+    length = hypot(*scaled)
     return (scaled[0] / length, scaled[1] / length, scaled[2] / length)
 
 

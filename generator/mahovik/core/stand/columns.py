@@ -152,9 +152,9 @@ def values_of(number: Any, n: int) -> NDArray[np.float64]:
     return np.asarray(number.values if isinstance(number, Column) else np.full(n, number), dtype=np.float64)
 
 
-def hypot(a: Any, b: Any) -> Any:
-    """Length of (a, b)."""
-    return _each(math.hypot, a, b)
+def hypot(*numbers: Any) -> Any:
+    """Length of a vector."""
+    return _each(math.hypot, *numbers)
 
 
 def atan2(a: Any, b: Any) -> Any:
@@ -162,18 +162,14 @@ def atan2(a: Any, b: Any) -> Any:
     return _each(math.atan2, a, b)
 
 
-def _each(function: Callable[[float, float], float], a: Any, b: Any) -> Any:
-    """A function of `math` of two numbers, for columns sample by sample: other libraries round it otherwise."""
-    column = a if isinstance(a, Column) else b
-    if not isinstance(column, Column):
-        return function(a, b)
-    n, keys = len(column.values), _keys(a) | _keys(b)
-    pairs = zip(values_of(a, n).tolist(), values_of(b, n).tolist(), strict=True)
-    return Column(np.array([function(x, y) for x, y in pairs]), column.run, keys)
-
-
-def _keys(number: Any) -> frozenset[str]:
-    return number.keys if isinstance(number, Column) else frozenset()
+def _each(function: Callable[..., float], *numbers: Any) -> Any:
+    """A function of `math`, for columns sample by sample: other libraries round it otherwise."""
+    columns = [x for x in numbers if isinstance(x, Column)]
+    if not columns:
+        return function(*numbers)
+    n, keys = len(columns[0].values), frozenset[str]().union(*(x.keys for x in columns))
+    rows = zip(*(values_of(x, n).tolist() for x in numbers), strict=True)
+    return Column(np.array([function(*row) for row in rows]), columns[0].run, keys)
 
 
 def polar(length: Any, angle: Any, divisor: Any) -> tuple[Any, Any]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Double = tuple[Array, Array]
+Double = tuple[Any, Any]
 """An unevaluated sum: the second is below half a place of the first."""
 
 _DIGITS = 40
@@ -72,7 +72,7 @@ def _sum(a: Array, b: Array) -> Double:
     return s, (a - (s - t)) + (b - t)
 
 
-def _times(a: Array, b: Array) -> Double:
+def _times(a: Any, b: Any) -> Double:
     """a b exactly."""
     p = a * b
     u, v = a * _SPLIT, b * _SPLIT

@@ -77,7 +77,8 @@ def loads(text: str, source: str = "stand") -> Stand:
 def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     """Check a parsed stand file (floats as Decimal) and make a Stand of it. Raises StandError.
 
-    Without `physics` it is not asked whether there can be such bodies: of columns see `screening`.
+    Without `physics` it is not asked whether there can be such bodies, and whether the rows of tasks go together: of
+    columns see `screening`.
     """
     problems = Problems(source)
     header = _header(document, problems)
@@ -101,8 +102,8 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
     points: list[Point] = [build.point(table) for _, table in point_tables]
     tasks = _tasks(problems, document)
-    check_tasks(problems, tasks, tuple(instruments), tuple(points))
     if physics:
+        check_tasks(problems, tasks, tuple(instruments), tuple(points))
         if carrier is not None and carrier_table is not None:
             physical.check_body(carrier, "carrier", problems, carrier_table.moments)
         for (_, own), instrument in zip(instrument_tables, instruments, strict=True):

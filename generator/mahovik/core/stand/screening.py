@@ -38,7 +38,17 @@ def doubtful(stand: Stand, n: int) -> NDArray[np.bool_]:
             sure &= _possible(body)
         if varied:
             sure &= _moved_everywhere(stand)
+    if stand.tasks and any(isinstance(x, Column) for x in _places_of_tasks(stand)):
+        sure[:] = False
     return ~sure
+
+
+def _places_of_tasks(stand: Stand) -> Iterator[Any]:
+    """Numbers of where the rows of tasks are: whether these go together, only `task` says."""
+    named = {row.of for task in stand.tasks for row in task.rows}
+    for place in (*stand.instruments, *stand.points):
+        if place.name in named or isinstance(place, Instrument):
+            yield from numbers((place.position, place.angles))
 
 
 def numbers(value: Any) -> Iterator[Any]:
@@ -134,7 +144,8 @@ def _moved_everywhere(stand: Stand) -> Any:
         mass = mass + m
         moment = moment + (np.abs(central[0][0]) + np.abs(central[1][1]) + np.abs(central[2][2])) + m * reach * reach
     force, turn = [mass] * 3, [moment] * 3
-    for fixed in (stand.carrier, *stand.instruments):
+    fixed_bodies: tuple[Carrier | Instrument, ...] = (stand.carrier, *stand.instruments)
+    for fixed in fixed_bodies:
         if fixed.added_mass is not None:
             diagonal = [np.abs(_plain(fixed.added_mass[i][i])) for i in range(6)]
             force = [force[i] + diagonal[i] for i in range(3)]

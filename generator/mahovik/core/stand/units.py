@@ -99,7 +99,7 @@ def _column(raw: Column, dimension: Dimension, unit: str | None) -> Column:
     if not raw.finite():
         raise QuantityError("not finite")
     if unit is None:
-        return raw + 0.0
+        return cast(Column, raw + 0.0)
     scale = factor(unit, dimension)
     return raw.map(lambda values: np.array([_scaled(x, scale) for x in values.tolist()]))
 

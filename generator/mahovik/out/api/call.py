@@ -60,7 +60,7 @@ class Caller:
         outputs: list[tuple[ArgumentLayout, Array]] = []
         for a, layout in zip(f.arguments, self._records[function], strict=True):
             if a.name in self._made.tables:
-                arrays.append(self._made.tables[a.name] if tables is None else tables.blocks[a.name])
+                arrays.append(self._made.tables[a.name] if tables is None else tables.block(a.name))
             elif a.direction != "in":
                 memory = self._memory(a, layout, n)
                 if a.direction == "inout":

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -24,26 +23,34 @@ LANES = {8: 8, 4: 16}
 
 _ALIGNMENT = 64
 
+Blocks = Mapping[str, NDArray[Any]]
+"""Memory by argument of the C."""
 
-@dataclass(frozen=True, eq=False, repr=False)
+Prepare = Callable[[bool], tuple[Blocks, NDArray[np.int32]]]
+"""Makes the blocks of tables, with mountings or without; and statuses."""
+
+
 class Tables:
     """Prepared numbers of n stands of one structure, for the functions of the model that made them.
 
-    made_of   the stand of the model
-    base      the same with the keys of its file: the stand that all differ from
-    samples   by path the values that differ
-    blocks    by argument of the C, as it reads them
+    Attributes: `base`, the stand that all differ from; `samples`, by path the values that differ; `real`, as the model's.
     """
 
-    made_of: CoreStand
-    base: Stand
-    real: str
-    samples: Samples
-    blocks: Mapping[str, NDArray[Any]]
+    def __init__(self, made_of: CoreStand, real: str, samples: Samples, prepare: Prepare) -> None:
+        """`prepare`: makes the blocks. Raises StandError."""
+        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
+        self._prepare = prepare
+        self._blocks, _ = prepare(False)
 
     def __len__(self) -> int:
         """How many stands."""
         return self.samples.n
+
+    def block(self, argument: str) -> NDArray[Any]:
+        """The tables as the C reads them; mountings are made where they are asked for first."""
+        if argument not in self._blocks:
+            self._blocks, _ = self._prepare(True)
+        return self._blocks[argument]
 
     def stand(self, number: int) -> Stand:
         """The stand of one sample, as `base.replace` makes it. Raises InputError."""
@@ -72,13 +79,18 @@ def make_tables(
     found = variants(stand, real, samples)
     for number in np.flatnonzero(found.doubtful):
         _check(stand, samples, int(number))
-    blocks, status = _prepare(made, element, threads, found, samples.n)
-    refused = np.flatnonzero(status < 0)
-    if refused.size:
-        number = int(refused[0])
-        _check(stand, samples, number)
-        raise StandError([f"{stand.name}, sample {number}: refused by prepare: {status_words(int(status[number]))}"])
-    return Tables(of, stand, real, samples, blocks)
+
+    def prepare(mountings: bool) -> tuple[Blocks, NDArray[np.int32]]:
+        blocks, status = prepare_tables(made, element, threads, found, samples.n, mountings)
+        refused = np.flatnonzero(status < 0)
+        if refused.size:
+            first = int(refused[0])
+            _check(stand, samples, first)
+            name = status_words(int(status[first]))
+            raise StandError([f"{stand.name}, sample {first}: refused by prepare: {name}"])
+        return blocks, status
+
+    return Tables(of, real, samples, prepare)
 
 
 def _check(stand: Stand, samples: Samples, number: int) -> None:
@@ -86,21 +98,28 @@ def _check(stand: Stand, samples: Samples, number: int) -> None:
     read(changed(stand, samples.values(number)), f"{stand.name}, sample {number}")
 
 
-def _prepare(
-    made: Compiled, element: np.dtype[Any], threads: int, found: Variants, n: int
-) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:
-    """Tables, and mountings where there are flywheels, by the C; and statuses."""
+def prepare_tables(
+    made: Compiled, element: np.dtype[Any], threads: int, found: Variants, n: int, mountings: bool
+) -> tuple[Blocks, NDArray[np.int32]]:
+    """Tables by argument of the C, with `mountings` these too where there are flywheels; and statuses."""
     lanes = LANES[element.itemsize]
-    blocks = {name: _aligned(made.library.block_bytes(name == "mounting") * -(-n // lanes)) for name in made.tables}
-    columns = [None if x is None else np.ascontiguousarray(x, dtype=element) for x in found.varied]
-    addresses: NDArray[np.uintp] = np.array([0 if x is None else x.ctypes.data for x in columns], dtype=np.uintp)
+    names = [name for name in made.tables if mountings or name != "mounting"]
+    blocks = {name: _aligned(made.library.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
+    status = np.zeros(n, dtype=np.int32)
+    if n:
+        made.library.call("prepare", n, passed(made, element, found, blocks), status, threads)
+    return blocks, status
+
+
+def passed(made: Compiled, element: np.dtype[Any], found: Variants, blocks: Blocks) -> list[NDArray[Any]]:
+    """The arguments of `prepare` of n stands. What they point to lives as long as the list."""
+    columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in found.varied]
+    addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in columns], dtype=np.uintp)
     parameters = filled(made.parameters, element, found.parameters)
     table = filled(made.records["table"], element, found.table)
-    status = np.zeros(n, dtype=np.int32)
-    passed = [parameters, table, addresses, *(blocks[name] for name in made.tables)]
-    if n:
-        made.library.call("prepare", n, passed, status, threads)
-    return blocks, status
+    none = np.zeros(0)
+    given = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
+    return [*given, *columns]
 
 
 def _aligned(size: int) -> NDArray[np.uint8]:

@@ -1,0 +1,191 @@
+"""Tables of n stands: the bits of stands that are read one by one, in every function, and errors by sample."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import mahovik
+from api.models import model, stand
+from mahovik import InputError, StandError, UsageError
+from mahovik.core.lower.variants import law_struct, reals, variant
+from mahovik.core.program.interpret import Interpreter
+from mahovik.core.stand.structure import structure
+from mahovik.out.api.compiled import lower_structure
+from mahovik.out.api.samples import Samples
+from mahovik.out.api.stands import Stand
+from mahovik.out.api.variants import variants
+
+UNBALANCE = ("static", "static_at", "dynamic", "dynamic_at")
+
+
+def leaves(value: Any, path: str = "") -> list[tuple[str, float]]:
+    """Paths of the numbers of a stand's keys, with the numbers."""
+    if isinstance(value, dict):
+        pairs = value.items()
+        return [leaf for key, each in pairs for leaf in leaves(each, f"{path}.{key}" if path else key)]
+    if isinstance(value, list):
+        named = [(each.get("name", i) if isinstance(each, dict) else i, each) for i, each in enumerate(value)]
+        return [leaf for key, each in named for leaf in leaves(each, f"{path}.{key}")]
+    return [(path, float(value))] if not isinstance(value, str | bool) else []
+
+
+def drawn(of: Stand, rng: np.random.Generator, n: int, share: float = 1e-4) -> dict[str, Any]:
+    """Some numbers of a stand, changed by little: masses, mountings, laws; and unbalances of all flywheels."""
+    known = {f.name for f in of.flywheels} | {p.name for p in (*of.instruments, *of.points)}
+    changes: dict[str, Any] = {}
+    for path, x in leaves(of.to_dict()):
+        parts = path.split(".")
+        parts = parts[1:] if len(parts) > 1 and parts[1] in known else parts
+        tensor = any(key in ("inertia", "added_mass") for key in parts)
+        mute = {"schema", "motor", "encoder", "inverse_weight", "inverse_most", "task"} & set(parts)
+        if x != 0 and not tensor and not mute and rng.random() < 0.4:
+            changes[".".join(parts)] = x * (1 + share * rng.uniform(-1, 1, n))
+    for wheel in of.flywheels:
+        (_, y, z), (J12, J13) = wheel.center_of_mass, wheel.inertia[0][1:]
+        now = (wheel.mass * np.hypot(y, z), np.arctan2(z, y), np.hypot(J12, J13), np.arctan2(-J13, -J12))
+        for key, x in zip(UNBALANCE, now, strict=True):
+            if rng.random() < 0.6:
+                values = x * (1 + share * rng.uniform(-1, 1, n))
+                if key == "static" and rng.random() < 0.3:
+                    values[rng.random(n) < 0.5] = 0.0  # another way through the reader
+                changes[f"{wheel.name}.unbalance.{key}"] = values
+    return changes
+
+
+@pytest.mark.parametrize(
+    "name", ["general", *(pytest.param(name, marks=pytest.mark.slow) for name in ("everything", "bench8"))]
+)
+@settings(max_examples=5, deadline=None)
+@given(seed=st.integers(0, 10**6))
+def test_numbers_have_the_bits_of_stands_that_are_read_afresh(name: str, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    of, n = Stand.of(stand(name)), 3
+    samples = Samples.of(drawn(of, rng, n, 10.0 ** rng.uniform(-6, 0)), n)
+    found = variants(of, "double", samples)
+    layout, program = lower_structure(structure(of), "double")
+    base = [*reals(layout.parameters, found.parameters), *reals(law_struct(layout), found.table)]
+    for j in range(n):
+        try:
+            changed = of.replace(samples.values(j))
+        except StandError:
+            assert found.doubtful[j]
+            continue
+        expected = variant(changed, layout, Interpreter(program))[2]
+        for number, (x, wanted) in enumerate(zip(found.varied, expected, strict=True)):
+            here = x[j] if x is not None else base[number]
+            assert np.float64(here).tobytes() == np.float64(wanted).tobytes(), (list(samples.given), number, j)
+
+
+@pytest.mark.parametrize("name", ["general", pytest.param("everything", marks=pytest.mark.slow)])
+def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
+    m, n, rng = model(name), 11, np.random.default_rng(1)
+    of = Stand.of(stand(name))
+    tables = m.tables(drawn(of, rng, n))
+    assert len(tables) == n
+    count = len(m.flywheels)
+    angles, speeds = rng.uniform(-3, 3, (n, count)), rng.normal(size=(n, count)) * 9
+    x = m.states(n, V=rng.normal(size=(n, 6)), phi=angles, phi_dot=speeds)
+    wheel, twist = rng.normal(size=(n, count)), rng.normal(size=(n, 6))
+    calls: dict[str, dict[str, Any]] = {
+        "forward": {"phi_ddot": wheel}, "coupled": {"tau": wheel}, "torque": {"V_dot": twist}, "matrices": {},
+        "momentum": {}, "mounts": {"V_dot": twist, "phi_ddot": wheel}, "points": {"V_dot": twist},
+        "inverse": {"V_dot": twist}, "step": {"dt": 1e-4, "tau": wheel}, "step_driven": {"dt": 1e-4, "phi_ddot": wheel},
+        "forward_jacobian": {"phi_ddot": wheel}, "center_of_mass_velocity": {},
+    }  # fmt: skip
+    for j in (0, 7, 10):
+        own = mahovik.build(tables.stand(j))
+        for function, inputs in calls.items():
+            found = getattr(m, function)(x, **inputs, tables=tables)
+            one = {key: value[j] if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
+            expected = getattr(own, function)(x.array[j], **one)
+            for key, value in expected.to_dict().items():
+                assert value.tobytes() == np.ascontiguousarray(found.to_dict()[key][j]).tobytes(), (function, key, j)
+
+
+def test_one_state_is_of_all_stands_and_a_carry_is_kept() -> None:
+    m, n = model("general"), 4
+    tables = m.tables({"carrier.mass": stand("general").carrier.mass * (1 - 1e-3 * np.arange(n))})
+    x = m.state(V=[1, 0, 0, 0, 0, 1])
+    found = m.forward(x, tables=tables)
+    assert found.V_dot.shape == (n, 6)
+    assert len(np.unique(found.V_dot[:, 0])) == n
+    carry = m.carry(n)
+    later = m.step(m.states(n), 1e-3, carry=carry, tables=tables)
+    assert later.array.shape[0] == n
+    assert m.forward(m.states(0), tables=m.tables({}, 0)).V_dot.shape == (0, 6)
+
+
+def test_units_and_values_for_all_samples() -> None:
+    m, wheel = model("demo3"), "w1"
+    grams = np.array([0.1, 0.3, 1.7])
+    path = f"{wheel}.unbalance.static"
+    given_units = m.tables({path: {"value": grams, "unit": "g mm"}, "carrier.mass": "13 kg"})
+    expected = m.stand.replace({path: "0.3 g mm", "carrier.mass": 13})
+    assert given_units.stand(1).flywheels == expected.flywheels
+    x = m.state(phi_dot=100.0)
+    one = mahovik.build(expected).forward(x)
+    assert one.V_dot.tobytes() == m.forward(x, tables=given_units).V_dot[1].tobytes()
+
+
+def refused(changes: Any, n: int | None = None, kind: type[Exception] = UsageError) -> str:
+    with pytest.raises(kind) as found:
+        model("demo3").tables(changes, n)
+    text = str(found.value)
+    assert "\n" not in text
+    return text
+
+
+def test_errors_say_which_path_and_which_sample() -> None:
+    three = np.ones(3)
+    assert 'did you mean "carrier"' in refused({"carier.mass": three})
+    assert 'did you mean "mass"' in refused({"carrier.mas": three}, kind=StandError)
+    assert "carrier.mass 3, gravity 2" in refused({"carrier.mass": three, "gravity": np.ones((2, 3))}, kind=InputError)
+    assert "a length (m)" in refused({"w1.position.0": {"value": three, "unit": "kg"}}, kind=StandError)
+    assert "no array" in refused({"carrier.mass": 3}, kind=InputError)
+    assert "array of numbers" in refused({"carrier.mass": ["a", "b"]}, kind=InputError)
+    masses = np.array([5.0, 5.0, -1.0, 5.0])
+    assert "sample 2: carrier, mass" in refused({"carrier.mass": masses}, kind=StandError)
+    assert "sample 2: carrier, mass" in refused({"carrier.mass": np.where(masses > 0, 5.0, np.nan)}, kind=StandError)
+    inertia = np.tile([0.1, 0.1, 0.1], (4, 1))
+    inertia[3, 0] = 0.3
+    text = refused({"carrier.inertia": inertia, "carrier.center_of_mass": np.zeros((4, 3))}, kind=StandError)
+    assert "sample 3" in text
+    assert "triangle inequality" in text
+    heavy = np.array([[0, 0, 0.0], [0, 0, -9.81]])
+    assert "sample 1: is of another structure" in refused({"gravity": heavy})
+
+
+def test_numbers_that_no_table_has_are_refused() -> None:
+    m = model("demo3")
+    with pytest.raises(UsageError, match="inverse_weight: acts in no function"):
+        m.tables({"w1.inverse_weight": np.ones(2)})
+
+
+def test_tables_of_another_model_and_of_another_number_are_refused() -> None:
+    m, other = model("demo3"), model("general")
+    tables = m.tables({"carrier.mass": np.array([5.0, 6.0])})
+    with pytest.raises(InputError, match="tables of another model"):
+        other.forward(other.state(), tables=tables)
+    with pytest.raises(InputError, match="different numbers of states: 3 given, tables 2"):
+        m.forward(m.states(3), tables=tables)
+    with pytest.raises(InputError, match=r"expected what model\.tables makes"):
+        m.forward(m.state(), tables=[1])  # type: ignore[arg-type]
+
+
+def test_thin_discs_are_bodies_without_being_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    m, n = model("demo3"), 50
+    spin = m.stand.flywheels[0].inertia[0][0] * (1 + 1e-3 * np.random.default_rng(0).uniform(-1, 1, n))
+    tensor = np.zeros((n, 3, 3))
+    tensor[:, 0, 0], tensor[:, 1, 1], tensor[:, 2, 2] = spin, spin / 2, spin / 2
+    name = m.flywheels[0]
+    monkeypatch.setattr("mahovik.out.api.tables._check", lambda *_: pytest.fail("read by itself"))
+    base = m.stand.to_dict()
+    wheel = next(each for each in base["flywheel"] if each["name"] == name)
+    if "spin_inertia" in wheel:
+        changes: dict[str, Any] = {f"{name}.spin_inertia": spin, f"{name}.transverse_inertia": spin / 2}
+    else:
+        changes = {f"{name}.inertia": tensor, f"{name}.center_of_mass": np.zeros((n, 3))}
+    assert len(m.tables(changes)) == n

@@ -1,0 +1,126 @@
+"""Nanoseconds a stand: tables of distinct stands and what is computed with them, beside the batch C alone.
+
+python tools/tables_speed.py [--print]
+
+Writes docs/results/tables.md. `bench8`, the unbalance of all flywheels and the mass of the carrier vary.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import campaign
+import numpy as np
+from api_speed import seconds
+from kept import Campaign, Columns, Figures
+
+import mahovik
+from mahovik.core.toolchain.board import version
+from mahovik.core.toolchain.compiler import find_compiler
+from mahovik.out.api.compiled import Compiled, compiled
+from mahovik.out.api.samples import Samples
+from mahovik.out.api.tables import passed
+from mahovik.out.api.variants import variants
+
+COUNTS = (8, 100, 1000, 10_000)
+STEP = 1e-4  # s
+
+LIMIT = 4.0
+"""`forward` of distinct stands, prepare included, takes at most this times the batch `forward` of one stand."""
+SHARE = 0.85
+"""Part of the speed of the batch C that `step` of Python keeps, in a loop over 1,000 tables."""
+
+
+def changes(flywheels: tuple[str, ...], mass: float, n: int) -> dict[str, Any]:
+    """What differs between the stands."""
+    rng = np.random.default_rng(1)
+    found: dict[str, Any] = {"carrier.mass": mass * (1 + 1e-2 * rng.uniform(-1, 1, n))}
+    for name in flywheels:
+        found[f"{name}.unbalance.static"] = 1e-6 * rng.uniform(0.1, 1, n)
+        found[f"{name}.unbalance.static_at"] = rng.uniform(-np.pi, np.pi, n)
+        found[f"{name}.unbalance.dynamic"] = 1e-8 * rng.uniform(0.1, 1, n)
+        found[f"{name}.unbalance.dynamic_at"] = rng.uniform(-np.pi, np.pi, n)
+    return found
+
+
+def rows() -> list[tuple[Any, ...]]:
+    """One row for each number of stands."""
+    stand = mahovik.example("bench8")
+    model = mahovik.build(stand)
+    library = compiled(stand, "double", np.dtype(np.float64), None, parallel=False)
+    return [_row(model, library, n) for n in COUNTS]
+
+
+def _row(model: mahovik.Model, library: Compiled, n: int) -> tuple[Any, ...]:
+    rng, count, element = np.random.default_rng(2), len(model.flywheels), np.dtype(np.float64)
+    given = changes(model.flywheels, model.stand.carrier.mass, n)
+    found = variants(mahovik.Stand.of(model.stand), "double", Samples.of(given, None))
+    tables = model.tables(given)
+    x = model.states(n, V=rng.normal(size=(n, 6)), phi=rng.uniform(-3, 3, (n, count)), phi_dot=100.0)
+    state, wheel = np.ascontiguousarray(x.array.T), np.asfortranarray(rng.normal(size=(n, count)) * 1e-3)
+    turned = np.ascontiguousarray(wheel.T)
+    V_dot, later, status = np.empty((6, n)), np.empty_like(state), np.zeros(n, dtype=np.int32)
+    locked, dt, order = np.zeros(count, np.int32), np.array([STEP]), np.array([2], np.int32)
+    block = tables.block("table")
+    ready = passed(library, element, found, {"table": block})
+
+    call = library.library.call
+    alone, each, prepare, step, python, whole = seconds(
+        [
+            lambda: call("forward", n, [library.tables["table"], state, turned, V_dot], status),
+            lambda: call("forward_of", n, [block, state, turned, V_dot], status),
+            lambda: call("prepare", n, ready, status),
+            lambda: call("step_of", n, [block, state, turned, locked, dt, order, later], status),
+            lambda: model.step(x, STEP, wheel, order=2, tables=tables),
+            lambda: model.tables(given),
+        ]
+    )
+    scale = 1e9 / n
+    times = [t * scale for t in (alone, each, prepare)]
+    return (n, *times, (each + prepare) / alone, step * scale, python * scale, step / python, whole * scale / 1e3)
+
+
+TABLE = Columns(
+    {
+        "stands": "{:,}", "batch `forward`, one stand, ns": "{:,.0f}", "distinct stands, ns": "{:,.0f}",
+        "`prepare`, ns": "{:,.0f}", "both, times one stand": "{:.1f}", "a step of order 2, ns": "{:,.0f}",
+        "by Python, ns": "{:,.0f}", "part kept": "{:.0%}", "`model.tables`, µs": "{:,.1f}",
+    },
+    0,
+)  # fmt: skip
+
+
+def page(found: Figures) -> str:
+    """The table, and whether the limits hold."""
+    title = list(TABLE.forms)
+    row = next(row for row in found["rows"] if row["stands"] == 1000)
+    limits = (
+        f"With 1,000 tables: `forward` of distinct stands, `prepare` included, takes {row[title[4]]:.1f} times the batch "
+        f"`forward` of one stand (expected at most {LIMIT:g}); `model.step(..., tables=tables)` keeps {row[title[7]]:.0%} of "
+        f"the speed of the batch C (expected at least {SHARE:.0%})."
+    )
+    head = f"`bench8`, one thread, a stand; {found['compiler']}, {found['processor']}."
+    return f"{head}\n\n{TABLE.text(found['rows'])}\n\n{limits}"
+
+
+CAMPAIGN = Campaign(
+    "tables",
+    campaign.Block("docs/results/tables.md", "speed"),
+    page,
+    ("out/api", "tables_speed.py", "api_speed.py"),
+)
+
+
+def main() -> None:
+    """Measures, keeps, renders the page."""
+    given = campaign.parser(__doc__, print=False).parse_args()
+    compiler = version(find_compiler()[0])
+    found = {"compiler": compiler, "processor": campaign.processor(), "rows": TABLE.rows(rows())}
+    if given.print:
+        print(page(found))
+    else:
+        CAMPAIGN.keep(found)
+
+
+if __name__ == "__main__":
+    main()
