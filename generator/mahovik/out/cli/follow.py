@@ -16,6 +16,7 @@ from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.use.control.causes import Contribution
+    from mahovik.use.control.finite import Tracking
     from mahovik.use.control.loop import Case
     from mahovik.use.control.record import Following, Record
 
@@ -30,7 +31,7 @@ class FollowOptions:
     mismatch: str
     seed: int
     periods: int | None
-    begin: str
+    begin: str | None
     table: str
     backend: str
 
@@ -108,7 +109,7 @@ class _Summary:
     options: FollowOptions
     case: Case
     record: Record
-    found: Following
+    found: Following | Tracking
     limits: list[Contribution]
     error: float
 
@@ -123,7 +124,7 @@ def _plain(summary: _Summary) -> dict[str, Any]:
         "servo": case.servo.name,
         "mismatch": summary.options.mismatch,
         "seed": summary.options.seed,
-        "periods": case.periods,
+        **({"periods": case.periods} if case.wanted.programme.periodic else {}),
         **summary.found.as_json(),
         "peak_torque": np.abs(record.tau).max(axis=0).tolist(),
         "samples_limited": record.limited,
@@ -145,24 +146,18 @@ def _plain(summary: _Summary) -> dict[str, Any]:
 def _print(summary: _Summary) -> None:
     import numpy as np
 
-    from mahovik.core.motion.servo import COORDINATES
-
     case, record, found, options = summary.case, summary.record, summary.found, summary.options
-    columns = ("coordinate", "amplitude>", "peak error>", "rms>", "share>", "mean>", "harmonics 1, 2, 3 of the error>")
-    rows = []
-    for i, (name, share) in enumerate(zip(COORDINATES, found.shares(), strict=True)):
-        numbers = [f"{1e3 * value[i]:.4g}" for value in (found.amplitude, found.peak, found.rms)]
-        part = "held still" if share is None else f"{100 * share:.3g} %"
-        harmonics = ", ".join(f"{1e3 * h:.2g}" for h in found.harmonics[:3, i])
-        rows.append((f"{name}, {'mm' if i < 3 else 'mrad'}", *numbers, part, f"{1e3 * found.mean[i]:.4g}", harmonics))
-    print_table(columns, rows)
+    _print_coordinates(found)
     flywheels = [s.name for s in case.wanted.stand.flywheels]
     furthest, strongest = int(np.argmax(found.apart)), int(np.argmax(np.abs(record.tau).max(axis=0)))
     click.echo(
-        f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), about "
-        f"its mean, over the last {found.periods} of {case.periods} periods; mismatch {options.mismatch}, "
-        f"seed {options.seed}"
+        f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), "
+        f"{_where(found, case)}; mismatch {options.mismatch}, seed {options.seed}"
     )
+    if (end := getattr(found, "slew", None)) is not None:
+        click.echo(
+            f"the slew ends {_arcsec(end.angle)} arcsec from its end, with rates up to {_arcsec(end.rate)} arcsec/s"
+        )
     click.echo(
         f"flywheels: at most {1e3 * found.apart[furthest]:.3g} mrad from the programme ({flywheels[furthest]}); "
         f"torque at most {np.abs(record.tau[:, strongest]).max():.4g} N m ({flywheels[strongest]}), "
@@ -180,6 +175,38 @@ def _print(summary: _Summary) -> None:
         click.echo(f"limited by {_limiting(summary.limits)}{off}")
     if case.backend == "c":
         click.echo(f"steps half as long change the carrier by {summary.error:.1g} m, rad")
+
+
+def _print_coordinates(found: Following | Tracking) -> None:
+    from mahovik.core.motion.servo import COORDINATES
+    from mahovik.use.control.finite import Tracking
+
+    last = ("at the end>",) if isinstance(found, Tracking) else ("mean>", "harmonics 1, 2, 3 of the error>")
+    rows = []
+    for i, (name, share) in enumerate(zip(COORDINATES, found.shares(), strict=True)):
+        numbers = [f"{1e3 * value[i]:.4g}" for value in (found.amplitude, found.peak, found.rms)]
+        part = "held still" if share is None else f"{100 * share:.3g} %"
+        if isinstance(found, Tracking):
+            rest = [f"{1e3 * found.end[i]:.4g}"]
+        else:
+            rest = [f"{1e3 * found.mean[i]:.4g}", ", ".join(f"{1e3 * h:.2g}" for h in found.harmonics[:3, i])]
+        rows.append((f"{name}, {'mm' if i < 3 else 'mrad'}", *numbers, part, *rest))
+    print_table(("coordinate", "amplitude>", "peak error>", "rms>", "share>", *last), rows)
+
+
+def _where(found: Following | Tracking, case: Case) -> str:
+    """Words on the part of the run that the errors are of."""
+    from mahovik.use.control.finite import Tracking
+
+    if isinstance(found, Tracking):
+        return f"{100 * found.share_end:.3g} % at the end"
+    return f"about its mean, over the last {found.periods} of {case.periods} periods"
+
+
+def _arcsec(angle: float) -> str:
+    from mahovik.use.control.finite import ARCSEC
+
+    return f"{angle / ARCSEC:.3g}"
 
 
 def _percent(value: float | None) -> str:

@@ -59,11 +59,11 @@ def simulate(
         "Run --programme for this number of periods; default: until it has settled.",
         type=click.IntRange(1),
     ),
-    begin: str = choice(
+    begin: str | None = choice(
         "--begin",
         ["settled", "programme", "rest"],
-        "Start --programme in the stand's own periodic motion, in the required state, or at rest with the run-up.",
-        default="settled",
+        "Start --programme in the stand's own periodic motion, in the required state, or at rest with the run-up; "
+        "default: settled, and of a finite programme, such as that of a slew, programme.",
     ),
     table: str = option(
         "--table", "Set the nodes of the table in firmware, with --programme.", metavar="NODES|exact", default="128"

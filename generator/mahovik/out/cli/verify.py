@@ -54,7 +54,12 @@ def verify(
         "--timeout", "Limit the time of the program of --with, s.", type=click.FloatRange(0.1), default=300.0
     ),
     servo: str | None = file_option("--servo", "S.toml", "Judge the C of these servos in the folder of --against."),
-    motion: str | None = file_option("--motion", "M.json", "Judge also the target of a trim, with --servo."),
+    motion: str | None = file_option(
+        "--motion", "M.json", "Judge also the duration and the target of a trim, with --servo."
+    ),
+    programme: str | None = file_option(
+        "--programme", "P.json", "Read the course of a slew of --motion, with --servo."
+    ),
     name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
     judges: bool = flag("--judges", "Judge by Pinocchio, MuJoCo and, if possible, Basilisk."),
     rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),
@@ -79,9 +84,9 @@ def verify(
     of its header by the law in plain NumPy, and its gains by the servo file.
     """
     if servo is not None:
-        _verify_servo(stand_file, servo, against, motion, name, seed, states, as_json, junit)
+        _verify_servo(stand_file, servo, against, motion, programme, name, seed, states, as_json, junit)
         return
-    for given in ("motion", "name"):
+    for given in ("motion", "programme", "name"):
         if is_given(given):
             raise UsageError(f"--{given}: no servos are judged; give them, as --servo S.toml --against DIR")
     if real == "float" and (judges or command is not None):
@@ -151,6 +156,7 @@ def _verify_servo(
     servo_file: str,
     against: str | None,
     motion_file: str | None,
+    programme_file: str | None,
     name: str,
     seed: int,
     states: int,
@@ -158,12 +164,16 @@ def _verify_servo(
     junit: str | None,
 ) -> None:
     """Judge the C of servos in a folder, print the table, and exit with the verdict as status."""
+    from mahovik.core.motion.programme import load_programme
     from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
+    from mahovik.proof.verify.programme.finding import motion_finding
     from mahovik.proof.verify.servo import verify_servo
 
     if against is None:
         raise UsageError("--servo: no C is given; give its folder, as --against DIR")
+    if programme_file is not None and motion_file is None:
+        raise UsageError(f"--programme {programme_file}: needs --motion M.json, which is missing")
     for given in WITHOUT_SERVO:
         if is_given(given):
             option_name = {"worst": "-o", "command": "--with"}.get(given, f"--{given}")
@@ -172,7 +182,10 @@ def _verify_servo(
             )
     stand = load_stand(stand_file)
     servo = load_servo(servo_file, stand)
-    motion = None if motion_file is None else load_motion(Path(motion_file), stand)
+    programme = None if programme_file is None else load_programme(programme_file)
+    motion = None if motion_file is None else load_motion(Path(motion_file), stand, programme)
+    if motion is not None and programme is not None and not (whose := motion_finding(motion, programme)).passed:
+        raise UsageError(f"{programme_file}: {whose.words}")
     with progress(f"judge servos of {stand.name}"):
         found = verify_servo(stand, servo, Path(against), motion=motion, name=name, seed=seed, count=states)
     finish(found, as_json, junit, None, by="part")

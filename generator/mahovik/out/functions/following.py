@@ -18,9 +18,10 @@ from mahovik.out.functions.programmes import MotionGiven, Programme, ProgrammeGi
 from mahovik.out.functions.simulation import Simulation
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.control.causes import Contribution, contributions
+from mahovik.use.control.finite import Tracking, errors_of
 from mahovik.use.control.loop import Case, close_loop, step_error
 from mahovik.use.control.record import Following as Errors
-from mahovik.use.control.record import Record, following
+from mahovik.use.control.record import Record
 
 if TYPE_CHECKING:
     from mahovik.core.motion.servo import Servo
@@ -32,6 +33,9 @@ MEASURED = 10
 SETTLING = 30
 """Periods before them, by default, without a trim."""
 
+TABLE = 128
+"""Nodes per period of the table in firmware, by default."""
+
 LEFT, MOST_ROUNDS = 1e-2, 60
 """A trim runs until this part of the error is left, or for this many rounds."""
 
@@ -39,12 +43,15 @@ LEFT, MOST_ROUNDS = 1e-2, 60
 class Following(Table):
     """How well the carrier follows: a row per coordinate, errors about the mean over the last periods.
 
+    Of a finite programme, a slew among them, errors over the whole run, and at its end in place of the mean.
     `motion` holds the whole run; `causes` what limits it, if that was asked and the run was complete.
     """
 
     index = "coordinate"
 
-    def __init__(self, case: Case, record: Record, errors: Errors | None, causes: Sequence[Contribution]) -> None:
+    def __init__(
+        self, case: Case, record: Record, errors: Errors | Tracking | None, causes: Sequence[Contribution]
+    ) -> None:
         self.case, self.record, self.errors, self.causes = case, record, errors, tuple(causes)
         self.causes_interrupted = False
 
@@ -59,7 +66,9 @@ class Following(Table):
             Column("amplitude", "m, rad", found.amplitude),
             Column("peak_error", "m, rad", found.peak),
             Column("rms_error", "m, rad", found.rms),
-            Column("mean_error", "m, rad", found.mean),
+            Column("mean_error", "m, rad", found.mean)
+            if isinstance(found, Errors)
+            else Column("end_error", "m, rad", found.end),
             Column("share", "", share),
         )
 
@@ -107,8 +116,8 @@ def follow(
     mismatch: float = 0.0,
     seed: int = 1,
     periods: int | None = None,
-    begin: str = "settled",
-    table: int | None = 128,
+    begin: str | None = None,
+    table: int | None = TABLE,
     backend: str = "c",
     causes: bool = True,
     progress: OnProgress | None = None,
@@ -116,8 +125,8 @@ def follow(
     """Follow a programme by sampled servos, on a stand whose numbers are wrong by `mismatch` (0.01: 1 %).
 
     seed     of the errors; periods to run, None: until it has settled
-    begin    "settled", "programme" or "rest", with the run-up
-    table    nodes per period of the table in firmware; None: exact
+    begin    "settled", "programme" or "rest", with the run-up; None: "settled", or of a finite programme "programme"
+    table    nodes per period of the table in firmware; None: exact. A finite programme is a table of its own
     backend  "c" or "scipy"; causes: find what limits it, by further runs
 
     Ctrl-C keeps what was computed. Raises StandError, MotionError, ProgrammeError, ServoError, UsageError, CheckError.
@@ -131,7 +140,7 @@ def follow(
         raise CheckError(f"the run ends at once: {record.stopped}")
     if record.stopped is not None:
         return Following(case, record, None, ())
-    found = Following(case, record, following(record, MEASURED), ())
+    found = Following(case, record, errors_of(record, MEASURED), ())
     try:
         if causes:
             found.causes = tuple(
@@ -155,7 +164,7 @@ def _case(
     mismatch: float,
     seed: int,
     periods: int | None,
-    begin: str,
+    begin: str | None,
     table: int | None,
     backend: str,
 ) -> Case:
@@ -175,13 +184,17 @@ def _case(
     if not (whose := motion_finding(required, found)).passed:
         raise UsageError(f"{source}: {whose.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
+    if not found.periodic:
+        _check_finite(source, periods, begin, table)
+        begin, table, periods = "programme", None, 1
+    begin = begin or "settled"
     if begin == "rest" and found.runup is None:
         raise UsageError(f"--begin rest: {source} has no run-up; plan with `runup` in the motion file")
     wanted = Wanted.of(stand, required, found, table)
     if required.span < 4.0 * servos.period:
         raise UsageError(
-            f"{servo_source}: sample_period {servos.period:g} s: fewer than 4 samples in a period of the "
-            f"programme, {required.span:g} s"
+            f"{servo_source}: sample_period {servos.period:g} s: fewer than 4 samples in "
+            f"{'a period' if found.periodic else 'the duration'} of the programme, {required.span:g} s"
         )
     design = None if servos.trim is None else design_trim(stand, required, found, servos.trim)
     if periods is None:
@@ -190,10 +203,21 @@ def _case(
             rounds = math.ceil(math.log(LEFT) / math.log(design.radius)) if design.radius > 0.0 else 1
             each = design.trim.settling + design.trim.averaging + 1
             periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
-    elif periods < MEASURED + 1:
+    elif found.periodic and periods < MEASURED + 1:
         raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
     _check_loops(stand, servos, servo_source)
     return Case(wanted, with_mismatch(stand, mismatch, seed), servos, periods, design, begin, backend)
+
+
+def _check_finite(source: str, periods: int | None, begin: str | None, table: int | None) -> None:
+    """Raise UsageError for an option of periodic programmes."""
+    finite = f"{source} is finite"
+    if periods is not None:
+        raise UsageError(f"--periods {periods}: {finite} and is followed once; leave --periods out")
+    if begin not in (None, "programme"):
+        raise UsageError(f"--begin {begin}: {finite} and begins in the required state; leave --begin out")
+    if table not in (None, TABLE):
+        raise UsageError(f"--table {table}: {finite}, a table of its own; leave --table out")
 
 
 def _check_loops(stand: Stand, servo: Servo, source: str) -> None:

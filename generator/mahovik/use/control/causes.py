@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.errors import MahovikError
+from mahovik.use.control.finite import errors_of
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.record import following
 from mahovik.use.control.wanted import Wanted
 
 FASTER = 4
@@ -40,10 +40,13 @@ class Contribution:
 def contributions(case: Case, tell: Callable[[str], None] | None = None) -> list[Contribution]:
     """Contributions of all causes present, largest first. The trim is off, since it would hide them.
 
-    Runs start from the settled motion. `tell` receives the name of each cause before its runs.
+    Runs start from the settled motion; those of a finite programme as the case does. `tell` receives the name of each
+    cause before its runs.
     """
     own = replace(case.servo, trim=None)
-    base = replace(case, periods=SETTLING + MEASURED, design=None, start="settled", servo=own)
+    base = replace(case, design=None, servo=own)
+    if case.wanted.programme.periodic:
+        base = replace(base, periods=SETTLING + MEASURED, start="settled")
     there = [cause for cause in CAUSES if cause.without(base) is not None]
     found = []
     for cause in there:
@@ -66,7 +69,7 @@ def _error(case: Case) -> float | None:
         record = close_loop(case)
         if record.interrupted:
             raise KeyboardInterrupt
-        return None if record.stopped is not None else following(record, MEASURED).share
+        return None if record.stopped is not None else errors_of(record, MEASURED).share
     except MahovikError:
         return None
 

@@ -24,7 +24,7 @@ from mahovik.use.control.record import Record
 from mahovik.use.control.trim import TrimDesign
 from mahovik.use.control.wanted import Wanted, nodes, required_orbit, settled_state
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import equilibrium
+from mahovik.use.plan.forward import Chart, equilibrium
 from mahovik.use.plan.residual import Mechanics
 
 STARTS = ("settled", "programme", "rest")
@@ -38,13 +38,13 @@ _CHUNK = 1000
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """Parameters of a simulation over `periods` periods of the programme.
+    """Parameters of a simulation over `periods` periods of the programme, or once over a finite one.
 
     wanted   the stand of the file, its programme and motion: the knowledge of firmware and generator
     real     the real stand
     design   of the trim; None: no trim
     start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required
-             state; "rest": its rest, and first the programme's run-up
+             state; "rest": its rest, and first the programme's run-up. A finite programme begins in the required state
     """
 
     wanted: Wanted
@@ -104,10 +104,14 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
 def starting_state(case: Case) -> State:
     """The real stand's state at t = 0. Raises CheckError: no periodic motion is near the required one."""
     wanted = case.wanted
-    count = nodes(wanted.motion, wanted.programme)
     mechanics = Mechanics.of(case.real)
-    orbit = required_orbit(mechanics, wanted.motion, wanted.programme, count)
     angles = wanted.angles(np.array([case.first * case.servo.period]))
+    if not wanted.programme.periodic:
+        course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
+        chart = Chart.about(mechanics, course)
+        return plant_state(case.real, chart, chart.of(course)[0], angles.phi[0], angles.phi_dot[0])
+    count = nodes(wanted.motion, wanted.programme)
+    orbit = required_orbit(mechanics, wanted.motion, wanted.programme, count)
     if case.start == "rest":
         y = equilibrium(orbit.chart, angles.phi[0]).y
     elif case.start == "programme":

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.motion.servo import COORDINATES
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of, twist
@@ -180,7 +181,7 @@ def following(record: Record, periods: int) -> Following:
     error, mean = error - found[0], found[0]
     about = required - np.linalg.lstsq(terms, required, rcond=None)[0][0]
     scale = scale_of(wanted.stand, wanted.motion, wanted.exact)
-    shares = _displacements(scale, record, required, error)
+    shares = displacement_shares(scale, wanted.stand, required, error)
     return Following(
         periods=periods,
         amplitude=np.abs(about).max(axis=0),
@@ -194,8 +195,8 @@ def following(record: Record, periods: int) -> Following:
     )
 
 
-def _displacements(scale: Scale, record: Record, required: Array, error: Array) -> Array:
-    stand = record.wanted.stand
+def displacement_shares(scale: Scale, stand: Stand, required: Array, error: Array) -> Array:
+    """Errors (M, 6; m, rad) of all six coordinates together (M), as shares of the largest of the motion."""
     return np.array([scale.displacement_share(twist(stand, q, e)) for q, e in zip(required, error, strict=True)])
 
 

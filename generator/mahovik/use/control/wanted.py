@@ -43,7 +43,7 @@ _TAIL = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Wanted:
-    """A periodic programme of a stand for a required motion. `exact`: the programme before tabulation."""
+    """A programme of a stand for a required motion. `exact`: the programme before tabulation."""
 
     stand: Stand
     motion: RequiredMotion
@@ -52,14 +52,24 @@ class Wanted:
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, programme: Programme, rows: int | None) -> Wanted:
-        """Programme with `rows` nodes of quintic Hermite per period, as in firmware; None: exact. Raises UsageError."""
-        if not programme.periodic:
-            raise UsageError("the programme is finite, expected a periodic one: following is measured in steady motion")
+        """Programme with `rows` nodes of quintic Hermite per period, as in firmware; None: exact. Raises UsageError.
+
+        A finite programme is a table of its own: rows are None.
+        """
         return Wanted(stand, motion, programme if rows is None else tabulate(programme, rows), programme)
 
     def angles(self, t: Array) -> Angles:
-        """phi, phi', phi'' (M, N each; rad, s) at times t (M, s): of the programme, and of its run-up before t = 0."""
+        """phi, phi', phi'' (M, N each; rad, s) at times t (M, s): of the programme, and of its run-up before t = 0.
+
+        Before and after a finite programme the flywheels turn evenly.
+        """
         found = self.programme.at(t)
+        if not self.programme.periodic:
+            beyond = t - np.clip(t, 0.0, self.programme.span)
+            even = beyond != 0.0
+            found.phi[even] += beyond[even, None] * found.phi_dot[even]
+            found.phi_ddot[even] = 0.0
+            return found
         table, up = self.programme.runup, t < 0.0
         if table is None or not up.any():
             return found
@@ -71,13 +81,22 @@ class Wanted:
         return found
 
     def required(self, t: Array) -> Array:
-        """Required q (M, 6; m, rad) of the carrier at times t (M, s); before t = 0 its mean pose."""
+        """Required q (M, 6; m, rad) of the carrier at times t (M, s); before t = 0 its mean pose.
+
+        Before and after a finite motion it rests where that begins and ends.
+        """
+        if not self.motion.periodic:
+            return self.motion.at(np.clip(t, 0.0, self.motion.span), self.programme.bias).q
         q = self.motion.at(t, self.programme.bias).q
         q[t < 0.0] = self.motion.mean + self.programme.bias
         return q
 
     def torques(self, t: Array) -> Array:
         """Drive torques (M, N; N m) of the nominal stand at times t (M, s), at the required motion or on the run-up."""
+        if not self.programme.periodic:
+            inside = np.clip(t, 0.0, self.motion.span)
+            at = prescribe(Mechanics.of(self.stand), self.motion.at(inside), self.programme.bias)
+            return torques(at, *self.programme.at(inside))
         coefficients, k = self._coefficients
         turns = np.outer((t / self.motion.span) % 1.0, k)
         found = np.real(np.exp(2j * np.pi * turns) @ coefficients)

@@ -123,11 +123,11 @@ def _locks(case: Case, number: int) -> Array:
 def preferred(state: State, options: Mapping[str, Any]) -> Array:
     """Wanted accelerations (N, rad/s2): rate times what is missing to the wanted speed, which avoids those near 0."""
     wanted = []
-    for target, speed in zip(options["target_speed"], state.phi_dot, strict=True):
-        end = options["avoid_speed"]
-        if abs(target) < end:
-            side = target if target != 0 else speed
-            target = -end if side < 0 else end  # noqa: PLW2901
+    for given, speed in zip(options["target_speed"], state.phi_dot, strict=True):
+        target, end = given, options["avoid_speed"]
+        if abs(given) < end:
+            side = given if given != 0 else speed
+            target = -end if side < 0 else end
         wanted.append(options["target_rate"] * (target - speed))
     return np.array(wanted)
 
