@@ -84,7 +84,7 @@ def export_programme(
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
-    prescribed = None if motion is None else Prescribed(stand, motion, programme)
+    prescribed = None if motion is None else Prescribed(programme.planned_for(stand), motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
     while nodes is None and not programme.periodic and found[0][1].judged > most and count < MOST_NODES:

@@ -66,6 +66,7 @@ def _findings(
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     if not same_flywheels(stand, programme) or not same_span:
         return tuple(each for each in whose if not each.passed)
+    real, stand = stand, programme.planned_for(stand)
     found = [*whose, *winding_finding(motion, programme), *table_findings(programme, limit.table)]
     found += bias_findings(motion, programme)
     try:
@@ -90,5 +91,5 @@ def _findings(
         found += slew_findings(stand, motion, programme)
         found += motor_findings(stand, course.t, Angles(*programme.at(course.t)), course.tau)
     if against is not None:
-        found += compiled_findings(stand, motion, programme, scale, limit.residual, against, name)
+        found += compiled_findings(real, motion, programme, scale, limit.residual, against, name)
     return tuple(found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
 from mahovik.core.motion.required.slew_read import resolved
 from mahovik.core.stand.identity import identities
+from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.use.plan.array import Array
@@ -25,6 +26,7 @@ from mahovik.use.plan.slew.limits import Limits, Used, used
 from mahovik.use.plan.slew.path import Path, Tabulated
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
+from mahovik.use.plan.unbalance import shaken
 
 TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
@@ -70,13 +72,17 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
     """The programme of a slew. `tell` hears what is being done."""
     try:
         tell("searching")
-        made, sharp = _search(stand, slew)
+        planned = mean_stand(stand) if slew.unbalance == "averaged" else stand
+        made, sharp = _search(planned, slew)
     except NoSlewError as error:
         status: Status = "NO_PROGRAM" if error.reason else "SINGULAR_ATTITUDE"
         return Plan(status, error.reason, (error.words,), (), ())
     except StateError as error:
         return Plan("NO_PROGRAM", "SEARCH", (str(error),), (), ())
     programme = _programme(stand, slew, made, sharp)
+    if slew.unbalance == "averaged":
+        tell("simulating with unbalance")
+        programme = _with_unbalance(stand, slew, programme)
     if verify:
         tell("verifying")
         programme = certify(stand, resolved(slew, programme), programme)
@@ -357,4 +363,13 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         course=Samples(found.t, *angles),
         report=report,
         carrier=Followed(found.t, *found.course),
+        unbalance=slew.unbalance,
     )
+
+
+def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
+    """The programme of the mean stand, whose report says what unbalance does besides."""
+    found = shaken(stand, resolved(slew, programme), programme)
+    sight = slew.axis if slew.kind == "sight" else None
+    figures = None if found is None else found.figures(sight)
+    return replace(programme, report={**programme.report, "unbalance": figures})
