@@ -24,6 +24,7 @@ from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torq
 from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
 from mahovik.use.plan.slew.limits import Limits, Used, used
 from mahovik.use.plan.slew.path import Path, Tabulated
+from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
 from mahovik.use.plan.unbalance import shaken
@@ -54,18 +55,13 @@ NEAR = 0.995
 AIM = -1.5e-3
 """Logarithm of the share that is aimed at."""
 
+STANDING = 1e-6
+"""Part of a flywheel's peak speed below which it stands still."""
+
 _ROUNDS = 10
 
 _ABSURD = 1e3
 """Share of a limit beyond which no duration is tried."""
-
-
-class NoSlewError(Exception):
-    """Why there is no programme: reason and words of `Plan`; without a reason the attitude is singular."""
-
-    def __init__(self, reason: str | None, words: str) -> None:
-        super().__init__(words)
-        self.reason, self.words = reason, words
 
 
 def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str], None] = lambda _: None) -> Plan:
@@ -102,7 +98,7 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     if slew.kind == "still":
         wanted = np.zeros(len(S))
     elif (twist := mean.missing(wanted)) is not None:
-        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {_missing_words(twist)}")
+        raise not_reached(slew, S, twist, wanted)
     if slew.goal == "quietest":
         assert slew.duration is not None
         path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
@@ -116,15 +112,6 @@ def _check_start(slew: Slew, limits: Limits) -> None:
             raise NoSlewError(
                 "BOUND_REACH", f"momentum saturation: {name} starts at {abs(speed):.6g} rad/s, at most {most:.6g} rad/s"
             )
-
-
-def _missing_words(twist: Array) -> str:
-    """No moment about the axis of a twist; of a translation, no force along it."""
-    turns = float(np.linalg.norm(twist[3:])) > 1e-6 * float(np.linalg.norm(twist[:3]))
-    part = twist[3:] if turns else twist[:3]
-    unit = part / np.linalg.norm(part)
-    direction = ", ".join(f"{x:.4g}" for x in np.where(np.abs(unit) > 1e-9, unit, 0.0) + 0.0)
-    return f"they give no {'moment about' if turns else 'force along'} ({direction}) of E1"
 
 
 def _quietest(exact: Exact, path: Path, duration: float) -> Table:
@@ -222,7 +209,7 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
         sigma, speed, acceleration = law.at(t)
         found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
         if found.missing is not None:
-            raise NoSlewError("SPAN", f"the flywheels do not reach the task: {_missing_words(found.missing)}")
+            raise found.missing
         _refuse_singular(exact, found)
         residuals, takes = _intervals(exact, path.limits, found)
         splitting = (residuals > 0.5 * TOLERANCE) & (np.diff(t) > law.duration / SHORTEST)
@@ -325,13 +312,8 @@ def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[
 
 def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Programme:
     """The programme with its report."""
-    found, whose = made.found, identities(stand)
+    found, whose, limits = made.found, identities(stand), Limits.of(stand, slew.bounds)
     angles: Angles = found.angles
-    crossings = [
-        name
-        for name, column in zip((s.name for s in stand.flywheels), angles.phi_dot.T, strict=True)
-        if column.min() < 0.0 < column.max()
-    ]
     report: dict[str, Any] = {
         "kind": "slew",
         "goal": slew.goal,
@@ -346,8 +328,9 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
         "peak_torque": np.abs(found.tau).max(axis=0),
+        "peak_motor_torque": np.abs(found.tau - limits.friction(angles.phi_dot)).max(axis=0),
         "end_speed": angles.phi_dot[-1],
-        "through_zero": crossings,
+        "through_zero": _through_zero(limits.names, angles.phi_dot),
         "strayed": float(np.linalg.norm(found.course.q[:, :3] - np.array(slew.position), axis=1).max()),
     }
     return Programme(
@@ -365,6 +348,13 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         carrier=Followed(found.t, *found.course),
         unbalance=slew.unbalance,
     )
+
+
+def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
+    """Flywheels whose speed (M, N) changes its sign by more than rounding."""
+    least = STANDING * np.abs(phi_dot).max(axis=0)
+    passing = (phi_dot.min(axis=0) < -least) & (phi_dot.max(axis=0) > least)
+    return [name for name, each in zip(names, passing, strict=True) if each]
 
 
 def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
