@@ -15,7 +15,6 @@ from mahovik.core.stand.mean import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
 
 
-
 @dataclass(frozen=True, eq=False)
 class RunUpTable:
     """A finite table of `duration` s from rest that ends on the programme's t = 0; or back: a run-down."""

@@ -22,7 +22,7 @@ from mahovik.proof.verify.programme.finding import (
 from mahovik.proof.verify.programme.mechanics import residual_finding, residuals, scale_of
 from mahovik.proof.verify.programme.runup import runup_findings
 from mahovik.proof.verify.programme.simulation import floquet_finding, simulation_finding
-from mahovik.proof.verify.programme.slew import motor_findings, slew_findings
+from mahovik.proof.verify.programme.slew import motor_findings, motor_torques, slew_findings
 from mahovik.proof.verify.programme.table import (
     bias_findings,
     bound_findings,
@@ -80,7 +80,8 @@ def _findings(
     t = programme.span * np.arange(M + (not motion.periodic)) / M
     angles = Angles(*programme.at(t))
     rocking = rocking_of(programme, t, angles.phi)
-    found += bound_findings(motion.bounds, programme.flywheels, angles, course.tau, rocking)
+    tau = course.tau if motion.slew is None else motor_torques(stand, Angles(*programme.at(course.t)), course.tau)
+    found += bound_findings(motion.bounds, programme.flywheels, angles, tau, rocking)
     found += slowest_finding(motion.bounds, programme.flywheels, angles.phi_dot)
     if motion.periodic and all(each.passed for each in found if each.name in ("residual", "simulation")):
         found.append(floquet_finding(stand, motion, programme, limit.multiplier))

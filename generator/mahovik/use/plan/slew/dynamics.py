@@ -28,6 +28,7 @@ from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
 from mahovik.use.plan.residual.kinematics import in_E1, twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.slew.share import Mean
 from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
 
 _SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
@@ -36,6 +37,10 @@ _SETTLED = 1e-12
 """Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
 
 _RANK = 1e-9
+_WEAK = 1e-3
+"""Part of the best reach of flywheels without unbalance below which a row counts as out of reach."""
+
+SLOWER = 'expected slower flywheels, or unbalance = "averaged"'
 _REACHED = 1e-8
 
 
@@ -119,7 +124,7 @@ class Exact:
             previous = change
         if unreached is not None:
             raise unreached
-        raise StateError(self._why_not())
+        raise self._why_not()
 
     def _angles(self, C: Array) -> Array:
         """psi, theta, phi (M, 3; rad) of attitudes (M, 3, 3); where they are singular any that fit."""
@@ -128,13 +133,21 @@ class Exact:
             found = Rotation.from_matrix(C).as_euler(_SEQUENCES[self.mechanics.stand.angles])
         return np.asarray(np.unwrap(found, axis=0))
 
-    def _why_not(self) -> str:
+    def _why_not(self) -> Exception:
+        """Why the motion does not settle: unbalance alone would have to reach a row, or something acts too strongly."""
+        mean, rows = Mean.of(self.mechanics, self.S), len(self.S)
+        norm = np.linalg.inv(np.linalg.cholesky(self.S @ np.linalg.solve(mean.K0, self.S.T)))
+        U, sigma, _ = np.linalg.svd(norm @ mean.A / np.sqrt(mean.Theta_ff))
+        if len(sigma) < rows or sigma[-1] < _WEAK * sigma[0]:
+            left = np.linalg.solve(norm, U[:, -1])
+            twist = np.linalg.solve(mean.K0, self.S.T @ (norm.T @ U[:, -1]))
+            return not_reached(self.slew, self.S, twist, left)
         stand = self.mechanics.stand
         acting = bool(stand.laws) or any(stand.gravity) or any(body.laws for body in stand.bodies)
         why = "the carrier's surroundings, or the flywheels' own unbalance, act" if acting else "unbalance acts"
         words = f"the motion of the slew does not settle: {why} too strongly on what the rows demand"
         resisted = self.slew.unbalance == "resisted"
-        return f'{words}; expected slower flywheels, or unbalance = "averaged"' if resisted else words
+        return StateError(f"{words}; {SLOWER}" if resisted else words)
 
     def _accelerations(
         self, demand: Demand, course: Course, phi: Array, phi_dot: Array

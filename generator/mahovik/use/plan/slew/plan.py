@@ -21,7 +21,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
-from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
+from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, Found
 from mahovik.use.plan.slew.limits import Limits, Used, used
 from mahovik.use.plan.slew.path import Path, Tabulated
 from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
@@ -204,7 +204,7 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
             raise NoSlewError(
                 "SEARCH",
                 f"more than {MOST_ROWS} rows would be needed: the flywheels turn too often in {law.duration:.4g} s; "
-                "start them slower, or balance them",
+                + SLOWER,
             )
         sigma, speed, acceleration = law.at(t)
         found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
@@ -216,7 +216,9 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
-            raise NoSlewError("SEARCH", f"the table does not come below a residual of {residuals.max():.2g}")
+            words = f"the table does not come below a residual of {residuals.max():.2g}"
+            resisted = exact.slew.unbalance == "resisted"
+            raise NoSlewError("SEARCH", f"{words}; {SLOWER}" if resisted else words)
         t = _split(t, np.where(splitting, 2, 1))
 
 
