@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -105,9 +106,10 @@ def _report(programme: Programme, path: Path) -> None:
     is_slew = report["kind"] == "slew"
     words = f"{report['goal']} slew, {report['duration']:.6g} s" if is_slew else _kind_of(programme)
     print_line(f"{click.format_filename(path)}   {words}")
-    peaks = zip(report["peak_speed"], report["peak_acceleration"], report["peak_torque"], strict=True)
+    torque, of = ("peak_motor_torque", "motor torque") if is_slew else ("peak_torque", "torque")
+    peaks = zip(report["peak_speed"], report["peak_acceleration"], report[torque], strict=True)
     print_table(
-        ("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", "peak torque, N m>"),
+        ("flywheel", "peak speed, rad/s>", "peak acceleration, rad/s2>", f"peak {of}, N m>"),
         ((name, *(f"{x:.4g}" for x in row)) for name, row in zip(programme.flywheels, peaks, strict=True)),
     )
     if is_slew:
@@ -150,6 +152,21 @@ def _report_slew(report: Any) -> None:
     error = report.get("simulation_error")
     more = "" if error is None else f", simulation error {error:.3g}"
     click.echo(f"residual {report['residual']:.3g}{more}; O1 moves by up to {1e3 * report['strayed']:.3g} mm")
+    if "unbalance" in report:
+        _report_unbalance(report["unbalance"])
+
+
+def _report_unbalance(found: Any) -> None:
+    """Print what unbalance adds to a slew of the mean stand."""
+    if found is None:
+        click.echo("what unbalance adds is not simulated: the flywheels turn too often; see `mahovik jitter`")
+        return
+    angle, shift = ({key: float(value) for key, value in found[name].items()} for name in ("angle", "shift"))
+    arcsec = {key: math.degrees(value) * 3600.0 for key, value in angle.items()}
+    click.echo(
+        f"unbalance adds up to {arcsec['largest']:.3g} arcsec (RMS {arcsec['rms']:.3g}, at the end {arcsec['end']:.3g}) "
+        f"and {1e6 * shift['largest']:.3g} um of O1"
+    )
 
 
 def _report_ocp(method: str, ocp: Any) -> None:

@@ -26,6 +26,7 @@ from mahovik.use.control.wanted import Wanted, nodes, required_orbit, settled_st
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart, equilibrium
 from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.unbalance import twist_at_rest
 
 STARTS = ("settled", "programme", "rest")
 
@@ -109,7 +110,10 @@ def starting_state(case: Case) -> State:
     if not wanted.programme.periodic:
         course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
         chart = Chart.about(mechanics, course)
-        return plant_state(case.real, chart, chart.of(course)[0], angles.phi[0], angles.phi_dot[0])
+        y = chart.of(course)[0]
+        if wanted.programme.unbalance == "averaged":
+            y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])
+        return plant_state(case.real, chart, y, angles.phi[0], angles.phi_dot[0])
     count = nodes(wanted.motion, wanted.programme)
     orbit = required_orbit(mechanics, wanted.motion, wanted.programme, count)
     if case.start == "rest":

@@ -95,7 +95,8 @@ class Wanted:
         """Drive torques (M, N; N m) of the nominal stand at times t (M, s), at the required motion or on the run-up."""
         if not self.programme.periodic:
             inside = np.clip(t, 0.0, self.motion.span)
-            at = prescribe(Mechanics.of(self.stand), self.motion.at(inside), self.programme.bias)
+            own = Mechanics.of(self.programme.planned_for(self.stand))
+            at = prescribe(own, self.motion.at(inside), self.programme.bias)
             return torques(at, *self.programme.at(inside))
         coefficients, k = self._coefficients
         turns = np.outer((t / self.motion.span) % 1.0, k)

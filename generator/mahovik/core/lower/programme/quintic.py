@@ -39,9 +39,9 @@ def quintic(lib: Library, form: Form) -> Function:
         body.note("The quintic that has angle, rate and second derivative of both nodes.")
         v0 = body.let("v0", t.step * first.phi_dot[s])
         a0 = body.let("a0", t.step * t.step * first.phi_ddot[s])
-        rise = body.let("rise", _rise(lib, form, first.phi[s], last.phi[s]))
-        d = body.let("d", rise - (v0 + a0 * 0.5))
-        e = body.let("e", (t.step * last.phi_dot[s] - v0) - a0)
+        v1 = body.let("v1", t.step * last.phi_dot[s])
+        d = body.let("d", _beyond(lib, body, form, (first.phi[s], last.phi[s]), (v0, v1)) - a0 * 0.5)
+        e = body.let("e", (v1 - v0) - a0)
         g = body.let("g", t.step * t.step * last.phi_ddot[s] - a0)
         c3 = body.let("c3", real(10) * d - real(4) * e + g * 0.5)
         c4 = body.let("c4", real(7) * e - real(15) * d - g)
@@ -78,9 +78,13 @@ def output_arguments(form: Form) -> tuple[Argument, ...]:
     return tuple(found)
 
 
-def _rise(lib: Library, form: Form, first: Expr, last: Expr) -> Expr:
-    """Difference from one node to the next; in a finite table it is within half a turn."""
-    return last - first if form.cyclic else call(lib["wrapped"], last - first)
+def _beyond(lib: Library, body: Body, form: Form, phi: tuple[Expr, Expr], v: tuple[Expr, Expr]) -> Expr:
+    """p1 - p0 - v0. The angles of a finite table are without whole turns: the mean of both speeds says how many."""
+    rise = phi[1] - phi[0]
+    if form.cyclic:
+        return rise - v[0]
+    expected = body.let("expected", (v[0] + v[1]) * 0.5)
+    return call(lib["wrapped"], rise - expected) + (v[1] - v[0]) * 0.5
 
 
 def _torques(body: Body, form: Form, table: Place, at: Spot, tau: Place) -> None:

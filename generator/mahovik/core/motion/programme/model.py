@@ -11,6 +11,8 @@ import numpy as np
 
 from mahovik.core.motion.course import Followed
 from mahovik.core.motion.programme.course import Angles, Array, Fourier, Samples
+from mahovik.core.stand.mean import Unbalance, mean_stand
+from mahovik.core.stand.model import Stand
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +41,7 @@ class Programme:
     runup, rundown   from rest to t = 0, and back
     report      figures of the search, as JSON holds them
     carrier     course of the carrier that was found, of a slew; else None
+    unbalance   resisted: (12) holds for the stand; averaged: for its mean stand
     """
 
     stand: str
@@ -55,6 +58,11 @@ class Programme:
     rundown: RunUpTable | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
     carrier: Followed | None = None
+    unbalance: Unbalance = "resisted"
+
+    def planned_for(self, stand: Stand) -> Stand:
+        """The stand whose equations the programme keeps: the given one, or its mean stand."""
+        return mean_stand(stand) if self.unbalance == "averaged" else stand
 
     def at(self, t: Array) -> Angles:
         """phi, phi', phi'' (M, N each; rad, s) at the times t (M, s): any of a periodic programme, else 0..duration.

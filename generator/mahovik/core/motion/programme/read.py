@@ -10,11 +10,12 @@ from pydantic import Field
 
 from mahovik.core.motion.course import Followed
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, Times, context_validator, integers, listed, rows
+from mahovik.core.motion.fields import NOT_NULL, Times, choice, context_validator, integers, listed, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Table, Text, scalar, validator
+from mahovik.core.stand.mean import Unbalance
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
@@ -118,6 +119,7 @@ class ProgrammeTable(Table):
     runup: Annotated[RunUpFields | None, NOT_NULL] = None
     rundown: Annotated[RunUpFields | None, NOT_NULL] = None
     carrier: Annotated[CarrierTable | None, NOT_NULL] = None
+    unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "resisted"
     report: Annotated[dict[str, Any], validator(_report)] = Field(default_factory=dict)
 
 
@@ -170,6 +172,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         winding=table.winding or (0,) * N,
         course=course,
         carrier=carrier,
+        unbalance=table.unbalance,
         report=table.report,
         **tables,
     )

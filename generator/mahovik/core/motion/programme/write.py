@@ -46,6 +46,8 @@ def _object(programme: Programme) -> dict[str, Any]:
     if programme.carrier is not None:
         keys = ("t", "q", "q_dot", "q_ddot")
         found["carrier"] = {key: _plain(getattr(programme.carrier, key)) for key in keys}
+    if programme.unbalance != "resisted":
+        found["unbalance"] = programme.unbalance
     if programme.report:
         found["report"] = _plain(dict(programme.report))
     return found

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.required.bounds import Bounds
+from mahovik.core.stand.mean import Unbalance
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
 from mahovik.core.stand.task import places_of, row_vector
 
@@ -30,6 +31,7 @@ class Slew:
     goal      fastest: free duration; quietest: of the given `duration` (s)
     phi, phi_dot   N: angles and speeds of the flywheels at t = 0, rad, rad/s
     bounds    speed, acceleration, torque of the flywheels; the motors' limits hold besides
+    unbalance averaged: planned on the mean stand; resisted: the flywheels move so that unbalance does not move the rows
     """
 
     name: str
@@ -45,6 +47,7 @@ class Slew:
     phi: tuple[float, ...]
     phi_dot: tuple[float, ...]
     bounds: Bounds
+    unbalance: Unbalance = "averaged"
 
     @property
     def periodic(self) -> bool:

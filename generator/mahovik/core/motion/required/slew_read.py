@@ -9,12 +9,13 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.document import validate_table
-from mahovik.core.motion.fields import context_validator, per_flywheel
+from mahovik.core.motion.fields import choice, per_flywheel
 from mahovik.core.motion.required.bounds import Bounds
 from mahovik.core.motion.required.model import Objective, RequiredMotion
 from mahovik.core.motion.required.slew import Array, Kind, Slew, kind_of, rows_of, sight_of
 from mahovik.core.stand.fields import Length3, Table, Text, scalar, validator
 from mahovik.core.stand.frames import turn
+from mahovik.core.stand.mean import Unbalance
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.shapes import direction, vec3, vector
@@ -78,13 +79,6 @@ class SlewBounds(Table):
     torque: Annotated[Each, per_flywheel(TORQUE, _above)] = None
 
 
-def _goal(raw: Any, _: dict[str, Any]) -> str:
-    goals = ("fastest", "quietest")
-    if raw not in goals:
-        raise QuantityError(f"unknown {show(raw)}{suggestion(str(raw), goals)}")
-    return str(raw)
-
-
 class SlewTable(Table):
     """A motion file of type "slew"."""
 
@@ -95,9 +89,10 @@ class SlewTable(Table):
     rows: Any = None
     start: StartTable = StartTable()
     end: EndTable = EndTable()
-    goal: Annotated[Literal["fastest", "quietest"] | None, context_validator(_goal)] = None
+    goal: Annotated[Literal["fastest", "quietest"] | None, choice("fastest", "quietest")] = None
     duration: Annotated[float | None, scalar(TIME, above=1e-3, most=1e6)] = None
     bounds: SlewBounds = SlewBounds()
+    unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "averaged"
 
 
 def read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Problems) -> Slew:
@@ -130,6 +125,7 @@ def read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Probl
         name, task, kind, start, table.start.position, axis, normal, angle, goal, table.duration,
         table.start.phi or (0.0,) * N, table.start.phi_dot or (0.0,) * N,
         Bounds(speed=bounds.speed, acceleration=bounds.acceleration, torque=bounds.torque),
+        table.unbalance,
     )  # fmt: skip
 
 

@@ -38,6 +38,9 @@ LIMITS = {"double": 1e-6, "float": 1e-3}
 NODES = {"double": 256, "float": 64}
 """Default number of nodes per period of a quintic table."""
 
+LOST = 0.1
+"""rad: an angle further from the programme is on another turn."""
+
 WRONG = 10.0
 """Factor on the residual accepted by `verify-programme`, or on the limit if larger, above which a file is refused."""
 
@@ -84,10 +87,10 @@ def export_programme(
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
-    prescribed = None if motion is None else Prescribed(stand, motion, programme)
+    prescribed = None if motion is None else Prescribed(programme.planned_for(stand), motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
-    while nodes is None and not programme.periodic and found[0][1].judged > most and count < MOST_NODES:
+    while nodes is None and not programme.periodic and _rough(found[0][1], most) and count < MOST_NODES:
         count *= 2
         first = _course(programme, layout, prescribed, kind, count)
         found = [_measure_errors(layout, first, prescribed)]
@@ -112,6 +115,12 @@ def export_programme(
     facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in found), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
     return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
+
+
+def _rough(found: Errors, most: float) -> bool:
+    """Whether a finite table needs more nodes: for what it adds to the residual, for its torques, or for turns lost."""
+    torque = found.tau is not None and found.tau_peak is not None and found.tau > most * found.tau_peak
+    return found.judged > most or torque or found.phi > LOST
 
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:

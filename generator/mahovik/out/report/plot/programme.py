@@ -42,6 +42,7 @@ def panels(
     found = programme.at(t)
     if stand is None or motion is None:
         return [*_wheels(programme, t, found, None), *_transients(programme)]
+    stand = programme.planned_for(stand)
     scale = scale_of(stand, motion, programme)
     seen = residuals(stand, motion, programme, scale, times)
     residual = family(("of (12), relative",), seen.t, np.maximum(seen.residual, 1e-17)[:, None])

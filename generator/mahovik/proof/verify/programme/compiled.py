@@ -120,7 +120,7 @@ def compiled_findings(
     """
     with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
         made = load_compiled(stand, folder, name, Path(scratch))
-        found = _course_findings(stand, motion, programme, scale, residual, made)
+        found = _course_findings(programme.planned_for(stand), motion, programme, scale, residual, made)
         for part, table in (("runup", programme.runup), ("rundown", programme.rundown)):
             if table is not None:
                 found.append(_table_finding(made, part, table.at, table.duration, len(stand.flywheels)))

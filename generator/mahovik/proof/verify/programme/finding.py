@@ -122,7 +122,7 @@ def same_flywheels(stand: Stand, programme: Programme) -> bool:
 
 
 def motion_finding(motion: RequiredMotion, programme: Programme) -> Finding:
-    """Finding on the number of name, kind and period (duration) that are of another motion."""
+    """Finding on the number of name, kind, period (duration) and unbalance that are of another motion."""
     kind = {True: "periodic", False: "finite"}
     other = []
     if programme.motion != motion.name:
@@ -132,5 +132,8 @@ def motion_finding(motion: RequiredMotion, programme: Programme) -> Finding:
     elif abs(programme.span - motion.span) > 1e-12 * motion.span:
         word = "period" if motion.periodic else "duration"
         other.append(f"{word} is {programme.span:.12g} s, of the motion {motion.span:.12g} s")
+    wanted = "resisted" if motion.slew is None else motion.slew.unbalance
+    if programme.unbalance != wanted:
+        other.append(f"unbalance is {programme.unbalance}, of the motion {wanted}")
     words = "programme of another motion: " + "; ".join(other) if other else motion.name
     return check_limit("motion", len(other), 0, words)

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles, Programme
+from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
@@ -146,11 +146,20 @@ def simulation_finding(
     stand: Stand, motion: RequiredMotion, programme: Programme, scale: Scale, limit: float
 ) -> Finding:
     """The carrier's distance from the required motion over one span, from the required state at t = 0."""
-    t = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1)
+    rows = None
+    if motion.slew is not None and isinstance(
+        programme.course, Samples
+    ):  # its torques bend within a hundredth of the time
+        rows = programme.course.t
+    t = np.linspace(0.0, programme.span, 16 * max([*motion.harmonics, 12]) + 1) if rows is None else rows
     course = motion.at(t, programme.bias)
     start = np.concatenate([course.q[0], twist(stand, course.q[0], course.q_dot[0])])
     try:
-        y = simulate(stand, programme.at, start, t, scale, programme.span / STEPS_OF_SPAN, furthest=FURTHEST)
+        longest = programme.span / STEPS_OF_SPAN
+        if rows is None:
+            y = simulate(stand, programme.at, start, t, scale, longest, furthest=FURTHEST)
+        else:
+            y = simulate_rows(stand, programme.at, start, rows, scale, longest)
     except StateError as error:
         return Finding("simulation", np.inf, limit, False, str(error))
     apart = y[:, :6] - course.q

@@ -97,6 +97,16 @@ def _rows(slew: Slew, rates: Array, accelerations: Array) -> list[Finding]:
     return found
 
 
+def motor_torques(stand: Stand, angles: Angles, tau: Array) -> Array:
+    """What the motors themselves give (M, N; N m) of drive torques tau (M, N), which friction is part of."""
+    found = np.array(tau)
+    for s, wheel in enumerate(stand.flywheels):
+        if wheel.motor is not None:
+            pairs = zip(tau[:, s], angles.phi_dot[:, s], strict=True)
+            found[:, s] = [needed(wheel.motor, float(drive), float(speed)) for drive, speed in pairs]
+    return found
+
+
 def motor_findings(stand: Stand, t: Array, angles: Angles, tau: Array) -> list[Finding]:
     """The torque that each motor itself gives, with its friction, over what it can at that speed; and the speed."""
     worst = {"motor torque": (0.0, ""), "motor speed": (0.0, "")}

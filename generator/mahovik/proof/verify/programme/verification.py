@@ -22,7 +22,7 @@ from mahovik.proof.verify.programme.finding import (
 from mahovik.proof.verify.programme.mechanics import residual_finding, residuals, scale_of
 from mahovik.proof.verify.programme.runup import runup_findings
 from mahovik.proof.verify.programme.simulation import floquet_finding, simulation_finding
-from mahovik.proof.verify.programme.slew import motor_findings, slew_findings
+from mahovik.proof.verify.programme.slew import motor_findings, motor_torques, slew_findings
 from mahovik.proof.verify.programme.table import (
     bias_findings,
     bound_findings,
@@ -66,6 +66,7 @@ def _findings(
     same_span = programme.periodic == motion.periodic and abs(programme.span / motion.span - 1) < 1e-9
     if not same_flywheels(stand, programme) or not same_span:
         return tuple(each for each in whose if not each.passed)
+    real, stand = stand, programme.planned_for(stand)
     found = [*whose, *winding_finding(motion, programme), *table_findings(programme, limit.table)]
     found += bias_findings(motion, programme)
     try:
@@ -79,7 +80,8 @@ def _findings(
     t = programme.span * np.arange(M + (not motion.periodic)) / M
     angles = Angles(*programme.at(t))
     rocking = rocking_of(programme, t, angles.phi)
-    found += bound_findings(motion.bounds, programme.flywheels, angles, course.tau, rocking)
+    tau = course.tau if motion.slew is None else motor_torques(stand, Angles(*programme.at(course.t)), course.tau)
+    found += bound_findings(motion.bounds, programme.flywheels, angles, tau, rocking)
     found += slowest_finding(motion.bounds, programme.flywheels, angles.phi_dot)
     if motion.periodic and all(each.passed for each in found if each.name in ("residual", "simulation")):
         found.append(floquet_finding(stand, motion, programme, limit.multiplier))
@@ -90,5 +92,5 @@ def _findings(
         found += slew_findings(stand, motion, programme)
         found += motor_findings(stand, course.t, Angles(*programme.at(course.t)), course.tau)
     if against is not None:
-        found += compiled_findings(stand, motion, programme, scale, limit.residual, against, name)
+        found += compiled_findings(real, motion, programme, scale, limit.residual, against, name)
     return tuple(found)

@@ -11,6 +11,7 @@ nothing changes: Picard's iteration, which converges since the accelerations har
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +28,8 @@ from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
 from mahovik.use.plan.residual.kinematics import in_E1, twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.slew.share import Mean
+from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
 
 _SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 _ROUNDS = 60
@@ -34,6 +37,10 @@ _SETTLED = 1e-12
 """Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
 
 _RANK = 1e-9
+_WEAK = 1e-3
+"""Part of the best reach of flywheels without unbalance below which a row counts as out of reach."""
+
+SLOWER = 'expected slower flywheels, or unbalance = "averaged"'
 _REACHED = 1e-8
 
 
@@ -52,14 +59,14 @@ class Demand:
 class Found:
     """The motion at times t (M, s): course of the carrier, angles of the flywheels, drive torques (M, N; N m).
 
-    missing   twist (6, in E1) on which the flywheels do no work, where the demand was missed most; None: reached
+    missing   what the flywheels do not give, where the demand was missed most; None: reached
     """
 
     t: Array
     course: Course
     angles: Angles
     tau: Array
-    missing: Array | None
+    missing: NoSlewError | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +78,7 @@ class Exact:
     S: Array
 
     def follow(self, demand: Demand) -> Found:
-        """The motion that makes the demanded rows follow the path. Raises StateError: it does not settle."""
+        """The motion that makes the demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
         t, slew, stand = demand.t, self.slew, self.mechanics.stand
         M = len(t)
         phi_dot = np.tile(slew.phi_dot, (M, 1))
@@ -82,16 +89,21 @@ class Exact:
             omega = demand.speed[:, None] * slew.axis
         else:
             omega = in_E1(C, demand.speed[:, None] * slew.normal)
-        theta = np.unwrap(Rotation.from_matrix(C).as_euler(_SEQUENCES[stand.angles]), axis=0)
-        missing, previous = None, np.inf
+        theta = self._angles(C)
+        missing: NoSlewError | None
+        unreached: NoSlewError | None
+        missing, unreached, previous = None, None, np.inf
         for _ in range(_ROUNDS):
             rates = self._rates(theta, omega)
             q = np.hstack([position, theta])
             q_dot = np.hstack([velocity, rates])
             V_dot, phi_ddot, missing = self._accelerations(demand, Course(q, q_dot, np.zeros_like(q)), phi, phi_dot)
+            unreached = unreached or missing
             before = phi
-            new_dot = np.array(slew.phi_dot) + _integral(t, phi_ddot)
-            phi = slew.phi + _integral(t, new_dot)
+            gained = _integral(t, phi_ddot)
+            new_dot = np.array(slew.phi_dot) + gained
+            # angles of many turns would lose digits that the distances between the rows need
+            phi = slew.phi + t[:, None] * slew.phi_dot + _integral(t, gained)
             change = max(_change(phi, before), _change(new_dot, phi_dot))
             phi_dot = new_dot
             at = twists(stand, Course(q, q_dot, np.zeros_like(q)))
@@ -110,11 +122,36 @@ class Exact:
             if change < _SETTLED or (change < 1e-10 and change > 0.5 * previous):
                 return self._end(t, position, velocity, theta, omega, V_dot, phi, phi_dot, phi_ddot, missing)
             previous = change
-        raise StateError("the motion of the slew does not settle: the carrier's surroundings act too strongly on it")
+        if unreached is not None:
+            raise unreached
+        raise self._why_not()
+
+    def _angles(self, C: Array) -> Array:
+        """psi, theta, phi (M, 3; rad) of attitudes (M, 3, 3); where they are singular any that fit."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # singular attitudes are refused by name
+            found = Rotation.from_matrix(C).as_euler(_SEQUENCES[self.mechanics.stand.angles])
+        return np.asarray(np.unwrap(found, axis=0))
+
+    def _why_not(self) -> Exception:
+        """Why the motion does not settle: unbalance alone would have to reach a row, or something acts too strongly."""
+        mean, rows = Mean.of(self.mechanics, self.S), len(self.S)
+        norm = np.linalg.inv(np.linalg.cholesky(self.S @ np.linalg.solve(mean.K0, self.S.T)))
+        U, sigma, _ = np.linalg.svd(norm @ mean.A / np.sqrt(mean.Theta_ff))
+        if len(sigma) < rows or sigma[-1] < _WEAK * sigma[0]:
+            left = np.linalg.solve(norm, U[:, -1])
+            twist = np.linalg.solve(mean.K0, self.S.T @ (norm.T @ U[:, -1]))
+            return not_reached(self.slew, self.S, twist, left)
+        stand = self.mechanics.stand
+        acting = bool(stand.laws) or any(stand.gravity) or any(body.laws for body in stand.bodies)
+        why = "the carrier's surroundings, or the flywheels' own unbalance, act" if acting else "unbalance acts"
+        words = f"the motion of the slew does not settle: {why} too strongly on what the rows demand"
+        resisted = self.slew.unbalance == "resisted"
+        return StateError(f"{words}; {SLOWER}" if resisted else words)
 
     def _accelerations(
         self, demand: Demand, course: Course, phi: Array, phi_dot: Array
-    ) -> tuple[Array, Array, Array | None]:
+    ) -> tuple[Array, Array, NoSlewError | None]:
         """V* (M, 6), phi'' (M, N), and what is missing most."""
         own = self.mechanics
         at = twists(own.stand, course)
@@ -133,18 +170,23 @@ class Exact:
         more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
         phi_ddot = demand.wanted + more
         V_dot = free - (by_phi_ddot @ phi_ddot[:, :, None])[:, :, 0]
-        return V_dot, phi_ddot, self._missing(K, a, a - V_dot @ self.S.T - s)
+        return V_dot, phi_ddot, self._missing(K, a, free @ self.S.T + s - a, a - V_dot @ self.S.T - s)
 
-    def _missing(self, K: Array, a: Array, left: Array) -> Array | None:
-        """Twist (6) of the part of the demand a (M, m) that is left (M, m) where this is most; None: nothing is."""
+    def _missing(self, K: Array, a: Array, c: Array, left: Array) -> NoSlewError | None:
+        """The part of the demand a that is left where this is most; None: nothing is.
+
+        c: what the flywheels are to add, so that a demand to stay at rest has a size, too; (M, m) each.
+        """
         G = self.S @ np.linalg.solve(K, np.broadcast_to(self.S.T, (len(K), *self.S.T.shape)))
-        wrenches = np.linalg.solve(G, np.stack([left, a], axis=2))
+        wrenches = np.linalg.solve(G, np.stack([left, a, c], axis=2))
         sizes = np.sqrt(np.maximum(np.einsum("mi,mi->m", left, wrenches[:, :, 0]), 0.0))
-        whole = np.sqrt(np.maximum(np.einsum("mi,mi->m", a, wrenches[:, :, 1]), 0.0)).max()
+        demands = np.einsum("mik,mik->mk", np.stack([a, c], axis=2), wrenches[:, :, 1:])
+        whole = np.sqrt(np.maximum(demands, 0.0)).max()
         k = int(np.argmax(sizes))
         if sizes[k] <= _REACHED * whole or sizes[k] == 0.0:
             return None
-        return np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
+        twist = np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
+        return not_reached(self.slew, self.S, twist, left[k])
 
     def _demand(self, demand: Demand, C: Array, V: Array) -> tuple[Array, Array]:
         """a, s (M, m each) of a = S V* + s."""
@@ -181,7 +223,7 @@ class Exact:
 
     def _end(
         self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,
-        phi: Array, phi_dot: Array, phi_ddot: Array, missing: Array | None,
+        phi: Array, phi_dot: Array, phi_ddot: Array, missing: NoSlewError | None,
     ) -> Found:  # fmt: skip
         stand = self.mechanics.stand
         rates = self._rates(theta, omega)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,18 +14,20 @@ from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
 from mahovik.core.motion.required.slew_read import resolved
 from mahovik.core.stand.identity import identities
+from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
-from mahovik.use.plan.slew.dynamics import Demand, Exact, Found
+from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, Found
 from mahovik.use.plan.slew.limits import Limits, Used, used
-from mahovik.use.plan.slew.missing import missing_words
 from mahovik.use.plan.slew.path import Path, Tabulated
+from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
+from mahovik.use.plan.unbalance import shaken
 
 TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
@@ -53,31 +55,30 @@ NEAR = 0.995
 AIM = -1.5e-3
 """Logarithm of the share that is aimed at."""
 
+STANDING = 1e-6
+"""Part of a flywheel's peak speed below which it stands still."""
+
 _ROUNDS = 10
 
 _ABSURD = 1e3
 """Share of a limit beyond which no duration is tried."""
 
 
-class NoSlewError(Exception):
-    """Why there is no programme: reason and words of `Plan`; without a reason the attitude is singular."""
-
-    def __init__(self, reason: str | None, words: str) -> None:
-        super().__init__(words)
-        self.reason, self.words = reason, words
-
-
 def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str], None] = lambda _: None) -> Plan:
     """The programme of a slew. `tell` hears what is being done."""
     try:
         tell("searching")
-        made, sharp = _search(stand, slew)
+        planned = mean_stand(stand) if slew.unbalance == "averaged" else stand
+        made, sharp = _search(planned, slew)
     except NoSlewError as error:
         status: Status = "NO_PROGRAM" if error.reason else "SINGULAR_ATTITUDE"
         return Plan(status, error.reason, (error.words,), (), ())
     except StateError as error:
         return Plan("NO_PROGRAM", "SEARCH", (str(error),), (), ())
     programme = _programme(stand, slew, made, sharp)
+    if slew.unbalance == "averaged":
+        tell("simulating with unbalance")
+        programme = _with_unbalance(stand, slew, programme)
     if verify:
         tell("verifying")
         programme = certify(stand, resolved(slew, programme), programme)
@@ -97,7 +98,7 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     if slew.kind == "still":
         wanted = np.zeros(len(S))
     elif (twist := mean.missing(wanted)) is not None:
-        raise NoSlewError("SPAN", f"the flywheels do not reach the task {slew.task.name}: {missing_words(twist)}")
+        raise not_reached(slew, S, twist, wanted)
     if slew.goal == "quietest":
         assert slew.duration is not None
         path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
@@ -203,12 +204,12 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
             raise NoSlewError(
                 "SEARCH",
                 f"more than {MOST_ROWS} rows would be needed: the flywheels turn too often in {law.duration:.4g} s; "
-                "start them slower, or balance them",
+                + SLOWER,
             )
         sigma, speed, acceleration = law.at(t)
         found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
         if found.missing is not None:
-            raise NoSlewError("SPAN", f"the flywheels do not reach the task: {missing_words(found.missing)}")
+            raise found.missing
         _refuse_singular(exact, found)
         residuals, takes = _intervals(exact, path.limits, found)
         far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, found) > 0.5 * TURN)
@@ -216,7 +217,9 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
-            raise NoSlewError("SEARCH", f"the table does not come below a residual of {residuals.max():.2g}")
+            words = f"the table does not come below a residual of {residuals.max():.2g}"
+            resisted = exact.slew.unbalance == "resisted"
+            raise NoSlewError("SEARCH", f"{words}; {SLOWER}" if resisted else words)
         t = _split(t, np.where(splitting, 2, 1))
 
 
@@ -324,13 +327,8 @@ def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[
 
 def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Programme:
     """The programme with its report."""
-    found, whose = made.found, identities(stand)
+    found, whose, limits = made.found, identities(stand), Limits.of(stand, slew.bounds)
     angles: Angles = found.angles
-    crossings = [
-        name
-        for name, column in zip((s.name for s in stand.flywheels), angles.phi_dot.T, strict=True)
-        if column.min() < 0.0 < column.max()
-    ]
     report: dict[str, Any] = {
         "kind": "slew",
         "goal": slew.goal,
@@ -345,8 +343,9 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
         "peak_torque": np.abs(found.tau).max(axis=0),
+        "peak_motor_torque": np.abs(found.tau - limits.friction(angles.phi_dot)).max(axis=0),
         "end_speed": angles.phi_dot[-1],
-        "through_zero": crossings,
+        "through_zero": _through_zero(limits.names, angles.phi_dot),
         "strayed": float(np.linalg.norm(found.course.q[:, :3] - np.array(slew.position), axis=1).max()),
     }
     return Programme(
@@ -362,4 +361,20 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         course=Samples(found.t, *angles),
         report=report,
         carrier=Followed(found.t, *found.course),
+        unbalance=slew.unbalance,
     )
+
+
+def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
+    """Flywheels whose speed (M, N) changes its sign by more than rounding."""
+    least = STANDING * np.abs(phi_dot).max(axis=0)
+    passing = (phi_dot.min(axis=0) < -least) & (phi_dot.max(axis=0) > least)
+    return [name for name, each in zip(names, passing, strict=True) if each]
+
+
+def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
+    """The programme of the mean stand, whose report says what unbalance does besides."""
+    found = shaken(stand, resolved(slew, programme), programme)
+    sight = slew.axis if slew.kind == "sight" else None
+    figures = None if found is None else found.figures(sight)
+    return replace(programme, report={**programme.report, "unbalance": figures})

@@ -1,0 +1,119 @@
+"""What unbalance and asymmetry add to a programme of the mean stand: the stand itself with these motions of the flywheels.
+
+The carrier of the stand has the momentum that the mean stand has at t = 0, so that it rests where unbalance only shakes
+it; from there (8) with the programme's phi(t), block by block, each by Picard's iteration at uniform nodes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.mean import mean_stand
+from mahovik.core.stand.model import Stand
+from mahovik.errors import StateError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.certificate import mass_and_coupling
+from mahovik.use.plan.forward import INTERVALS, Chart, drive, integrate
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.residual.kinematics import twists
+
+NODES = 24
+"""Nodes in a turn of the fastest flywheel: two to the period of what shakes twice a turn would be the least."""
+
+LEAST, MOST = 4096, 1 << 20
+"""Nodes in all."""
+
+BLOCK = 1024
+"""Nodes that are found together."""
+
+LONGEST = 0.5
+"""s: a longer block is cut."""
+
+_ROUNDS, _SETTLED = 40, 1e-13
+
+
+@dataclass(frozen=True, eq=False)
+class Shaken:
+    """Motion of the carrier of the stand beside that of its mean stand, at times t (M, s).
+
+    turn  (M, 3): rotation vector from the course of the programme to the carrier's attitude, rad, in E1
+    shift (M, 3): of O1, m, in E0
+    """
+
+    t: Array
+    turn: Array
+    shift: Array
+
+    def figures(self, sight: Array | None) -> dict[str, dict[str, float]]:
+        """`angle` (rad) of the attitude, or of the line of `sight` (3, in E1), and `shift` (m): largest, RMS, at the end."""
+        turn = self.turn if sight is None else np.cross(self.turn, sight)
+        found = {}
+        for name, values in (("angle", turn), ("shift", self.shift)):
+            sizes = np.linalg.norm(values, axis=1)
+            found[name] = {
+                "largest": float(sizes.max()),
+                "rms": float(np.sqrt(np.mean(sizes**2))),
+                "end": float(sizes[-1]),
+            }
+        return found
+
+
+def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
+    """Twist V (6) of the carrier of a stand that has the momentum of the mean stand with the twist V; phi, phi' (N)."""
+    own, mean = (mass_and_coupling(Mechanics.of(each), phi[None]) for each in (stand, mean_stand(stand)))
+    (K, I), (K0, I0) = ((a[0], b[0]) for a, b in (own, mean))
+    return np.asarray(V + np.linalg.solve(K, (K0 - K) @ V + (I0 - I) @ phi_dot))
+
+
+def shaken(stand: Stand, motion: RequiredMotion, programme: Programme) -> Shaken | None:
+    """What a finite programme of the mean stand does to the stand itself; None: the flywheels turn too often for it.
+
+    Raises StateError: the carrier is lost.
+    """
+    span = programme.span
+    speed = np.abs(programme.at(np.linspace(0.0, span, 1025)).phi_dot).max()
+    count = max(LEAST, NODES * speed * span / (2.0 * np.pi))
+    if count > MOST:
+        return None
+    size = max(1, min(BLOCK, int(LONGEST * count / span)) // INTERVALS) * INTERVALS
+    blocks = int(np.ceil(count / size))
+    t = np.linspace(0.0, span, blocks * size + 1)
+    mechanics, h = Mechanics.of(stand), float(t[1])
+    at = twists(stand, motion.at(t[:1], programme.bias))
+    start = programme.at(t[:1])
+    V = twist_at_rest(stand, at.V[0], start.phi[0], start.phi_dot[0])
+    O1, C = at.O1[0], at.C[0]
+    turns, shifts = [np.zeros((1, 3))], [np.zeros((1, 3))]
+    for k in range(blocks):
+        times = t[k * size : (k + 1) * size + 1]
+        chart = Chart(mechanics, O1, C)
+        y = _block(chart, programme, times, h, np.concatenate([np.zeros(6), V]))
+        here, wanted = chart.twists(y[1:]), twists(stand, motion.at(times[1:], programme.bias))
+        turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ here.C).as_rotvec())
+        shifts.append(here.O1 - wanted.O1)
+        O1, C, V = here.O1[-1], here.C[-1], y[-1, 6:]
+    return Shaken(t, np.vstack(turns), np.vstack(shifts))
+
+
+def _block(chart: Chart, programme: Programme, t: Array, spacing: float, start: Array) -> Array:
+    """y (M, 12) of a chart from the start (12) under the flywheels' motion at times t (M, s)."""
+    given = drive(chart.mechanics, *programme.at(t))
+    y = start + np.outer(t - t[0], np.concatenate([start[6:], np.zeros(6)]))
+    before = np.inf
+    for _ in range(_ROUNDS):
+        parts = integrate(chart.rate(given, y), spacing)
+        ends = start + np.vstack([np.zeros((1, 12)), np.cumsum(parts[:, -1], axis=0)])
+        new = np.vstack([start[None], (ends[:-1, None] + parts).reshape(-1, 12)])
+        change = float(np.abs(new - y).max())
+        y = new
+        if change < _SETTLED or (change < 1e-11 and change > 0.5 * before):
+            return y
+        if not np.isfinite(change) or np.abs(y[:, 3:6]).max() > 2.0:
+            break
+        before = change
+    raise StateError(f"the carrier moves too violently at t = {t[0]:.5g} s: its course cannot be computed")
