@@ -2140,7 +2140,7 @@ static eye4_status eye4_demand(const eye4_table *table, const eye4_state *x, con
     for (int s = 0; s < EYE4_N; ++s) {
         const eye4_real s_phi = sine[s];
         const eye4_real c_phi = cosine[s];
-        const eye4_real scale = 1.0 / eye4_sqrt(table->flywheel[s].spin);
+        const eye4_real scale = table->flywheel[s].spin_root_inv;
         work->scale[s] = scale;
         work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
         work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
@@ -2355,6 +2355,26 @@ static void eye4_allocate(const eye4_inverse_work *work, const eye4_inverse_opti
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
+EYE4_CODE
+static int eye4_motor_lacks(const eye4_inverse_options *options, int number, eye4_real tau, eye4_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    eye4_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
+        const eye4_real ratio = speed / options->motor_coulomb_speed[number];
+        const eye4_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const eye4_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    eye4_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 EYE4_CODE
@@ -2379,13 +2399,7 @@ static void eye4_excessive(const eye4_table *table, const eye4_state *x, const e
         eye4_real tau[EYE4_N];  /* drive torques */
         eye4_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < EYE4_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const eye4_real speed = x->phi_dot[s];
-            eye4_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (eye4_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = EYE4_EXCESSIVE;
             }
         }
@@ -2426,6 +2440,14 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
     }
     eye4_inverse_work work;
     eye4_real answer[EYE4_N];  /* phi'' */
@@ -2606,28 +2628,32 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
     eye4_sincos_each(x->phi, sine, cosine);
     status = eye4_demand(table, x, sine, cosine, V_dot, wrench, &work);
     if (status != EYE4_OK) { return status; }
+    eye4_real answer[EYE4_N];
     /* normal equations: W^T W y = W^T r */
-    eye4_real gram[4][4];
-    eye4_real z[4];
+    eye4_real gram[EYE4_N][EYE4_N];
+    eye4_real z[EYE4_N];
     eye4_real trace = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < i + 1; ++j) {
+    for (int s = 0; s < EYE4_N; ++s) {
+        for (int t = 0; t < s + 1; ++t) {
             eye4_real total = 0.0;
-            for (int k = 0; k < 6; ++k) {
-                total += work.W[k][i] * work.W[k][j];
+            for (int i = 0; i < 6; ++i) {
+                total += work.W[i][s] * work.W[i][t];
             }
-            gram[i][j] = total;
+            gram[s][t] = total;
         }
-        trace += gram[i][i];
+        trace += gram[s][s];
         eye4_real side = 0.0;
-        for (int k = 0; k < 6; ++k) {
-            side += work.W[k][i] * work.r[k];
+        for (int i = 0; i < 6; ++i) {
+            side += work.W[i][s] * work.r[i];
         }
-        z[i] = side;
+        z[s] = side;
     }
     const eye4_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
+    for (int s = 0; s < EYE4_N; ++s) {
+        gram[s][s] += lambda2;
+    }
     for (int j = 0; j < 4; ++j) {
-        eye4_real pivot = gram[j][j] + lambda2;
+        eye4_real pivot = gram[j][j];
         const eye4_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
         eye4_real rest = z[j];
         for (int k = 0; k < j; ++k) {
@@ -2654,17 +2680,34 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
         }
         z[i] = rest;
     }
-    eye4_real answer[EYE4_N];
     for (int s = 0; s < EYE4_N; ++s) {
-        eye4_real y = z[s];
-        answer[s] = y * work.scale[s];
+        answer[s] = z[s] * work.scale[s];
     }
     status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
     if (status != EYE4_OK) { return EYE4_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
+            const eye4_real v = x->phi_dot[s];
+            const eye4_real spin = table->flywheel[s].spin;
+            const eye4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const eye4_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const eye4_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || eye4_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = EYE4_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < EYE4_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return EYE4_OK;
+    return (eye4_status)flags;
 }
 
 /* The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor
@@ -2740,7 +2783,7 @@ EYE4_CODE
 static void eye4_scale_turning(const eye4_table *table, eye4_inverse_work *restrict work)
 {
     for (int s = 0; s < EYE4_N; ++s) {
-        work->scale[s] = 1.0 / eye4_sqrt(table->flywheel[s].spin);
+        work->scale[s] = table->flywheel[s].spin_root_inv;
     }
     for (int i = 0; i < 3; ++i) {
         const eye4_real root = eye4_sqrt(work->G[i][i]);
@@ -3106,6 +3149,14 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return EYE4_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return EYE4_BAD_ARGUMENT; }
     }
     eye4_inverse_work work;
     eye4_real L[3][3];  /* factor of the norm of the demand */
@@ -3347,19 +3398,19 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
             }
             z[j] = rest;
             if (!(pivot > least)) { return EYE4_NOT_POSITIVE_DEFINITE; }
-            gram[j][j] = 1.0 / pivot;
+            gram[j][j] = pivot;
             for (int i = j + 1; i < 3; ++i) {
                 eye4_real below = gram[i][j];
                 for (int k = 0; k < j; ++k) {
                     below -= gram[i][k] * gram[k][j];
                 }
                 gram[i][j] = below;
-                gram[j][i] = below * gram[j][j];
+                gram[j][i] = below / pivot;
             }
         }
         for (int t = 0; t < 3; ++t) {
             const int i = 2 - t;
-            eye4_real rest = z[i] * gram[i][i];
+            eye4_real rest = z[i] / gram[i][i];
             for (int k = i + 1; k < 3; ++k) {
                 rest -= gram[i][k] * z[k];
             }
@@ -3412,19 +3463,19 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
             }
             z[j] = rest;
             if (!(pivot > least)) { return EYE4_NOT_POSITIVE_DEFINITE; }
-            gram[j][j] = 1.0 / pivot;
+            gram[j][j] = pivot;
             for (int i = j + 1; i < 3; ++i) {
                 eye4_real below = gram[i][j];
                 for (int k = 0; k < j; ++k) {
                     below -= gram[i][k] * gram[k][j];
                 }
                 gram[i][j] = below;
-                gram[j][i] = below * gram[j][j];
+                gram[j][i] = below / pivot;
             }
         }
         for (int t = 0; t < 3; ++t) {
             const int i = 2 - t;
-            eye4_real rest = z[i] * gram[i][i];
+            eye4_real rest = z[i] / gram[i][i];
             for (int k = i + 1; k < 3; ++k) {
                 rest -= gram[i][k] * z[k];
             }
@@ -3440,10 +3491,29 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
     }
     status = eye4_within(answer, EYE4_N, EYE4_LARGEST);
     if (status != EYE4_OK) { return EYE4_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < EYE4_N; ++s) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
+            const eye4_real v = x->phi_dot[s];
+            const eye4_real spin = table->flywheel[s].spin;
+            const eye4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const eye4_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const eye4_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || eye4_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = EYE4_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < EYE4_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return EYE4_OK;
+    return (eye4_status)flags;
 }
 
 /* How the turning part of the motion depends on the drive torques, scaled, at V* = 0. */
@@ -3482,7 +3552,7 @@ static eye4_status eye4_torque_demand_turning(const eye4_table *table, const eye
         eye4_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive);
         const eye4_real spin = table->flywheel[s].spin;
         tau_0[s] = spin * preferred[s] + drive.bias;
-        work->scale[s] = 1.0 / eye4_sqrt(spin);
+        work->scale[s] = table->flywheel[s].spin_root_inv;
         if (locked[s] == 0) {
             eye4_eliminate(drive.I_, table->flywheel[s].spin_inv, preferred[s], &K, F);
         }
@@ -4438,7 +4508,7 @@ static eye4_status eye4_frame_of_axes(const eye4_real axis[3], const eye4_real z
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
 EYE4_CODE
 static void eye4_carry(eye4_real m, const eye4_real b[3], const eye4_real J[6], const eye4_real O[3],
-                       const eye4_real R[9], eye4_real mu[restrict 3], eye4_real J1[restrict 6],
+                       const eye4_real R[9], eye4_real mu[restrict 3], eye4_real J1[restrict 6], int spins,
                        eye4_real t[restrict 3])
 {
     eye4_real b1[3];  /* R b */
@@ -4470,12 +4540,14 @@ static void eye4_carry(eye4_real m, const eye4_real b[3], const eye4_real J[6], 
     J1[3] = Jr[3] - O[0] * mu[1] - O[1] * b1[0];
     J1[4] = Jr[4] - O[0] * mu[2] - O[2] * b1[0];
     J1[5] = Jr[5] - O[1] * mu[2] - O[2] * b1[1];
-    t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
-        + (Jr[4] - O[2] * b1[0]) * R[6];
-    t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
-        + (Jr[5] - O[2] * b1[1]) * R[6];
-    t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
-        + (Jr[5] - O[1] * b1[2]) * R[3];
+    if (spins != 0) {
+        t[0] = (Jr[0] + O[1] * b1[1] + O[2] * b1[2]) * R[0] + (Jr[3] - O[1] * b1[0]) * R[3]
+            + (Jr[4] - O[2] * b1[0]) * R[6];
+        t[1] = (Jr[1] + O[0] * b1[0] + O[2] * b1[2]) * R[3] + (Jr[3] - O[0] * b1[1]) * R[0]
+            + (Jr[5] - O[2] * b1[1]) * R[6];
+        t[2] = (Jr[2] + O[0] * b1[0] + O[1] * b1[1]) * R[6] + (Jr[4] - O[0] * b1[2]) * R[0]
+            + (Jr[5] - O[1] * b1[2]) * R[3];
+    }
 }
 
 /* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
@@ -4626,7 +4698,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
     b[0] = parameters->carrier.mass * parameters->carrier.center_of_mass[0];
     b[1] = parameters->carrier.mass * parameters->carrier.center_of_mass[1];
     b[2] = parameters->carrier.mass * parameters->carrier.center_of_mass[2];
-    eye4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, t);
+    eye4_carry(parameters->carrier.mass, b, parameters->carrier.inertia, O, R, mu, J1, 0, t);
     mass += parameters->carrier.mass;
     first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
     inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -4645,7 +4717,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
         Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        eye4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, table->flywheel[s].t_0);
+        eye4_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
         mass += parameters->flywheel[s].body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
@@ -4656,7 +4728,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
         Jh[3] = parameters->flywheel[s].body.inertia[3];
         Jh[4] = parameters->flywheel[s].body.inertia[4];
         Jh[5] = 0.0;
-        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c,
+        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
             table->flywheel[s].t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
@@ -4664,7 +4736,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
         Jh[3] = -parameters->flywheel[s].body.inertia[4];
         Jh[4] = parameters->flywheel[s].body.inertia[3];
         Jh[5] = 0.0;
-        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s,
+        eye4_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
             table->flywheel[s].t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
@@ -4673,7 +4745,7 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
         Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = parameters->flywheel[s].body.inertia[5];
-        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, t);
+        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
@@ -4681,9 +4753,10 @@ eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table)
         Jh[2] = parameters->flywheel[s].body.inertia[5];
         Jh[3] = 0.0;  Jh[4] = 0.0;
         Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, t);
+        eye4_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
         table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
         table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
+        table->flywheel[s].spin_root_inv = 1.0 / eye4_sqrt(parameters->flywheel[s].body.inertia[0]);
     }
     table->mass = mass;
     table->mass_inverse = 1.0 / mass;
@@ -5060,11 +5133,11 @@ const eye4_table eye4_default =
     .first_moment = { 0.386, -0.3088, 0.49200000000000016 },
     .inertia = { 6.58942308, 6.42011788, 4.673633080000001, 0.061544, -0.04386, 0.05308800000000001 },
     .flywheel = {
-        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                            J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                       t_0[3]                                                                    t_c[3]                                                                      t_s[3]                                                       spin                   spin_inv */
-        { {  -1.414213562373095e-6,   1.414213562373095e-6,                   0.0 }, {   -8.16496580927726e-7,   -8.16496580927726e-7,   1.632993161855452e-6 }, {  2.9462782549439474e-7, -2.710575994548432e-7, -2.3570226039551586e-8,  1.1785113019775793e-8, -1.4731391274719737e-7,  1.3552879972742158e-7 }, { -5.103103630798288e-7, -4.6948553403344245e-7, -3.265986323710904e-7,   1.632993161855452e-7,  -2.551551815399144e-7, -2.3474276701672123e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6, -1.4583333333333282e-6, -1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {  9.185586535436918e-8,  -7.144345083117604e-8, -2.0412414523193154e-8 }, {  -1.590990257669732e-7, -1.2374368670764584e-7, -2.8284271247461903e-7 }, 0.0015915, 628.3380458686773 },  /* rw1 */
-        { {  1.2509453372906587e-6, -2.8356628669875784e-7, 1.5345116239894167e-6 }, {    1.04966777114353e-6,  1.6081843264111684e-6,  -5.585165552676386e-7 }, { -3.8709611635106023e-7, -5.471301842983445e-7, -2.9338299854212863e-7, -1.4669149927106434e-7,  2.8352630010684285e-7, -1.7006752396210484e-7 }, { 4.3128589577855423e-7,  -7.686836377331865e-8,  9.239571220887543e-8,  4.6197856104437715e-8,   5.979606128851894e-8,  2.1769722844648438e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6,  1.4583333333333282e-6, -1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {   1.25301516237609e-7,  -1.521917734973944e-7, -2.5407712977593647e-7 }, { -1.2331547458002393e-7,  -9.856698435285834e-9,   8.001703397364215e-8 }, 0.0015915, 628.3380458686773 },  /* rw2 */
-        { { -1.6081843264111684e-6,    1.04966777114353e-6, -5.585165552676385e-7 }, { -2.8356628669875794e-7, -1.2509453372906587e-6, -1.5345116239894167e-6 }, {  -7.781782865198512e-8,  4.333401763357614e-7,   9.129089653033457e-8,   -4.56454482651673e-8,  -2.166700881678807e-7,   5.932132884918571e-8 }, {  5.453062792362393e-7,  3.8718580817718654e-7, 2.9511721177810755e-7, -1.4755860588905378e-7, -1.7002267804904168e-7, -2.8443825263789547e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6,  1.4583333333333282e-6,  1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, { 1.0678959140212113e-8, -1.2509453372906592e-7,   7.906023552952642e-8 }, {  -1.506122253795203e-7,  -1.253791916375462e-7,   2.555790024938733e-7 }, 0.0015915, 628.3380458686773 },  /* rw3 */
-        { {  1.4799944187671964e-6,  1.4232473192335848e-7, -1.337669686843838e-6 }, {   6.901327314977998e-7,  1.6267791298604769e-6,   9.366463983626771e-7 }, {  2.6121775846371843e-7,  5.454769804415502e-7,   2.634410105698018e-7,   1.317205052849009e-7,   2.907943309014318e-7,  -1.084601117522367e-7 }, { -5.207465977328966e-7,  -6.445338262871024e-8, -1.641171383285348e-7,  -8.205856916426738e-8, -1.7076042058620338e-8,  2.5231180677818246e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6, -1.4583333333333282e-6,  1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, {  8.819466844964771e-8, -1.4704109626991446e-7,  2.2814660755209323e-7 }, {  -1.549808988175652e-7,  2.7353320331629998e-8, -1.4212961098891592e-7 }, 0.0015915, 628.3380458686773 },  /* rw4 */
+        /*                        mu_c[3]                                                                    mu_s[3]                                                                     J_c[6]                                                                                                                                            J_s[6]                                                                                                                                             J_2c[6]                                                                                                                                           J_2s[6]                                                                                                       t_0[3]                                                                    t_c[3]                                                                      t_s[3]                                                       spin                  spin_inv                    spin_root_inv */
+        { {  -1.414213562373095e-6,   1.414213562373095e-6,                   0.0 }, {   -8.16496580927726e-7,   -8.16496580927726e-7,   1.632993161855452e-6 }, {  2.9462782549439474e-7, -2.710575994548432e-7, -2.3570226039551586e-8,  1.1785113019775793e-8, -1.4731391274719737e-7,  1.3552879972742158e-7 }, { -5.103103630798288e-7, -4.6948553403344245e-7, -3.265986323710904e-7,   1.632993161855452e-7,  -2.551551815399144e-7, -2.3474276701672123e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6, -1.4583333333333282e-6, -1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {  9.185586535436918e-8,  -7.144345083117604e-8, -2.0412414523193154e-8 }, {  -1.590990257669732e-7, -1.2374368670764584e-7, -2.8284271247461903e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw1 */
+        { {  1.2509453372906587e-6, -2.8356628669875784e-7, 1.5345116239894167e-6 }, {    1.04966777114353e-6,  1.6081843264111684e-6,  -5.585165552676386e-7 }, { -3.8709611635106023e-7, -5.471301842983445e-7, -2.9338299854212863e-7, -1.4669149927106434e-7,  2.8352630010684285e-7, -1.7006752396210484e-7 }, { 4.3128589577855423e-7,  -7.686836377331865e-8,  9.239571220887543e-8,  4.6197856104437715e-8,   5.979606128851894e-8,  2.1769722844648438e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6,  1.4583333333333282e-6, -1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0,  2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898,  0.0009188529534152898, 0.0009188529534152898 }, {   1.25301516237609e-7,  -1.521917734973944e-7, -2.5407712977593647e-7 }, { -1.2331547458002393e-7,  -9.856698435285834e-9,   8.001703397364215e-8 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw2 */
+        { { -1.6081843264111684e-6,    1.04966777114353e-6, -5.585165552676385e-7 }, { -2.8356628669875794e-7, -1.2509453372906587e-6, -1.5345116239894167e-6 }, {  -7.781782865198512e-8,  4.333401763357614e-7,   9.129089653033457e-8,   -4.56454482651673e-8,  -2.166700881678807e-7,   5.932132884918571e-8 }, {  5.453062792362393e-7,  3.8718580817718654e-7, 2.9511721177810755e-7, -1.4755860588905378e-7, -1.7002267804904168e-7, -2.8443825263789547e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6,  2.916666666666656e-6,  1.4583333333333282e-6,  1.4583333333333282e-6 }, { -2.5259074277046033e-6,  2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6,  2.5259074277046033e-6 }, { -0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, { 1.0678959140212113e-8, -1.2509453372906592e-7,   7.906023552952642e-8 }, {  -1.506122253795203e-7,  -1.253791916375462e-7,   2.555790024938733e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw3 */
+        { {  1.4799944187671964e-6,  1.4232473192335848e-7, -1.337669686843838e-6 }, {   6.901327314977998e-7,  1.6267791298604769e-6,   9.366463983626771e-7 }, {  2.6121775846371843e-7,  5.454769804415502e-7,   2.634410105698018e-7,   1.317205052849009e-7,   2.907943309014318e-7,  -1.084601117522367e-7 }, { -5.207465977328966e-7,  -6.445338262871024e-8, -1.641171383285348e-7,  -8.205856916426738e-8, -1.7076042058620338e-8,  2.5231180677818246e-7 }, { -1.4583333333333276e-6, -1.4583333333333276e-6, 2.9166666666666564e-6, -2.916666666666656e-6, -1.4583333333333282e-6,  1.4583333333333282e-6 }, {  2.5259074277046033e-6, -2.5259074277046033e-6, 0.0, 0.0, -2.5259074277046033e-6, -2.5259074277046033e-6 }, {  0.0009188529534152898, -0.0009188529534152898, 0.0009188529534152898 }, {  8.819466844964771e-8, -1.4704109626991446e-7,  2.2814660755209323e-7 }, {  -1.549808988175652e-7,  2.7353320331629998e-8, -1.4212961098891592e-7 }, 0.0015915, 628.3380458686773, 25.066672014223933 },  /* rw4 */
     },
     .sensor = {
         /*      origin[3]                          axes[9] */
@@ -5081,6 +5154,9 @@ const eye4_inverse_options eye4_default_options =
     .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_torque = { 0.1, 0.1, 0.1, 0.1 },
     .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
+    .motor_viscous = { 2.0e-6, 2.0e-6, 2.0e-6, 2.0e-6 },
+    .motor_coulomb = { 0.0005, 0.0005, 0.0005, 0.0005 },
+    .motor_coulomb_speed = { 0.1, 0.1, 0.1, 0.1 },
     .near = 1.0e-6,
     .damping = 0.0,
     .use_pointing = { 1, 1, 1 },

@@ -29,7 +29,7 @@ extern "C" {
 
 #define EYE4_STRUCTURE 0x59c20951u  /* hash of the stand's names, counts and kinds of wrench */
 #define EYE4_PHYSICS   0x7b9ac829u  /* hash of its structure and all numbers */
-#define EYE4_TABLE_HASH 0x99d4cf73u /* FNV-1a of all numbers of the default table but its stream */
+#define EYE4_TABLE_HASH 0xec4dd7efu /* FNV-1a of all numbers of the default table but its stream */
 #define EYE4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define EYE4_REAL_BYTES 8           /* bytes of a eye4_real */
 #define EYE4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -130,17 +130,18 @@ typedef struct eye4_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct eye4_row {
-    eye4_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    eye4_real mu_s[3];   /* kg m; sin phi */
-    eye4_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    eye4_real J_s[6];    /* kg m2; sin phi */
-    eye4_real J_2c[6];   /* kg m2; cos 2 phi */
-    eye4_real J_2s[6];   /* kg m2; sin 2 phi */
-    eye4_real t_0[3];    /* kg m2; moment part of I: constant */
-    eye4_real t_c[3];    /* kg m2; cos phi */
-    eye4_real t_s[3];    /* kg m2; sin phi */
-    eye4_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    eye4_real spin_inv;  /* 1/(kg m2) */
+    eye4_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    eye4_real mu_s[3];        /* kg m; sin phi */
+    eye4_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    eye4_real J_s[6];         /* kg m2; sin phi */
+    eye4_real J_2c[6];        /* kg m2; cos 2 phi */
+    eye4_real J_2s[6];        /* kg m2; sin 2 phi */
+    eye4_real t_0[3];         /* kg m2; moment part of I: constant */
+    eye4_real t_c[3];         /* kg m2; cos phi */
+    eye4_real t_s[3];         /* kg m2; sin phi */
+    eye4_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    eye4_real spin_inv;       /* 1/(kg m2) */
+    eye4_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } eye4_row;
 
 /* Pose of an instrument or a point. */
@@ -244,28 +245,32 @@ typedef struct eye4_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct eye4_inverse_options {
-    eye4_real weight[EYE4_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                      * default */
-    eye4_real limit[EYE4_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
-                                      * no limit */
-    eye4_real most[EYE4_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    eye4_real motor_torque[EYE4_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                      * infinity: no limit */
-    eye4_real motor_speed[EYE4_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
-                                      * greater than 0; infinity: none */
-    eye4_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
-                                      * value, 0..1 */
-    eye4_real damping;               /* damping of small singular values, as a fraction of the largest,
-                                      * 0..1; 0: none */
-    int use_pointing[3];             /* rows of the task pointing: 0: free */
-    eye4_real motor_power[EYE4_N];   /* W; most that torque_for drives with; infinity: no limit */
-    eye4_real target_speed[EYE4_N];  /* rad/s; speed that torque_for approaches with what the demand leaves
-                                      * free */
-    eye4_real target_rate;           /* 1/s; part of what is missing to it, wanted a second; 0: least
-                                      * torque */
-    eye4_real avoid_speed;           /* rad/s; no wanted speed lies nearer to 0 than this; 0: none is
-                                      * avoided */
-    int keep_direction;              /* 1: a demand out of reach is made smaller, 0: least error */
+    eye4_real weight[EYE4_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
+                                             * by default */
+    eye4_real limit[EYE4_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                             * infinity: no limit */
+    eye4_real most[EYE4_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    eye4_real motor_torque[EYE4_N];         /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                             * infinity: no limit */
+    eye4_real motor_speed[EYE4_N];          /* rad/s; no-load speed, where the torque that drives has
+                                             * fallen to 0; greater than 0; infinity: none */
+    eye4_real motor_viscous[EYE4_N];        /* N m s; viscous friction, which the motor bears; 0: none */
+    eye4_real motor_coulomb[EYE4_N];        /* N m; dry friction, which the motor bears; 0: none */
+    eye4_real motor_coulomb_speed[EYE4_N];  /* rad/s; speed at which three quarters of the dry friction
+                                             * act; greater than 0 */
+    eye4_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
+                                             * singular value, 0..1 */
+    eye4_real damping;                      /* damping of small singular values, as a fraction of the
+                                             * largest, 0..1; 0: none */
+    int use_pointing[3];                    /* rows of the task pointing: 0: free */
+    eye4_real motor_power[EYE4_N];          /* W; most that torque_for drives with; infinity: no limit */
+    eye4_real target_speed[EYE4_N];         /* rad/s; speed that torque_for approaches with what the demand
+                                             * leaves free */
+    eye4_real target_rate;                  /* 1/s; part of what is missing to it, wanted a second; 0:
+                                             * least torque */
+    eye4_real avoid_speed;                  /* rad/s; no wanted speed lies nearer to 0 than this; 0: none
+                                             * is avoided */
+    int keep_direction;                     /* 1: a demand out of reach is made smaller, 0: least error */
 } eye4_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -522,7 +527,7 @@ eye4_status eye4_coupled_jacobian(const eye4_table *table, const eye4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34260 operations on reals, 1007 of them divisions. Stack: at most 4736 bytes. */
+ * At most 34264 operations on reals, 1011 of them divisions. Stack: at most 4736 bytes. */
 eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                          const eye4_inverse_options *options, const eye4_real wrench[6],
                          eye4_inverse_result *out);
@@ -532,17 +537,20 @@ eye4_status eye4_inverse(const eye4_table *table, const eye4_state *x, const eye
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   wrench[6]    N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its
  *                origin
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 2221 operations on reals, 35 of them divisions. Stack: at most 3728 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 2305 operations on reals, 47 of them divisions. Stack: at most 3808 bytes. */
 eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, const eye4_real V_dot[6],
                               const eye4_inverse_options *options, const eye4_real wrench[6],
                               eye4_real phi_ddot[EYE4_N]);
@@ -560,7 +568,7 @@ eye4_status eye4_inverse_fast(const eye4_table *table, const eye4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11786 operations on reals, 413 of them divisions. Stack: at most 4384 bytes. */
+ * At most 11790 operations on reals, 417 of them divisions. Stack: at most 4384 bytes. */
 eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                   const eye4_inverse_options *options, const eye4_real wrench[6],
                                   eye4_inverse_pointing_result *out);
@@ -577,11 +585,14 @@ eye4_status eye4_inverse_pointing(const eye4_table *table, const eye4_state *x, 
  * Squares the condition number: as accurate as inverse_pointing if singular values differ by a factor of
  * at most some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 2144 operations on reals, 50 of them divisions. Stack: at most 4064 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 2225 operations on reals, 65 of them divisions. Stack: at most 4128 bytes. */
 eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state *x,
                                        const eye4_real demand[3], const eye4_inverse_options *options,
                                        const eye4_real wrench[6], eye4_real phi_ddot[EYE4_N]);
@@ -605,7 +616,7 @@ eye4_status eye4_inverse_fast_pointing(const eye4_table *table, const eye4_state
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
  * written when the status is negative.
- * At most 48321 operations on reals, 6729 of them divisions. Stack: at most 5088 bytes. */
+ * At most 48121 operations on reals, 6721 of them divisions. Stack: at most 5088 bytes. */
 eye4_status eye4_torque_for_pointing(const eye4_table *table, const eye4_state *x, const eye4_real demand[3],
                                      const eye4_inverse_options *options, const int locked[EYE4_N],
                                      const eye4_real wrench[6], eye4_torque_for_pointing_result *out);
@@ -668,7 +679,7 @@ eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 6277 operations on reals, 44 of them divisions. Stack: at most 2032 bytes. */
+ * At most 6377 operations on reals, 48 of them divisions. Stack: at most 2032 bytes. */
 eye4_status eye4_prepare(const eye4_parameters *parameters, eye4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

@@ -218,6 +218,9 @@ static void normal_inverse_options(eye4_inverse_options *x)
     about(&x->most[0], &eye4_default_options.most[0], 4);
     about(&x->motor_torque[0], &eye4_default_options.motor_torque[0], 4);
     about(&x->motor_speed[0], &eye4_default_options.motor_speed[0], 4);
+    about(&x->motor_viscous[0], &eye4_default_options.motor_viscous[0], 4);
+    about(&x->motor_coulomb[0], &eye4_default_options.motor_coulomb[0], 4);
+    about(&x->motor_coulomb_speed[0], &eye4_default_options.motor_coulomb_speed[0], 4);
     about(&x->near, &eye4_default_options.near, 1);
     about(&x->damping, &eye4_default_options.damping, 1);
     integers(&x->use_pointing[0], 3, -1048576, 1048576);
@@ -235,6 +238,9 @@ static void any_inverse_options(eye4_inverse_options *x)
     reals(&x->most[0], 4, EYE4_LARGEST);
     reals(&x->motor_torque[0], 4, EYE4_LARGEST);
     reals(&x->motor_speed[0], 4, EYE4_LARGEST);
+    reals(&x->motor_viscous[0], 4, EYE4_LARGEST);
+    reals(&x->motor_coulomb[0], 4, EYE4_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 4, EYE4_LARGEST);
     reals(&x->near, 1, EYE4_LARGEST);
     reals(&x->damping, 1, EYE4_LARGEST);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
@@ -252,6 +258,9 @@ static void bits_inverse_options(eye4_inverse_options *x)
     all_bits(&x->most[0], 4);
     all_bits(&x->motor_torque[0], 4);
     all_bits(&x->motor_speed[0], 4);
+    all_bits(&x->motor_viscous[0], 4);
+    all_bits(&x->motor_coulomb[0], 4);
+    all_bits(&x->motor_coulomb_speed[0], 4);
     one_of_all(&x->near);
     one_of_all(&x->damping);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
@@ -633,6 +642,7 @@ static void written_table(const eye4_table *x)
     written(&x->flywheel[0].t_s[0], 3);
     written(&x->flywheel[0].spin, 1);
     written(&x->flywheel[0].spin_inv, 1);
+    written(&x->flywheel[0].spin_root_inv, 1);
     written(&x->flywheel[1].mu_c[0], 3);
     written(&x->flywheel[1].mu_s[0], 3);
     written(&x->flywheel[1].J_c[0], 6);
@@ -644,6 +654,7 @@ static void written_table(const eye4_table *x)
     written(&x->flywheel[1].t_s[0], 3);
     written(&x->flywheel[1].spin, 1);
     written(&x->flywheel[1].spin_inv, 1);
+    written(&x->flywheel[1].spin_root_inv, 1);
     written(&x->flywheel[2].mu_c[0], 3);
     written(&x->flywheel[2].mu_s[0], 3);
     written(&x->flywheel[2].J_c[0], 6);
@@ -655,6 +666,7 @@ static void written_table(const eye4_table *x)
     written(&x->flywheel[2].t_s[0], 3);
     written(&x->flywheel[2].spin, 1);
     written(&x->flywheel[2].spin_inv, 1);
+    written(&x->flywheel[2].spin_root_inv, 1);
     written(&x->flywheel[3].mu_c[0], 3);
     written(&x->flywheel[3].mu_s[0], 3);
     written(&x->flywheel[3].J_c[0], 6);
@@ -666,6 +678,7 @@ static void written_table(const eye4_table *x)
     written(&x->flywheel[3].t_s[0], 3);
     written(&x->flywheel[3].spin, 1);
     written(&x->flywheel[3].spin_inv, 1);
+    written(&x->flywheel[3].spin_root_inv, 1);
     written(&x->sensor[0].origin[0], 3);
     written(&x->sensor[0].axes[0], 9);
     written(&x->sensor[1].origin[0], 3);
@@ -689,6 +702,7 @@ static void initialised_table(const eye4_table *x)
     initialised(&x->flywheel[0].t_s[0], 3);
     initialised(&x->flywheel[0].spin, 1);
     initialised(&x->flywheel[0].spin_inv, 1);
+    initialised(&x->flywheel[0].spin_root_inv, 1);
     initialised(&x->flywheel[1].mu_c[0], 3);
     initialised(&x->flywheel[1].mu_s[0], 3);
     initialised(&x->flywheel[1].J_c[0], 6);
@@ -700,6 +714,7 @@ static void initialised_table(const eye4_table *x)
     initialised(&x->flywheel[1].t_s[0], 3);
     initialised(&x->flywheel[1].spin, 1);
     initialised(&x->flywheel[1].spin_inv, 1);
+    initialised(&x->flywheel[1].spin_root_inv, 1);
     initialised(&x->flywheel[2].mu_c[0], 3);
     initialised(&x->flywheel[2].mu_s[0], 3);
     initialised(&x->flywheel[2].J_c[0], 6);
@@ -711,6 +726,7 @@ static void initialised_table(const eye4_table *x)
     initialised(&x->flywheel[2].t_s[0], 3);
     initialised(&x->flywheel[2].spin, 1);
     initialised(&x->flywheel[2].spin_inv, 1);
+    initialised(&x->flywheel[2].spin_root_inv, 1);
     initialised(&x->flywheel[3].mu_c[0], 3);
     initialised(&x->flywheel[3].mu_s[0], 3);
     initialised(&x->flywheel[3].J_c[0], 6);
@@ -722,6 +738,7 @@ static void initialised_table(const eye4_table *x)
     initialised(&x->flywheel[3].t_s[0], 3);
     initialised(&x->flywheel[3].spin, 1);
     initialised(&x->flywheel[3].spin_inv, 1);
+    initialised(&x->flywheel[3].spin_root_inv, 1);
     initialised(&x->sensor[0].origin[0], 3);
     initialised(&x->sensor[0].axes[0], 9);
     initialised(&x->sensor[1].origin[0], 3);

@@ -22,7 +22,7 @@ typedef uint64_t eye4_record_word;  /* the bits of a real */
 enum {
     EYE4_RECORD_STEP = 0x53,
     EYE4_RECORD_REAL_BYTES = 8,
-    EYE4_RECORD_TABLE_BYTES = 1592,
+    EYE4_RECORD_TABLE_BYTES = 1624,
     EYE4_RECORD_LOCKS_A_BYTE = 8
 };
 
@@ -121,6 +121,7 @@ static void eye4_record_put_row(eye4_page *page, const eye4_row *from)
     eye4_record_put_reals(page, from->t_s, 3);
     eye4_record_put_reals(page, &from->spin, 1);
     eye4_record_put_reals(page, &from->spin_inv, 1);
+    eye4_record_put_reals(page, &from->spin_root_inv, 1);
 }
 
 EYE4_CODE
@@ -212,6 +213,9 @@ eye4_status eye4_recorder_start(eye4_recorder *log, const eye4_table *table, con
     }
     eye4_record_end(&page);
     log->seen = *x;
+    for (int i = 0; i < 21; ++i) {
+        log->carry.rounding[i] = (eye4_real)0;
+    }
     log->fresh = 1;
     return EYE4_OK;
 }
@@ -264,12 +268,15 @@ static void eye4_record_head(eye4_page *page, eye4_recorder *log, const eye4_sta
     if (flags & EYE4_RECORD_PHI_DOT) {
         eye4_record_put_reals(page, x->phi_dot, EYE4_N);
     }
+    if (flags & EYE4_RECORD_CARRY) {
+        eye4_record_put_reals(page, log->carry.rounding, 21);
+    }
 }
 
-/* The tail: status and the hash of the state after the step. */
+/* The tail: status and the hash of the state after the step, and of its carry if there is one. */
 EYE4_CODE
 static void eye4_record_result(eye4_page *page, eye4_recorder *log,
-                              const eye4_state *x, eye4_status status)
+                              const eye4_state *x, const eye4_step_carry *carry, eye4_status status)
 {
     uint32_t hash = EYE4_RECORD_BASIS;
     hash = eye4_record_hash(hash, x->position, 3);
@@ -277,6 +284,10 @@ static void eye4_record_result(eye4_page *page, eye4_recorder *log,
     hash = eye4_record_hash(hash, x->V, 6);
     hash = eye4_record_hash(hash, x->phi, EYE4_N);
     hash = eye4_record_hash(hash, x->phi_dot, EYE4_N);
+    if (carry != NULL) {
+        hash = eye4_record_hash(hash, carry->rounding, 21);
+        log->carry = *carry;
+    }
     log->seen = *x;
     eye4_record_put(page, (eye4_record_word)status, 1);
     eye4_record_put(page, hash, 4);
@@ -326,7 +337,7 @@ eye4_status eye4_recorder_step(eye4_recorder *log, const eye4_table *table, eye4
         eye4_record_put_reals(&page, wrench, 6 * EYE4_WRENCHES);
     }
     status = eye4_step(table, x, tau, locked, wrench, dt, order, x);
-    eye4_record_result(&page, log, x, status);
+    eye4_record_result(&page, log, x, NULL, status);
     return status;
 }
 
@@ -348,6 +359,67 @@ eye4_status eye4_recorder_step_driven(eye4_recorder *log, const eye4_table *tabl
         eye4_record_put_reals(&page, wrench, 6 * EYE4_WRENCHES);
     }
     status = eye4_step_driven(table, x, phi_ddot, wrench, dt, order, x);
-    eye4_record_result(&page, log, x, status);
+    eye4_record_result(&page, log, x, NULL, status);
+    return status;
+}
+
+EYE4_CODE
+eye4_status eye4_recorder_step_carried(eye4_recorder *log, const eye4_table *table, eye4_state *x,
+                                       const eye4_real tau[EYE4_N], const int locked[EYE4_N],
+                                       const eye4_real wrench[6], eye4_real dt, int order,
+                                       eye4_step_carry *carry)
+{
+    eye4_page page;
+    eye4_status status;
+    unsigned flags = EYE4_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || tau == NULL || wrench == NULL || carry == NULL
+        || log->write == NULL) { return EYE4_BAD_ARGUMENT; }
+    for (int s = 0; s < EYE4_N; ++s) {
+        flags |= (locked != NULL && locked[s] != 0) ? EYE4_RECORD_LOCKS : 0u;
+    }
+    flags |= eye4_wrench_flag(wrench);
+    flags |= eye4_notice_changes(log, x, dt, order);
+    flags |= eye4_record_differs(carry->rounding, log->carry.rounding, 21, EYE4_RECORD_CARRY);
+    log->carry = *carry;
+    eye4_record_head(&page, log, x, flags);
+    eye4_record_put_reals(&page, tau, EYE4_N);
+    if ((flags & EYE4_RECORD_LOCKS) && locked != NULL) {  /* flag implies pointer: no analyser sees it */
+        for (int first = 0; first < EYE4_N; first += EYE4_RECORD_LOCKS_A_BYTE) {
+            unsigned mask = 0;
+            for (int s = first; s < EYE4_N && s < first + EYE4_RECORD_LOCKS_A_BYTE; ++s) {
+                mask |= (locked[s] != 0) ? (1u << (s - first)) : 0u;
+            }
+            eye4_record_put(&page, mask, 1);
+        }
+    }
+    if (flags & EYE4_RECORD_WRENCH) {
+        eye4_record_put_reals(&page, wrench, 6 * EYE4_WRENCHES);
+    }
+    status = eye4_step_carried(table, x, tau, locked, wrench, dt, order, carry, x);
+    eye4_record_result(&page, log, x, carry, status);
+    return status;
+}
+
+EYE4_CODE
+eye4_status eye4_recorder_step_driven_carried(eye4_recorder *log, const eye4_table *table, eye4_state *x,
+                                              const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
+                                              eye4_real dt, int order, eye4_step_carry *carry)
+{
+    eye4_page page;
+    eye4_status status;
+    unsigned flags = EYE4_RECORD_DRIVEN | EYE4_RECORD_CARRIED;
+    if (log == NULL || table == NULL || x == NULL || phi_ddot == NULL || wrench == NULL || carry == NULL
+        || log->write == NULL) { return EYE4_BAD_ARGUMENT; }
+    flags |= eye4_wrench_flag(wrench);
+    flags |= eye4_notice_changes(log, x, dt, order);
+    flags |= eye4_record_differs(carry->rounding, log->carry.rounding, 21, EYE4_RECORD_CARRY);
+    log->carry = *carry;
+    eye4_record_head(&page, log, x, flags);
+    eye4_record_put_reals(&page, phi_ddot, EYE4_N);
+    if (flags & EYE4_RECORD_WRENCH) {
+        eye4_record_put_reals(&page, wrench, 6 * EYE4_WRENCHES);
+    }
+    status = eye4_step_driven_carried(table, x, phi_ddot, wrench, dt, order, carry, x);
+    eye4_record_result(&page, log, x, carry, status);
     return status;
 }

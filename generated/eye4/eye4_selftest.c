@@ -179,14 +179,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const eye4_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -350,6 +342,7 @@ static void take_row(tally *sum, const eye4_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const eye4_sensor *value)
@@ -400,12 +393,9 @@ static eye4_status call_forward(void)
     return eye4_forward(&eye4_default, &in.x, in.phi_ddot, in.wrench, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, eye4_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -414,12 +404,9 @@ static eye4_status call_wrench(void)
     return eye4_wrench(&in.x, in.wrench, results.wrench.F);
 }
 
-static void take_wrench_results(tally *sum, eye4_status status)
+static void take_wrench_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrench.F, sizeof results.wrench.F);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.wrench.F, 6);
 }
 
@@ -428,12 +415,9 @@ static eye4_status call_matrices(void)
     return eye4_matrices(&eye4_default, &in.x, in.wrench, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, eye4_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -442,12 +426,9 @@ static eye4_status call_momentum(void)
     return eye4_momentum(&eye4_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, eye4_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -456,12 +437,9 @@ static eye4_status call_torque(void)
     return eye4_torque(&eye4_default, &in.x, in.V_dot, in.phi_ddot, in.wrench, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, eye4_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, EYE4_N);
 }
 
@@ -471,13 +449,9 @@ static eye4_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, eye4_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, EYE4_N);
 }
@@ -487,12 +461,9 @@ static eye4_status call_step(void)
     return eye4_step(&eye4_default, &in.x, in.tau, in.locked, in.wrench, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, eye4_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -502,12 +473,9 @@ static eye4_status call_step_driven(void)
         &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, eye4_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -516,12 +484,9 @@ static eye4_status call_wrap(void)
     return eye4_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, eye4_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -530,12 +495,9 @@ static eye4_status call_phase_of_counts(void)
     return eye4_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, eye4_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -544,12 +506,9 @@ static eye4_status call_speed_of_counts(void)
     return eye4_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, eye4_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -559,9 +518,9 @@ static eye4_status call_accumulate(void)
     return eye4_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, eye4_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -570,12 +529,9 @@ static eye4_status call_forward_jacobian(void)
     return eye4_forward_jacobian(&eye4_default, &in.x, in.phi_ddot, in.wrench, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, eye4_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -585,12 +541,9 @@ static eye4_status call_coupled_jacobian(void)
         &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, eye4_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -600,12 +553,9 @@ static eye4_status call_inverse(void)
         &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, eye4_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -615,12 +565,9 @@ static eye4_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, eye4_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, EYE4_N);
 }
 
@@ -630,12 +577,9 @@ static eye4_status call_inverse_pointing(void)
         &results.inverse_pointing.out);
 }
 
-static void take_inverse_pointing_results(tally *sum, eye4_status status)
+static void take_inverse_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_pointing.out, sizeof results.inverse_pointing.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_pointing_result(sum, &results.inverse_pointing.out);
 }
 
@@ -645,13 +589,9 @@ static eye4_status call_inverse_fast_pointing(void)
         results.inverse_fast_pointing.phi_ddot);
 }
 
-static void take_inverse_fast_pointing_results(tally *sum, eye4_status status)
+static void take_inverse_fast_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast_pointing.phi_ddot,
-            sizeof results.inverse_fast_pointing.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast_pointing.phi_ddot, EYE4_N);
 }
 
@@ -661,12 +601,9 @@ static eye4_status call_torque_for_pointing(void)
         in.wrench, &results.torque_for_pointing.out);
 }
 
-static void take_torque_for_pointing_results(tally *sum, eye4_status status)
+static void take_torque_for_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque_for_pointing.out, sizeof results.torque_for_pointing.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_torque_for_pointing_result(sum, &results.torque_for_pointing.out);
 }
 
@@ -675,12 +612,9 @@ static eye4_status call_points(void)
     return eye4_points(&eye4_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_points_results(tally *sum, eye4_status status)
+static void take_points_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.points.out, sizeof results.points.out);
-        return;
-    }
+    if (refused != 0) { return; }
     for (int i = 0; i < EYE4_SENSORS; ++i) {
         take_points_result(sum, &results.points.out[i]);
     }
@@ -691,12 +625,9 @@ static eye4_status call_quaternion(void)
     return eye4_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, eye4_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -707,13 +638,10 @@ static eye4_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, eye4_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -723,12 +651,9 @@ static eye4_status call_generalized(void)
         &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, eye4_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -738,9 +663,9 @@ static eye4_status call_prepare(void)
     return eye4_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, eye4_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -749,12 +674,9 @@ static eye4_status call_mounts(void)
     return eye4_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, in.wrench, results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, eye4_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 24);
 }
 
@@ -763,12 +685,9 @@ static eye4_status call_prepare_mounts(void)
     return eye4_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, eye4_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -779,13 +698,10 @@ static eye4_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, eye4_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -796,13 +712,10 @@ static eye4_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, eye4_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -812,13 +725,9 @@ static eye4_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, eye4_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1339,8 +1248,9 @@ static const eye4_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     eye4_status (*call)(void);
-    void (*take)(tally *sum, eye4_status status);
+    void (*take)(tally *sum, int refused);
     const eye4_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1348,119 +1258,119 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0xd637289bu, 6 }, { 0, 0xf3cfefc0u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd623c2e0u },
-    { "wrench", sizeof results.wrench,
+    { "wrench", sizeof results.wrench, 0u,
       call_wrench, take_wrench_results, numbers_wrench,
       { { 0, 0x7946a8d5u, 6 }, { 0, 0x71eccb97u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf06d56c9u },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0xfc29a080u, 32 }, { 0, 0x7e19f6a0u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6196332bu },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x2d2592deu, 16 }, { 0, 0x80ef32f1u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x89eec4a4u },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0xbbfa64dfu, 4 }, { 0, 0x7bb50a99u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf11270c4u },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0x3ed72d98u, 10 }, { 0, 0x5978550bu, 10 }, { -2, 0x8e5b0aa0u, 0 } },
       0xe688de7bu },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0x09e6b617u, 21 }, { 32, 0x430d3ca2u, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0x5d1bc97cu },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0xd000651du, 21 }, { 32, 0xe5f2e05cu, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0xb2b0428bu },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0x51af2eaau, 1 }, { 0, 0x368177bdu, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf000679au },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0x0b1392edu, 1 }, { 0, 0x705907a4u, 1 }, { -5, 0x2107376du, 0 } },
       0x1540621au },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0xfff00da6u, 1 }, { 0, 0x46441124u, 1 }, { -5, 0x2107376du, 0 } },
       0x0bbcdfc7u },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0x29b175bcu, 0 }, { 0, 0xc515186cu, 0 }, { -5, 0xea238159u, 0 } },
       0x1472cd8bu },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0xe28bafadu, 32 }, { 0, 0x7bc197f6u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x96562f8fu },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0x7dbd80d4u, 32 }, { 0, 0xf80d6e18u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x7a5ea389u },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 72, 0xe5a1cfb4u, 21 }, { 72, 0xefca2204u, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0x8a94c1afu },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0x60a9e60cu, 4 }, { 0, 0x311f8033u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x64423663u },
-    { "inverse_pointing", sizeof results.inverse_pointing,
+      { { 64, 0xe537b84cu, 4 }, { 64, 0x8a677bf3u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0xee6a33a3u },
+    { "inverse_pointing", sizeof results.inverse_pointing, 0u,
       call_inverse_pointing, take_inverse_pointing_results, numbers_inverse_pointing,
       { { 64, 0x573ce38fu, 20 }, { 64, 0x9b596688u, 20 }, { -2, 0x8e5b0aa0u, 0 } },
       0x432718eeu },
-    { "inverse_fast_pointing", sizeof results.inverse_fast_pointing,
+    { "inverse_fast_pointing", sizeof results.inverse_fast_pointing, 0u,
       call_inverse_fast_pointing, take_inverse_fast_pointing_results, numbers_inverse_fast_pointing,
-      { { 0, 0x4039d50cu, 4 }, { 0, 0x25eea75du, 4 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x71dc41ebu },
-    { "torque_for_pointing", sizeof results.torque_for_pointing,
+      { { 64, 0x486d7f4cu, 4 }, { 64, 0x61f8649du, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x7e066d2bu },
+    { "torque_for_pointing", sizeof results.torque_for_pointing, 0u,
       call_torque_for_pointing, take_torque_for_pointing_results, numbers_torque_for_pointing,
       { { 12, 0xab92c901u, 18 }, { 12, 0x3afe9cf7u, 18 }, { -2, 0x8e5b0aa0u, 0 } },
       0xae16ebefu },
-    { "points", sizeof results.points,
+    { "points", sizeof results.points, 0u,
       call_points, take_points_results, numbers_points,
       { { 0, 0x1c1b2f6bu, 32 }, { 0, 0xa1ca769du, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x02344cfeu },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xc4b31f96u, 4 }, { 0, 0x8793f69au, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0c6ae9ebu },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x15ec35ffu, 27 }, { 0, 0xdea526d3u, 27 }, { -2, 0x924274d2u, 21 } },
       0x0df9e999u },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0xf18eb099u, 32 }, { 0, 0x6b4e6090u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xdf6d6cbdu },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0x2a1ffc12u, 32 }, { 0, 0x366c4eeeu, 32 }, { -2, 0x5038995au, 32 } },
-      0x410ec8fau },
-    { "mounts", sizeof results.mounts,
+      { { 0, 0x776d2a86u, 32 }, { 0, 0x64f62edeu, 32 }, { -2, 0x0a5a2a2eu, 32 } },
+      0x0f601f6au },
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0x9be6e0b0u, 24 }, { 0, 0x862764a3u, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0x78af5554u },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0xc979471fu, 32 }, { 0, 0x865faf92u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0617f07bu },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0xe63f10ecu, 32 }, { 32, 0x5e5dd470u, 32 }, { -2, 0x3b24efdeu, 21 } },
       0xc12fd399u },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0xc97575cfu, 32 }, { 32, 0x89a5b0b3u, 32 }, { -2, 0x3b24efdeu, 21 } },
       0xeacb650au },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0x49710d56u, 3 }, { 0, 0x8bfd3baeu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0df7e390u },
@@ -1601,7 +1511,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];
