@@ -74,17 +74,17 @@ class _Printer:
             chooses=self._code.chooses,
             functions=self._code.functions,
             zeros=zeros((b.narrow for b in self._made.batches), self._names),
-            put=over_members(self._names, table, self._copied, ""),
-            alike=over_members(self._names, table, self._compared, ""),
+            put=over_members(self._names, table, self._copy_lines, ""),
+            alike=over_members(self._names, table, self._comparison_lines, ""),
             batches=[self._batch(b) for b in self._made.batches],
         )
 
-    def _copied(self, f: Field, place: str, depth: int) -> list[str]:
+    def _copy_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that put a member of a narrow struct into lane k of a wide one."""
         lane = ".at[k]" if f.type is Kind.REAL else ""
         return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]}{lane} = from->{e[1:]};"], depth)
 
-    def _compared(self, f: Field, place: str, depth: int) -> list[str]:
+    def _comparison_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that return 0 where an int of two narrow structs differs."""
         if f.type is Kind.REAL:
             return []
@@ -97,7 +97,7 @@ class _Printer:
     def _contract(self, batch: Batch) -> list[str]:
         """Comment for the header."""
         lines = paragraph(f"{_name(batch)}: {batch.narrow.name} of n states.", "/* ", " * ")
-        rows = [(self._given(a, batch), a) for a in batch.narrow.arguments]
+        rows = [(self._argument_with_size(a, batch), a) for a in batch.narrow.arguments]
         width = max(len("status[n]"), *(len(text) for text, _ in rows))
         for text, a in rows:
             purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
@@ -109,7 +109,7 @@ class _Printer:
             lines += paragraph(direction + meaning, lead, " *   " + " " * (width + 2))
         return [*lines, f" *   {'status[n]':<{width}}  out: of each state */"]
 
-    def _given(self, a: Argument, batch: Batch) -> str:
+    def _argument_with_size(self, a: Argument, batch: Batch) -> str:
         """An argument with its size: x[29 n], tau[8 n], locked[8]."""
         if a.name == "table":
             return f"tables[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
@@ -121,11 +121,11 @@ class _Printer:
 
     def _signature(self, batch: Batch) -> dict[str, Any]:
         """Name of a batch, and declarations of its first argument and of those after the counts."""
-        table, *others = [self._declared(a, batch) for a in batch.narrow.arguments]
+        table, *others = [self._batch_declaration(a, batch) for a in batch.narrow.arguments]
         status = f"{self._names.type(Kind.STATUS)} status[]"
         return {"name": self._names.function(_name(batch)), "table": table, "others": ", ".join([*others, status])}
 
-    def _declared(self, a: Argument, batch: Batch) -> str:
+    def _batch_declaration(self, a: Argument, batch: Batch) -> str:
         """An argument of the batch: reals of all states, or a value common to all."""
         if a.name == "table":
             wide = f"const {self._names.prefix}_wide_table tables[]"

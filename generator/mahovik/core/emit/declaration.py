@@ -57,11 +57,11 @@ def _argument(a: Argument, names: Names, restrictable: bool) -> str:
 def contract(function: Function, names: Names, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost, stack."""
     lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
-    width = max((len(_shaped(a)) for a in function.arguments), default=0)
+    width = max((len(_shape_text(a)) for a in function.arguments), default=0)
     for a in function.arguments:
         direction = {"in": "", "out": "out: ", "inout": "in and out: "}[a.direction]
         meaning = direction + "; ".join(part for part in (a.unit, a.purpose) if part)
-        lead = f" *   {_shaped(a):<{width}}  "
+        lead = f" *   {_shape_text(a):<{width}}  "
         lines += paragraph(meaning, lead, " *   " + " " * (width + 2))
     for note in function.notes:
         lines += paragraph(note, " * ", " * ")
@@ -151,5 +151,5 @@ def counted(function: Function, program: Program) -> str:
     return f"At most {found.total} {noun} on reals, {divisions}."
 
 
-def _shaped(a: Argument) -> str:
+def _shape_text(a: Argument) -> str:
     return a.name + "".join(f"[{int(n)}]" for n in a.shape)

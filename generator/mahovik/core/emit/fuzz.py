@@ -56,7 +56,7 @@ class _Harness:
         code, precision, parameters = self._code, self._code.precision, self._structs["parameters"]
         takes = take_functions(self._names, code.public)
         draws = [{"name": a.name, "lines": self._draw_lines(a)} for a in self._inputs]
-        vary = over_members(self._names, parameters, self._varied, _argument_name("parameters"))
+        vary = over_members(self._names, parameters, self._variation_lines, _argument_name("parameters"))
         functions = [self._function(f) for f in code.public]
         lines = [line for each in (*takes, *draws, *functions) for line in each["lines"]] + vary
 
@@ -106,7 +106,7 @@ class _Harness:
             for f in self._structs["inverse_options"].fields
         ]
 
-    def _varied(self, f: Field, place: str, depth: int) -> list[str]:
+    def _variation_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that vary the numbers of one member of the parameters.
 
         A matrix, such as added mass, is symmetric: it is scaled as a whole first, then varied element by element.

@@ -210,9 +210,13 @@ class _Printer:
 def described(stand: Stand) -> str:
     """Bodies of a stand in words: `carrier, 1 instrument, 8 flywheels`."""
     return ", ".join(
-        ["carrier", _counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
+        [
+            "carrier",
+            _count_in_words(len(stand.instruments), "instrument"),
+            _count_in_words(len(stand.flywheels), "flywheel"),
+        ]
     )
 
 
-def _counted(number: int, noun: str) -> str:
+def _count_in_words(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -84,8 +84,8 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
             for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).inner_structs()
         ],
         "start_prototype": prototype(_start(layout), names),
-        "start_stack": _rounded(longest + _FRAMES),
-        "functions": [_step(f, names) | {"stack": _rounded(_stack(f, program) + longest)} for f in steps],
+        "start_stack": _round_stack(longest + _FRAMES),
+        "functions": [_step(f, names) | {"stack": _round_stack(_stack(f, program) + longest)} for f in steps],
     }
 
 
@@ -118,7 +118,7 @@ def _stack(logged: Function, program: Program) -> int:
     return stack_bound(program.function(logged.name.removeprefix("recorder_")), program) + _FRAMES
 
 
-def _rounded(stack: int) -> int:
+def _round_stack(stack: int) -> int:
     return -(-stack // 16) * 16
 
 

@@ -213,7 +213,7 @@ class Built:
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
         if carry is not None:
             given["carry"] = carry
-        form = function if carry is None else f"{function}_carried"
+        form = function if carry is None else f"{function}_carry_records"
         found, status, single = self._calculate(form, x, on_error, wrench, given)
         if carry is not None:
             carry[...] = found["rounding"].reshape(carry.shape)
@@ -259,11 +259,11 @@ class Built:
                 inputs.read(given[name], name, 0, (), "flywheel")
         n = inputs.batch_size(parts)
         if carry is not None:
-            alike["carry"] = self._carried(f, carry, n)
+            alike["carry"] = self._carry_records(f, carry, n)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error)
         return found, status, n is None
 
-    def _carried(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
+    def _carry_records(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
         """A carry as records, one for each state."""
         shape = (self._components,) if n is None else (n, self._components)
         if not isinstance(carry, np.ndarray) or carry.dtype != self._element or carry.shape != shape:

@@ -192,14 +192,14 @@ class Boundary:
         near = None
         if before is not None:
             near, guess = before.course.near, before.course.y
-        given, rest, found, error = self._followed(self.family.angles(c), guess, near)
+        given, rest, found, error = self._follow(self.family.angles(c), guess, near)
         return Flight(c, given, rest, found, error)
 
     def table_error(self, table: Samples, guess: Array) -> float:
         """Terminal error (see `size`) of a table as it is read, on this problem's nodes; `guess`: states (M, 12)."""
-        return size(self._followed(table.at(self.family.t), guess, None)[3])
+        return size(self._follow(table.at(self.family.t), guess, None)[3])
 
-    def _followed(
+    def _follow(
         self, angles: Angles, guess: Array | None, near: Eliminated | None
     ) -> tuple[Drive, Equilibrium, CarrierCourse, Array]:
         given = drive(self.chart.mechanics, *angles)
