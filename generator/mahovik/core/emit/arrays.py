@@ -15,7 +15,7 @@ from mahovik.contract.quantities import shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.layout import commented
+from mahovik.core.emit.layout import comment_lines
 from mahovik.core.emit.names import Names
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
 from mahovik.core.program.call import Argument
@@ -107,7 +107,7 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool) -> dict[s
     first, *others = (a.name for a in f.arguments)
     return {
         "name": f.name,
-        "comment": commented(f"{f.name}, {'a batch' if wide else 'state by state'}: {f.purpose}"),
+        "comment": comment_lines(f"{f.name}, {'a batch' if wide else 'state by state'}: {f.purpose}"),
         "wide": wide,
         "given": [
             {

@@ -7,7 +7,7 @@ from typing import Any
 from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.calls import call, nested_loops, over_members
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import given_zeros, pointed, zeros
+from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.lower.batch import Batch, Batches, batches
@@ -138,7 +138,7 @@ class _Printer:
     def _batch(self, batch: Batch) -> dict[str, Any]:
         """Values of the template for a batch."""
         given = {a.name: "tables" if a.name == "table" and batch.each else a.name for a in batch.narrow.arguments}
-        pointers = [given[a.name] for a in pointed(batch.narrow)]
+        pointers = [given[a.name] for a in pointer_arguments(batch.narrow)]
         varying = [a for a in batch.narrow.arguments if _varies(a) and a.name != "table"]
         first, *others = given.values()
         return self._signature(batch) | {

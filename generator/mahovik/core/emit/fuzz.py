@@ -22,7 +22,7 @@ from mahovik.core.emit.calls import (
     take_lines,
 )
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import pointed
+from mahovik.core.emit.declaration import pointer_arguments
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.recorder import RECORDED
 from mahovik.core.lower import test_inputs
@@ -123,7 +123,7 @@ class _Harness:
         """Return what the template needs to call one function twice and judge it."""
         if f.returns is not Kind.STATUS:
             raise ValueError(f"{f.name}: the fuzz harness judges functions that return a status")
-        pointers = pointed(f)
+        pointers = pointer_arguments(f)
         results = [a for a in f.arguments if a.direction != "in"]
         state = next((a.name for a in results if a.direction == "out" and self._is_state(f, a)), "")
         places = [(self._result(f, a), a) for a in results]

@@ -9,7 +9,7 @@ from typing import Any
 
 from mahovik.core.emit.calls import nested_loops, over_rows
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import pointed, prototype
+from mahovik.core.emit.declaration import pointer_arguments, prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged, table_bytes
@@ -125,7 +125,7 @@ def _round_stack(stack: int) -> int:
 def _step(f: Function, names: Names) -> dict[str, Any]:
     """Values of the template for a step with a log."""
     taken = [a.name for a in f.arguments[1:]]
-    condition = " || ".join(f"{a.name} == NULL" for a in pointed(f))
+    condition = " || ".join(f"{a.name} == NULL" for a in pointer_arguments(f))
     text = f"if ({condition} || log->write == NULL) {{ return {names.constant('BAD_ARGUMENT')}; }}"
     return {
         "name": f.name.removeprefix("recorder_"),

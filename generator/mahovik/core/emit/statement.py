@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import WIDTH, commented, wrapped
+from mahovik.core.emit.layout import WIDTH, comment_lines, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
 from mahovik.core.program.statement import (
@@ -122,7 +122,7 @@ class Statements:
         text = self._expressions.text
         match s:
             case Note(note):
-                return commented(note, indent)
+                return comment_lines(note, indent)
             case Let(variable, value, comment):
                 return self._line(
                     f"const {self._names.type(variable.type)} {variable.name} = {text(value)};", indent, comment
@@ -160,7 +160,7 @@ class Statements:
             return lines
         if len(lines) == 1 and len(lines[0]) + len(comment) + 8 <= WIDTH:
             return [f"{lines[0]}  /* {comment} */"]
-        return [*commented(comment, indent), *lines]
+        return [*comment_lines(comment, indent), *lines]
 
     def _loop(self, s: Loop, indent: str) -> list[str]:
         i, text = s.index.name, self._expressions.text

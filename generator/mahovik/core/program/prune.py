@@ -15,7 +15,7 @@ from mahovik.core.program.statement import Declare, Do, Let, Set, Statement, Sta
 from mahovik.core.program.walk import blocks, expressions, inside, own, statements, with_blocks
 
 
-def pruned(function: Function) -> Function:
+def prune(function: Function) -> Function:
     """The function without dead locals and without arguments that it has no use for."""
     body = function.body
     while True:

@@ -11,7 +11,7 @@ from mahovik.core.program.types import Struct
 from mahovik.core.program.walk import reachable, statements
 
 
-def restricted(program: Program, names: Collection[str], kept: Collection[str]) -> Program:
+def restrict_program(program: Program, names: Collection[str], kept: Collection[str]) -> Program:
     """The program with the public functions `names`, and those that they call; structs of `kept` stay as well."""
     functions = reachable(tuple(f if f.name in names else replace(f, public=False) for f in program.functions))
     found = {struct for f in functions for struct in _used_structs(f)}

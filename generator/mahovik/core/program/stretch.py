@@ -13,7 +13,7 @@ from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.late import late
-from mahovik.core.program.rewrite import FreshNames, rebuilt, unbranched
+from mahovik.core.program.rewrite import FreshNames, rebuilt, without_branches
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.varying import Varying
@@ -202,7 +202,7 @@ class Stretches:
 
     def _expr(self, e: Expr, lane: Place | None) -> Expr:
         found = rebuilt(e, lambda place: self._leaf(place, lane))
-        return found if lane is None else unbranched(found)
+        return found if lane is None else without_branches(found)
 
     def _place(self, place: Place, lane: Place | None) -> Place:
         found = self._expr(place, lane)
