@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import run
 from mahovik import stands
-from mahovik.out.cli.fitting import fitted, fitting_unit
+from mahovik.out.cli.fitting import column_that_fits, fitting_unit
 
 SAT4 = str(stands.path("sat4"))
 
@@ -89,7 +89,7 @@ def test_all_of_it_is_in_json() -> None:
 def test_figures_are_in_a_unit_that_fits(
     values: list[float | None], quantity: str, title: str, cells: list[str]
 ) -> None:
-    assert fitted("x", values, quantity) == (title, cells)
+    assert column_that_fits("x", values, quantity) == (title, cells)
 
 
 def test_a_figure_beyond_all_units_is_in_the_nearest() -> None:

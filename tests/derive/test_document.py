@@ -12,6 +12,7 @@ from mahovik.core.derive.document.carrier import velocity_matrix
 from mahovik.core.derive.document.flywheel import in_mounting_axes
 from mahovik.core.derive.screw import Phi, blocks
 from mahovik.core.derive.symbols import matrix
+from mahovik.laws.weight.derive import weight
 
 c, s = sp.symbols("c s")
 DOUBLE = {sp.Symbol("c2"): c * c - s * s, sp.Symbol("s2"): 2 * s * c}
@@ -41,7 +42,7 @@ def test_velocity_matrix_is_9(added_mass: bool) -> None:
 @pytest.mark.parametrize("sequence", ["ship", "aircraft", "euler"])
 def test_every_equation_of_8_to_11_is_there(sequence: str) -> None:
     """Equations are found by number, and no section is empty."""
-    found: tuple[Section, ...] = sections(sequence, added_mass=True, weight=True, displaces=True)
+    found: tuple[Section, ...] = sections(sequence, added_mass=True, weight=weight(True), displaces=True)
     numbers = {n for s in found for b in s.blocks if isinstance(b, Formula) for n in b.number.split(", ")}
     assert {"2", "4", "5", "6", "7", "8", "9", "10", "11"} <= numbers
     assert all(section.blocks for section in found)
@@ -50,8 +51,8 @@ def test_every_equation_of_8_to_11_is_there(sequence: str) -> None:
 def test_weight_is_written_only_where_there_is_any() -> None:
     """In free space (7) has no weight."""
 
-    def formulas(weight: bool) -> int:
-        found = sections("ship", added_mass=False, weight=weight, displaces=False)
+    def formulas(given: sp.Matrix | None) -> int:
+        found = sections("ship", added_mass=False, weight=given, displaces=False)
         return sum(isinstance(b, Formula) for section in found for b in section.blocks)
 
-    assert formulas(True) == formulas(False) + 1
+    assert formulas(weight(False)) == formulas(None) + 1

@@ -59,7 +59,7 @@ def mahovik(*arguments: str, cwd: Path, **env: str) -> subprocess.CompletedProce
 def test_what_was_derived_is_not_derived_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     warnings: list[str] = []
     first = remembered(warnings)
-    monkeypatch.setattr("mahovik.core.formula.derived._derived", lambda *_: pytest.fail("derived again"))
+    monkeypatch.setattr("mahovik.core.formula.derived._derive", lambda *_: pytest.fail("derived again"))
     assert remembered(warnings) == first == remembered(warnings)
     assert warnings == []
     assert len(list(folder.iterdir())) == 1

@@ -15,7 +15,7 @@ from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Expr, Place, integer, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.prune import pruned
+from mahovik.core.program.prune import prune
 from mahovik.core.program.statement import Declare, Do, Let, Loop, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.validate import validate
@@ -38,7 +38,7 @@ def names(body: Sequence[Statement]) -> Iterator[str]:
 def cut(write: Callable[..., None], arguments: Sequence[Argument] | None = None, public: bool = True) -> Function:
     """A pruned function of (x, out[2]), or of other arguments."""
     arguments = arguments or (argument("x"), argument("out", R, (2,), "out"))
-    return pruned(function("f", arguments, write, public=public))
+    return prune(function("f", arguments, write, public=public))
 
 
 FILL = function("fill", [argument("x"), argument("a", R, (2,), "out")], lambda body, x, a: body.set(a[0], x))
@@ -169,9 +169,9 @@ class Writer:
 def test_pruning_changes_no_bit(seed: int) -> None:
     writer = Writer(seed)
     full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], writer.write)
-    short = pruned(full)
+    short = prune(full)
     validate(program(FILL, short))
-    assert pruned(short).body == short.body
+    assert prune(short).body == short.body
     x = np.random.default_rng(seed).normal(size=3)
     results = [Interpreter(program(FILL, f)).run("f", {"x": x}) for f in (full, short)]
     assert results[0] == results[1]
@@ -183,7 +183,7 @@ def test_pruning_does_something_to_most_random_bodies() -> None:
     shorter = 0
     for seed in range(50):
         full = function("f", [argument("x", R, (3,)), argument("out", R, (4,), "out")], Writer(seed).write)
-        shorter += len(list(names(pruned(full).body))) < len(list(names(full.body)))
+        shorter += len(list(names(prune(full).body))) < len(list(names(full.body)))
     assert shorter > 25
 
 
@@ -194,7 +194,7 @@ def test_the_value_of_a_call_in_an_expression_lives() -> None:
     a = body.local("a", (2,))
     body.call(FILL, x.place, a)
     body.set(out.place[0], call(value, a))
-    found = pruned(Function("f", "f.", (x, out), body.statements))
+    found = prune(Function("f", "f.", (x, out), body.statements))
     assert any(isinstance(s, Do) for s in found.body)
     last = found.body[-1]
     assert isinstance(last, Set)

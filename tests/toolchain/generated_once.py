@@ -102,7 +102,7 @@ def install(formulas: str) -> Unchanged:
 
     for module, name, packages in (
         ("core.emit.generate", "generate_all", GENERATOR),
-        ("core.formula.derived", "_derived", DERIVATION),
+        ("core.formula.derived", "_derive", DERIVATION),
     ):
         place = import_module(f"mahovik.{module}")
         setattr(place, name, once(getattr(place, name), partial(usable, packages)))

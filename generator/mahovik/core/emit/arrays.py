@@ -16,7 +16,7 @@ from mahovik.contract.quantities import shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
-from mahovik.core.emit.layout import commented
+from mahovik.core.emit.layout import comment_lines
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.batch import PREPARED
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, Order, member, members, record
@@ -128,7 +128,7 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
     first, *others = (a.name for a in f.arguments)
     return {
         "name": f"{f.name}_of" if each else f.name,
-        "comment": commented(
+        "comment": comment_lines(
             f"{f.name}, {'a batch' if wide else 'state by state'}{', each with its table' if each else ''}: {f.purpose}"
         ),
         "wide_name": f"{f.name}_batch_of" if each else f"{f.name}_batch",

@@ -7,7 +7,7 @@ from typing import Any
 from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import given_zeros, pointed, zeros
+from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.preparing import Preparing, reals
@@ -81,8 +81,8 @@ class _Printer:
             chooses=self._code.chooses,
             functions=self._code.functions,
             zeros=zeros((b.narrow for b in self._made.batches), self._names),
-            put=over_members(self._names, table, self._copied, ""),
-            alike=over_members(self._names, table, self._compared, ""),
+            put=over_members(self._names, table, self._copy_lines, ""),
+            alike=over_members(self._names, table, self._comparison_lines, ""),
             batches=[self._batch(b) for b in self._made.batches],
             preparing=self._preparing.values() if self._preparing.present else None,
             singles=self._singles(),
@@ -97,22 +97,22 @@ class _Printer:
                 "wide": f"wide_{s.name}",
                 "type": self._names.type(s),
                 "argument": names[s.name],
-                "lines": over_members(self._names, s, self._taken, ""),
+                "lines": over_members(self._names, s, self._taking_lines, ""),
             }
             for s in self._preparing.structs
         ]
 
-    def _taken(self, f: Field, place: str, depth: int) -> list[str]:
+    def _taking_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that take a member of a narrow struct out of lane k of a wide one."""
         lane = ".at[k]" if f.type is Kind.REAL else ""
         return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]} = from->{e[1:]}{lane};"], depth)
 
-    def _copied(self, f: Field, place: str, depth: int) -> list[str]:
+    def _copy_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that put a member of a narrow struct into lane k of a wide one."""
         lane = ".at[k]" if f.type is Kind.REAL else ""
         return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]}{lane} = from->{e[1:]};"], depth)
 
-    def _compared(self, f: Field, place: str, depth: int) -> list[str]:
+    def _comparison_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that return 0 where an int of two narrow structs differs."""
         if f.type is Kind.REAL:
             return []
@@ -125,7 +125,7 @@ class _Printer:
     def _contract(self, batch: Batch) -> list[str]:
         """Comment for the header."""
         lines = paragraph(f"{_name(batch)}: {batch.narrow.name} of n states.", "/* ", " * ")
-        rows = [(self._given(a, batch), a) for a in batch.narrow.arguments]
+        rows = [(self._argument_with_size(a, batch), a) for a in batch.narrow.arguments]
         width = max(len("status[n]"), *(len(text) for text, _ in rows))
         for text, a in rows:
             purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
@@ -138,7 +138,7 @@ class _Printer:
             lines += paragraph(direction + meaning, lead, " *   " + " " * (width + 2))
         return [*lines, f" *   {'status[n]':<{width}}  out: of each state */"]
 
-    def _given(self, a: Argument, batch: Batch) -> str:
+    def _argument_with_size(self, a: Argument, batch: Batch) -> str:
         """An argument with its size: x[29 n], tau[8 n], locked[8]."""
         if a.name in PREPARED:
             return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
@@ -150,11 +150,11 @@ class _Printer:
 
     def _signature(self, batch: Batch) -> dict[str, Any]:
         """Name of a batch, and declarations of its first argument and of those after the counts."""
-        table, *others = [self._declared(a, batch) for a in batch.narrow.arguments]
+        table, *others = [self._batch_declaration(a, batch) for a in batch.narrow.arguments]
         status = f"{self._names.type(Kind.STATUS)} status[]"
         return {"name": self._names.function(_name(batch)), "table": table, "others": ", ".join([*others, status])}
 
-    def _declared(self, a: Argument, batch: Batch) -> str:
+    def _batch_declaration(self, a: Argument, batch: Batch) -> str:
         """An argument of the batch: reals of all states, or a value common to all."""
         if a.name in PREPARED:
             assert isinstance(a.type, Struct)
@@ -169,7 +169,7 @@ class _Printer:
         """Values of the template for a batch."""
         tables = PREPARED if batch.each else {}
         given = {a.name: f"{a.name}s" if a.name in tables else a.name for a in batch.narrow.arguments}
-        pointers = [given[a.name] for a in pointed(batch.narrow)]
+        pointers = [given[a.name] for a in pointer_arguments(batch.narrow)]
         varying = [a for a in batch.narrow.arguments if _varies(a)]
         first, *others = given.values()
         return self._signature(batch) | {

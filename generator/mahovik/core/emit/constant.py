@@ -36,7 +36,7 @@ def _members(
             yield from _matrix(given, f, precision, indent + _STEP)
             yield f"{indent}}},"
         else:
-            yield f"{indent}.{f.name} = {_nested(f, given, precision)},"
+            yield f"{indent}.{f.name} = {_nested_text(f, given, precision)},"
 
 
 def _matrix(rows: list[list[Any]], f: Field, precision: Precision, indent: str) -> Iterator[str]:
@@ -111,7 +111,7 @@ def _cells(struct: Struct, value: Mapping[str, Any], precision: Precision) -> It
         yield before, number, after + ("," if k < len(flat) - 1 else "")
 
 
-def _nested(f: Field, value: Any, precision: Precision) -> str:
+def _nested_text(f: Field, value: Any, precision: Precision) -> str:
     if f.shape:
         return "{ " + ", ".join(_number(x, f.type, precision) for x in value) + " }"
     return _number(value, f.type, precision)

@@ -57,17 +57,17 @@ def _argument(a: Argument, names: Names, restrictable: bool) -> str:
 def contract(function: Function, names: Names, program: Program) -> list[str]:
     """The comment above a public prototype: purpose, equation, arguments, statuses, cost, stack."""
     lines = paragraph(f"{function.name}: {titled(function)}", "/* ", " * ")
-    width = max((len(_shaped(a)) for a in function.arguments), default=0)
+    width = max((len(_shape_text(a)) for a in function.arguments), default=0)
     for a in function.arguments:
         direction = {"in": "", "out": "out: ", "inout": "in and out: "}[a.direction]
         meaning = direction + "; ".join(part for part in (a.unit, a.purpose) if part)
-        lead = f" *   {_shaped(a):<{width}}  "
+        lead = f" *   {_shape_text(a):<{width}}  "
         lines += paragraph(meaning, lead, " *   " + " " * (width + 2))
     for note in function.notes:
         lines += paragraph(note, " * ", " * ")
     if function.statuses:
         statuses = list(function.statuses)
-        if pointed(function) and "BAD_ARGUMENT" not in statuses:
+        if pointer_arguments(function) and "BAD_ARGUMENT" not in statuses:
             statuses.append("BAD_ARGUMENT")
         text = f"Returns {', '.join(statuses)}."
         if any(a.direction != "in" for a in function.arguments):
@@ -81,7 +81,7 @@ def contract(function: Function, names: Names, program: Program) -> list[str]:
 
 def null_check(function: Function, names: Names) -> list[str]:
     """The first lines of a public function with a status: no pointer may be null, but for those to optional arrays."""
-    pointers = pointed(function)
+    pointers = pointer_arguments(function)
     if not pointers or function.returns is None:
         return []
     condition = " || ".join(f"{a.name} == NULL" for a in pointers)
@@ -105,7 +105,7 @@ def zeros(functions: Iterable[Function], names: Names) -> list[str]:
     return [f"static const {names.declaration(zeros_of(a, names), a.type, a.shape)}" for a in found.values()]
 
 
-def pointed(function: Function) -> list[Argument]:
+def pointer_arguments(function: Function) -> list[Argument]:
     """Arguments of a public function that are addresses, and must not be null."""
     return (
         [a for a in function.arguments if (a.variable.pointer or a.shape) and not a.optional] if function.public else []
@@ -151,5 +151,5 @@ def counted(function: Function, program: Program) -> str:
     return f"At most {found.total} {noun} on reals, {divisions}."
 
 
-def _shaped(a: Argument) -> str:
+def _shape_text(a: Argument) -> str:
     return a.name + "".join(f"[{int(n)}]" for n in a.shape)

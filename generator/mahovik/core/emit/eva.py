@@ -128,29 +128,29 @@ class _Writer:
         status = function.returns is Kind.STATUS
         return {
             "entry": driver.entry,
-            "given": [line for a in function.arguments for line in self._given(a, kind)],
+            "given": [line for a in function.arguments for line in self._argument_setup(a, kind)],
             "call": call(self._names, function, lambda a: argument_text(a, self._default(a) or a.name)),
             "status": status,
             "ignored": "(void)" if function.returns else "",
             "untouched": [
-                line for a in results if status and a.direction == "out" for line in self._asserted("untouched", a)
+                line for a in results if status and a.direction == "out" for line in self._assertions("untouched", a)
             ],
             "written": [
                 line
                 for a in results
                 if status
-                for line in self._asserted("initialised" if kind == BITS else "written", a)
+                for line in self._assertions("initialised" if kind == BITS else "written", a)
             ],
         }
 
     # ---- inputs ----
 
-    def _given(self, a: Argument, kind: str) -> Iterator[str]:
+    def _argument_setup(self, a: Argument, kind: str) -> Iterator[str]:
         """Declares an argument and fills it, where it is read."""
         if isinstance(a.type, Struct) and a.type.name == "table" and (a.direction == "inout" or a.type.field("stream")):
             yield f"{self._names.declaration(a.name, a.type)} = {self._names.function('default')};"
             if a.type.field("stream"):
-                yield from self._filled(f"{a.name}.stream", Field("stream", Kind.REAL, (3,)), kind)
+                yield from self._fill_statements(f"{a.name}.stream", Field("stream", Kind.REAL, (3,)), kind)
             return
         if self._default(a):
             return
@@ -163,7 +163,7 @@ class _Writer:
         elif isinstance(a.type, Struct) and not a.shape:
             yield f"{self._fill(a.type, kind)}(&{a.name});"
         else:
-            yield from self._filled(a.name, Field(a.name, a.type, a.shape), kind)
+            yield from self._fill_statements(a.name, Field(a.name, a.type, a.shape), kind)
 
     def _default(self, a: Argument) -> str:
         """The constant that an argument is, or nothing."""
@@ -186,9 +186,9 @@ class _Writer:
 
     def _member(self, prefix: str, f: Field, kind: str, middle: str) -> Iterator[str]:
         name = member(f.name)
-        return self._filled(f"{prefix}{name}", f, kind, f"{middle}{name}" if middle else "")
+        return self._fill_statements(f"{prefix}{name}", f, kind, f"{middle}{name}" if middle else "")
 
-    def _filled(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
+    def _fill_statements(self, place: str, f: Field, kind: str, middle: str = "") -> Iterator[str]:
         """Fills a place with all values of a set."""
         if isinstance(f.type, Struct):
             fields = f.type.fields
@@ -223,7 +223,7 @@ class _Writer:
 
     # ---- results ----
 
-    def _asserted(self, what: str, a: Argument) -> Iterator[str]:
+    def _assertions(self, what: str, a: Argument) -> Iterator[str]:
         if isinstance(a.type, Struct) and not a.shape:
             yield f"{self._look(what, a.type)}(&{a.name});"
         else:

@@ -82,7 +82,7 @@ class Expressions:
             case Place():
                 return self.place(e), _PRIMARY
             case Negate() if self._narrow(e.operand):
-                return f"-{self._widened(e.operand)}", _UNARY
+                return f"-{self._widen(e.operand)}", _UNARY
             case Negate():
                 return f"-{self._inside(e.operand, _UNARY + 1)}", _UNARY
             case Not():
@@ -126,7 +126,7 @@ class Expressions:
         level = _LEVEL[e.operator]
         left = self._side(e, e.left, level)
         if self._narrow(e.left) and (e.operator in ("<<", ">>") or self._narrow(e.right)):
-            left = self._widened(e.left)
+            left = self._widen(e.left)
         return f"{left} {e.operator} {self._side(e, e.right, level + 1)}", level
 
     def _narrow(self, e: Expr) -> bool:
@@ -138,7 +138,7 @@ class Expressions:
                 return self._narrow(e.yes) and self._narrow(e.no)
         return False
 
-    def _widened(self, e: Expr) -> str:
+    def _widen(self, e: Expr) -> str:
         return f"({self._names.type(Kind.WORD)}){self._inside(e, _UNARY)}"
 
     def _side(self, parent: Binary | Logic, e: Expr, least: int) -> str:

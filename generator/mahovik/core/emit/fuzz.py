@@ -22,7 +22,7 @@ from mahovik.core.emit.calls import (
     take_lines,
 )
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import pointed
+from mahovik.core.emit.declaration import pointer_arguments
 from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.recorder import RECORDED
 from mahovik.core.lower import test_inputs
@@ -56,7 +56,7 @@ class _Harness:
         code, precision, parameters = self._code, self._code.precision, self._structs["parameters"]
         takes = take_functions(self._names, code.public)
         draws = [{"name": a.name, "lines": self._draw_lines(a)} for a in self._inputs]
-        vary = over_members(self._names, parameters, self._varied, _argument_name("parameters"))
+        vary = over_members(self._names, parameters, self._variation_lines, _argument_name("parameters"))
         functions = [self._function(f) for f in code.public]
         lines = [line for each in (*takes, *draws, *functions) for line in each["lines"]] + vary
 
@@ -106,7 +106,7 @@ class _Harness:
             for f in self._structs["inverse_options"].fields
         ]
 
-    def _varied(self, f: Field, place: str, depth: int) -> list[str]:
+    def _variation_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that vary the numbers of one member of the parameters.
 
         A matrix, such as added mass, is symmetric: it is scaled as a whole first, then varied element by element.
@@ -123,7 +123,7 @@ class _Harness:
         """Return what the template needs to call one function twice and judge it."""
         if f.returns is not Kind.STATUS:
             raise ValueError(f"{f.name}: the fuzz harness judges functions that return a status")
-        pointers = pointed(f)
+        pointers = pointer_arguments(f)
         results = [a for a in f.arguments if a.direction != "in"]
         state = next((a.name for a in results if a.direction == "out" and self._is_state(f, a)), "")
         places = [(self._result(f, a), a) for a in results]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.layout import commented, wrapped
+from mahovik.core.emit.layout import comment_lines, wrapped
 from mahovik.core.emit.link import link
 from mahovik.core.emit.log_format import RESERVED, table_bytes
 from mahovik.core.emit.names import RESERVED as OF_STANDS
@@ -18,7 +18,7 @@ from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme.form import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.restrict import restricted
+from mahovik.core.program.restrict import restrict_program
 from mahovik.core.program.types import DOUBLE, FLOAT, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -77,7 +77,7 @@ def generate_all(
     program = lower_layout(layout)
     values = Values(stand, layout, program)
     if only:
-        program = restricted(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
+        program = restrict_program(program, _public_names(program, only, stand.name), ("state", "parameters", "table"))
     code = Code(program, identities(stand), inline=layout.lanes > 1)
     printer = _Printer(stand, layout, values, code, fast)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
@@ -183,7 +183,7 @@ class _Printer:
     def _function(self, f: Function) -> dict[str, Any]:
         """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
         found = self._code.function(f) | {"hook": self._names.constant("SQRT") if f.name == "sqrt" else ""}
-        return found | {"comment": commented(f.equation or f.purpose)} if f.public else found
+        return found | {"comment": comment_lines(f.equation or f.purpose)} if f.public else found
 
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""
@@ -210,9 +210,13 @@ class _Printer:
 def described(stand: Stand) -> str:
     """Bodies of a stand in words: `carrier, 1 instrument, 8 flywheels`."""
     return ", ".join(
-        ["carrier", _counted(len(stand.instruments), "instrument"), _counted(len(stand.flywheels), "flywheel")]
+        [
+            "carrier",
+            _count_in_words(len(stand.instruments), "instrument"),
+            _count_in_words(len(stand.flywheels), "flywheel"),
+        ]
     )
 
 
-def _counted(number: int, noun: str) -> str:
+def _count_in_words(number: int, noun: str) -> str:
     return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -54,7 +54,7 @@ def hanging(head: str, arguments: Sequence[str], end: str = "") -> list[str]:
     return [*lines, line]
 
 
-def commented(text: str, indent: str = "") -> list[str]:
+def comment_lines(text: str, indent: str = "") -> list[str]:
     """Prose as a comment."""
     lines = paragraph(text, f"{indent}/* ", f"{indent} * ")
     return [*lines[:-1], f"{lines[-1]} */"]

@@ -9,7 +9,7 @@ from mahovik.core.program.types import Precision
 
 def real_literal(value: float, precision: Precision) -> str:
     """`0.1`, in a float program `0.1F`. Raises ValueError for a number without a literal."""
-    number = _rounded(value, precision)
+    number = _round_to_type(value, precision)
     text = str(number)
     short = f"{float(number):.16e}".split("e")
     digits = short[0].rstrip("0").rstrip(".")
@@ -25,13 +25,13 @@ def real_literal(value: float, precision: Precision) -> str:
 
 def hex_literal(value: float, precision: Precision) -> str:
     """`0x1.8p+3`, in a float program `0x1.8p+3F`. Raises ValueError for a number without a literal."""
-    head, exponent = float(_rounded(value, precision)).hex().split("p")
+    head, exponent = float(_round_to_type(value, precision)).hex().split("p")
     if "." in head:
         head = head.rstrip("0").rstrip(".")
     return f"{head}p{exponent}{_suffix(precision)}"
 
 
-def _rounded(value: float, precision: Precision) -> Any:
+def _round_to_type(value: float, precision: Precision) -> Any:
     number = precision.scalar(value)
     if not abs(float(number)) <= precision.largest:
         raise ValueError(f"{value!r} has no literal in {precision.name}")

@@ -9,7 +9,7 @@ from typing import Any
 
 from mahovik.core.emit.calls import nested_loops, over_rows
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import pointed, prototype
+from mahovik.core.emit.declaration import pointer_arguments, prototype
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrapped
 from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP, logged, table_bytes
@@ -84,8 +84,8 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
             for struct in Struct(layout.table.name, layout.table.purpose, logged(layout)).inner_structs()
         ],
         "start_prototype": prototype(_start(layout), names),
-        "start_stack": _rounded(longest + _FRAMES),
-        "functions": [_step(f, names) | {"stack": _rounded(_stack(f, program) + longest)} for f in steps],
+        "start_stack": _round_stack(longest + _FRAMES),
+        "functions": [_step(f, names) | {"stack": _round_stack(_stack(f, program) + longest)} for f in steps],
     }
 
 
@@ -118,14 +118,14 @@ def _stack(logged: Function, program: Program) -> int:
     return stack_bound(program.function(logged.name.removeprefix("recorder_")), program) + _FRAMES
 
 
-def _rounded(stack: int) -> int:
+def _round_stack(stack: int) -> int:
     return -(-stack // 16) * 16
 
 
 def _step(f: Function, names: Names) -> dict[str, Any]:
     """Values of the template for a step with a log."""
     taken = [a.name for a in f.arguments[1:]]
-    condition = " || ".join(f"{a.name} == NULL" for a in pointed(f))
+    condition = " || ".join(f"{a.name} == NULL" for a in pointer_arguments(f))
     text = f"if ({condition} || log->write == NULL) {{ return {names.constant('BAD_ARGUMENT')}; }}"
     return {
         "name": f.name.removeprefix("recorder_"),

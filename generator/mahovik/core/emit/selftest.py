@@ -55,8 +55,8 @@ class _SelfTest:
             functions=functions,
             draws=draws,
             refusing=any("refused" in line for draw in draws for line in (draw if isinstance(draw, list) else [draw])),
-            scales=over_members(self._names, parameters, self._scaled, "parameters"),
-            inputs=[self._given(case, drawn) for case in self._golden.inputs],
+            scales=over_members(self._names, parameters, self._scaling_lines, "parameters"),
+            inputs=[self._case_initialiser(case, drawn) for case in self._golden.inputs],
             left_out=[self._names.function(f.name) for f in code.public if f not in self._tested],
             lanes=lanes,
             wide=lanes > 1,
@@ -144,7 +144,7 @@ class _SelfTest:
     def _largest(self, given: Input) -> str:
         return self._code.real(given.largest) + (" * fast" if given.name in test_inputs.FAST_INPUTS else "")
 
-    def _scaled(self, f: Field, place: str, depth: int) -> list[str]:
+    def _scaling_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that multiply a member of the parameters where it is a mass or an inertia."""
         if f.name not in test_inputs.SCALED:
             return []
@@ -153,7 +153,7 @@ class _SelfTest:
 
     # ---- golden numbers ----
 
-    def _given(self, case: dict[str, Any], drawn: Sequence[Argument]) -> list[str]:
+    def _case_initialiser(self, case: dict[str, Any], drawn: Sequence[Argument]) -> list[str]:
         """Initialiser of one case of golden inputs."""
         lines: list[str] = []
 

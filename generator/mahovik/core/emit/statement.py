@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.emit.expression import Expressions
-from mahovik.core.emit.layout import WIDTH, commented, wrapped
+from mahovik.core.emit.layout import WIDTH, comment_lines, wrapped
 from mahovik.core.emit.names import Names
 from mahovik.core.program.expression import Negate, Place, Variable
 from mahovik.core.program.statement import (
@@ -47,10 +47,10 @@ class Statements:
                 continue
             pack = self._element_run(body, position)
             if len(pack) > 1:
-                lines += self._packed(pack, indent)
+                lines += self._pack_assignments(pack, indent)
                 position += len(pack)
                 continue
-            if self._initialised(body, position):
+            if self._can_initialise(body, position):
                 lines += self._initialisation(body[position], body[position + 1], indent)
                 position += 2
                 continue
@@ -80,7 +80,7 @@ class Statements:
         """Are both elements of the same array?"""
         return self._expressions.place(a).rpartition("[")[0] == self._expressions.place(b).rpartition("[")[0]
 
-    def _packed(self, texts: list[str], indent: str) -> list[str]:
+    def _pack_assignments(self, texts: list[str], indent: str) -> list[str]:
         """Up to three assignments a line, in columns."""
         width = max(len(t) for t in texts)
         count = max(1, min(3, (WIDTH - len(indent) + 2) // (width + 2)))
@@ -94,7 +94,7 @@ class Statements:
             return f"{target} -= {text(s.value.operand)};"
         return f"{target} {'+=' if s.add else '='} {text(s.value)};"
 
-    def _initialised(self, body: tuple[Statement, ...], position: int) -> bool:
+    def _can_initialise(self, body: tuple[Statement, ...], position: int) -> bool:
         """A scalar is declared, and the next statement gives it its first value."""
         first, second = body[position], body[position + 1] if position + 1 < len(body) else None
         if not isinstance(first, Declare) or not isinstance(second, Set) or first.variable.shape:
@@ -104,7 +104,9 @@ class Statements:
     def _initialisation(self, first: Statement, second: Statement, indent: str) -> list[str]:
         assert isinstance(first, Declare) and isinstance(second, Set)
         value = self._expressions.text(second.value)
-        return self._line(f"{self._declared(first.variable)} = {value};", indent, first.comment or second.comment)
+        return self._line(
+            f"{self._local_declaration(first.variable)} = {value};", indent, first.comment or second.comment
+        )
 
     def _plain_declarations(self, body: tuple[Statement, ...], start: int) -> list[Variable]:
         found: list[Variable] = []
@@ -120,13 +122,13 @@ class Statements:
         text = self._expressions.text
         match s:
             case Note(note):
-                return commented(note, indent)
+                return comment_lines(note, indent)
             case Let(variable, value, comment):
                 return self._line(
                     f"const {self._names.type(variable.type)} {variable.name} = {text(value)};", indent, comment
                 )
             case Declare(variable, comment):
-                return self._line(f"{self._declared(variable)};", indent, comment)
+                return self._line(f"{self._local_declaration(variable)};", indent, comment)
             case Set():
                 return self._line(self._assignment(s), indent, s.comment)
             case Copy(target, source, comment):
@@ -158,7 +160,7 @@ class Statements:
             return lines
         if len(lines) == 1 and len(lines[0]) + len(comment) + 8 <= WIDTH:
             return [f"{lines[0]}  /* {comment} */"]
-        return [*commented(comment, indent), *lines]
+        return [*comment_lines(comment, indent), *lines]
 
     def _loop(self, s: Loop, indent: str) -> list[str]:
         i, text = s.index.name, self._expressions.text
@@ -176,5 +178,5 @@ class Statements:
             lines += [f"{indent}}} else {{", *self.block(s.otherwise, indent + _STEP)]
         return [*lines, f"{indent}}}"]
 
-    def _declared(self, variable: Variable) -> str:
+    def _local_declaration(self, variable: Variable) -> str:
         return self._names.declaration(variable.name, variable.type, variable.shape)

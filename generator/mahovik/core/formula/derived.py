@@ -28,7 +28,7 @@ class FormulaModule:
     def __getattr__(self, name: str) -> Callable[..., Any]:
         if name.startswith("_"):
             raise AttributeError(name)
-        return partial(_recalled, self._module, name)
+        return partial(_recall, self._module, name)
 
 
 MODULES = ("accumulate", "attitude", "carrier", "carrying", "drive", "motion", "point", "sensitivity", "wrench")
@@ -95,24 +95,24 @@ def cached(warn: Callable[[str], None]) -> Iterator[None]:
         leave_cache()
 
 
-def _recalled(module: str, name: str, *arguments: str | bool) -> Any:
+def _recall(module: str, name: str, *arguments: str | bool) -> Any:
     """One call of derive/: known, from the cache, or derived."""
     session = _state.session
     if session is None:
-        return _derived(module, name, arguments)
+        return _derive(module, name, arguments)
     store, known = session.cache, session.known
     key = f"{module}.{name}({', '.join(map(repr, arguments))})"
     if key not in known:
         kept = store.get(key)
         if kept is None:
-            known[key] = _derived(module, name, arguments)
+            known[key] = _derive(module, name, arguments)
             store.add(key, as_json(known[key]))
         else:
             known[key] = from_json(kept)
     return known[key]
 
 
-def _derived(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
+def _derive(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
     from mahovik.core.formula.ordered import ordered
 
     return ordered(getattr(import_module(f"mahovik.{module}"), name)(*arguments))

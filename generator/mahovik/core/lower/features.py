@@ -120,7 +120,7 @@ class Features:
     def own(self) -> tuple[LocalWrenchBody, ...]:
         """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
         inputs = self.structure.wrench_inputs
-        indices = sorted({*self._damped, *inputs} - {0})
+        indices = sorted({*self._damped_bodies, *inputs} - {0})
         fixed = 1 + self.instruments
         return tuple(
             LocalWrenchBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
@@ -128,21 +128,21 @@ class Features:
         )
 
     @cached_property
-    def _damped(self) -> frozenset[int]:
+    def _damped_bodies(self) -> frozenset[int]:
         """Indices of the bodies on which any damping acts."""
         return frozenset(i for of in of_bodies("lower", "damped") for i in of(self.structure))
 
     @property
     def damped(self) -> bool:
-        return bool(self._damped)
+        return bool(self._damped_bodies)
 
     @property
     def carrier_damped(self) -> bool:
-        return 0 in self._damped
+        return 0 in self._damped_bodies
 
     @property
     def own_damped(self) -> bool:
-        return any(i > 0 for i in self._damped)
+        return any(i > 0 for i in self._damped_bodies)
 
     @property
     def own_inputs(self) -> bool:

@@ -156,7 +156,7 @@ class _Player:
         """Drawn inputs by argument name, and parameters with their masses multiplied, under the struct's name."""
         factor = self._program.precision.scalar(drawn[MASS_FACTOR])
         structs = {s.name: s for s in self._program.structs}
-        parameters = _scaled(structs["parameters"], self._values.parameters, factor, self._program.precision)
+        parameters = _scale_masses(structs["parameters"], self._values.parameters, factor, self._program.precision)
         return {**drawn, "parameters": parameters}
 
     def play(self, function: Function, given: Mapping[str, Any]) -> tuple[int, list[tuple[Argument, Any]]]:
@@ -184,7 +184,7 @@ class _Player:
         )
 
 
-def _scaled(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:
+def _scale_masses(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:
     """Parameters with every mass and inertia multiplied."""
 
     def scaled(type_: Kind | Struct, shape: tuple[Any, ...], given: Any, name: str) -> Any:

@@ -9,7 +9,7 @@ from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, real, unequal
 from mahovik.core.program.function import Function
-from mahovik.core.program.prune import pruned
+from mahovik.core.program.prune import prune
 from mahovik.core.program.types import Kind
 
 
@@ -26,7 +26,7 @@ class Library:
     def add(self, function: Function) -> Function:
         """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""
         assert function.name not in self._functions
-        function = pruned(function)
+        function = prune(function)
         self._functions[function.name] = function
         return function
 

@@ -28,15 +28,15 @@ def rotation() -> Function:
 def rotate_back() -> Function:
     """C^T a."""
     purpose = "C^T a: components from the outer axes to the rotated axes."
-    return _rotated("rotate_back", purpose, derived_wrench.rotated_back())
+    return _rotation_function("rotate_back", purpose, derived_wrench.rotated_back())
 
 
 def rotate() -> Function:
     """C a."""
-    return _rotated("rotate", "C a: from the turned axes to the outer ones.", derived_wrench.rotated())
+    return _rotation_function("rotate", "C a: from the turned axes to the outer ones.", derived_wrench.rotated())
 
 
-def _rotated(name: str, purpose: str, formula: Iterable[Any]) -> Function:
+def _rotation_function(name: str, purpose: str, formula: Iterable[Any]) -> Function:
     C = Argument("C", Kind.REAL, (9,))
     a = Argument("a", Kind.REAL, (3,))
     out = Argument("out", Kind.REAL, (3,), "out", purpose="must not overlap a")

@@ -180,17 +180,17 @@ def _value(each: Input, generator: Generator, precision: Precision, factor: floa
             numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(each.count)]
         case _:
             numbers = [generator.real(each.largest) * factor for _ in range(each.count)]
-    return _shaped(numbers, each.shape)
+    return _reshape(numbers, each.shape)
 
 
-def _shaped(numbers: list[Any], shape: tuple[Any, ...]) -> Any:
+def _reshape(numbers: list[Any], shape: tuple[Any, ...]) -> Any:
     """Numbers in rows, a scalar where there is no shape."""
     if not shape:
         return numbers[0]
     if len(shape) == 1:
         return numbers
     size = len(numbers) // int(shape[0])
-    return [_shaped(numbers[i : i + size], shape[1:]) for i in range(0, len(numbers), size)]
+    return [_reshape(numbers[i : i + size], shape[1:]) for i in range(0, len(numbers), size)]
 
 
 def sweep_factors(state: int) -> dict[str, float]:

@@ -96,7 +96,7 @@ class _Body:
         def called(call: Call) -> Expr:
             if not is_flat(self._found(call.signature.name)):
                 raise TypeError(f"{call.signature.name} is called inside an expression, but cannot be copied there")
-            steps, value = self._copied(call)
+            steps, value = self._copy_body(call)
             before.extend(steps)
             assert value is not None
             return value
@@ -161,12 +161,12 @@ class _Body:
         if function.returns is not None:
             return []
         if is_flat(function):
-            return self._copied(Call(function.signature, arguments))[0]
+            return self._copy_body(Call(function.signature, arguments))[0]
         if not all(isinstance(s, Loop | Note | Declare) for s in function.body):
             return []
         names = self._fresh
         self._fresh = names.copy()
-        steps = self._copied(Call(function.signature, arguments))[0]
+        steps = self._copy_body(Call(function.signature, arguments))[0]
         if _flat(tuple(steps)):
             return steps
         self._fresh = names
@@ -184,7 +184,7 @@ class _Body:
         index = self._again(s.index, inner)
         yield replace(s, index=index, start=start, stop=stop, body=tuple(self._block(s.body, inner)))
 
-    def _copied(self, call: Call) -> tuple[list[Statement], Expr | None]:
+    def _copy_body(self, call: Call) -> tuple[list[Statement], Expr | None]:
         """The body of a function at a call, and the value that it returns."""
         function = self._found(call.signature.name)
         purpose = function.purpose[0].lower() + function.purpose[1:]

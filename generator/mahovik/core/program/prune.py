@@ -15,11 +15,11 @@ from mahovik.core.program.statement import Declare, Do, Let, Set, Statement, Sta
 from mahovik.core.program.walk import blocks, expressions, inside, own, statements, with_blocks
 
 
-def pruned(function: Function) -> Function:
+def prune(function: Function) -> Function:
     """The function without dead locals and without arguments that it has no use for."""
     body = function.body
     while True:
-        alive = {id(p.root) for p in _read(body)} | {id(a.variable) for a in function.arguments}
+        alive = {id(p.root) for p in _used_places(body)} | {id(a.variable) for a in function.arguments}
         shorter = _block(body, alive, alive | _written_by_calls(body, alive))
         if len(list(statements(shorter))) == len(list(statements(body))):
             break
@@ -29,7 +29,7 @@ def pruned(function: Function) -> Function:
     return replace(function, arguments=kept, body=body)
 
 
-def _read(body: Statements) -> Iterator[Place]:
+def _used_places(body: Statements) -> Iterator[Place]:
     """Places whose value is used: all but targets of Set and output arguments of calls that are statements."""
     for s in body:
         match s:
@@ -43,7 +43,7 @@ def _read(body: Statements) -> Iterator[Place]:
             case _:
                 yield from (p for e in own(s) for p in _places(e))
         for inner in blocks(s):
-            yield from _read(inner)
+            yield from _used_places(inner)
 
 
 def _written_by_calls(body: Statements, alive: set[int]) -> set[int]:

@@ -95,7 +95,7 @@ def _checks(body: Statements) -> Iterator[tuple[Call | None, Statement]]:
         s = body[position]
         following = body[position + 1] if position + 1 < len(body) else None
         if isinstance(s, Set) and isinstance(s.value, Call) and s.place.kind is Kind.STATUS:
-            returned = _returned(following, s.place)
+            returned = _return_of(following, s.place)
             if returned is None:
                 raise TypeError(f"the status of {s.value.signature.name} is not returned at once")
             yield s.value, returned
@@ -105,7 +105,7 @@ def _checks(body: Statements) -> Iterator[tuple[Call | None, Statement]]:
         position += 1
 
 
-def _returned(s: Statement | None, status: Place) -> Return | None:
+def _return_of(s: Statement | None, status: Place) -> Return | None:
     """What `if (status != OK) return ..` returns: the status, or another one; None of another statement."""
     if not isinstance(s, When) or not isinstance(s.condition, Compare) or s.condition.operator != "!=":
         return None
@@ -146,21 +146,21 @@ class _Refusing:
             if call is not None and other is None and self._probes and _only_looks(call.signature):
                 looks.append(call)
                 continue
-            found += self._looked(looks)
+            found += self._merge_probes(looks)
             looks = []
             if call is None:
                 found += self._statement(s)
             elif other is not None:
-                found += self._renamed(call, other)
+                found += self._rename_status(call, other)
             else:
                 found.append(self._do(call))
-        return (*found, *self._looked(looks))
+        return (*found, *self._merge_probes(looks))
 
     def _do(self, call: Call, refused: Place | None = None) -> Do:
         code = self._refused.place if refused is None else refused
         return Do(Call(self._done[call.signature.name].signature, (*call.arguments, code)))
 
-    def _renamed(self, call: Call, s: Return) -> Iterator[Statement]:
+    def _rename_status(self, call: Call, s: Return) -> Iterator[Statement]:
         """A call after which another status is returned than its own."""
         failed = Variable("failed", Kind.WORD, written=True)
         yield Declare(failed, "not 0: without an answer")
@@ -168,7 +168,7 @@ class _Refusing:
         yield self._do(call, failed.place)
         yield When(unequal(failed.place, word(0)), tuple(self._statement(s)))  # of a refused state nothing changes
 
-    def _looked(self, looks: list[Call]) -> Iterator[Statement]:
+    def _merge_probes(self, looks: list[Call]) -> Iterator[Statement]:
         """Probes of checks that follow one another; the checks themselves where one of them finds something."""
         if not looks:
             return

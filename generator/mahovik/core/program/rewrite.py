@@ -25,13 +25,13 @@ def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> 
     return call(found) if call is not None and isinstance(found, Call) else found
 
 
-def unbranched(e: Expr) -> Expr:
+def without_branches(e: Expr) -> Expr:
     """The same value where both sides of `&&`, `||` and of a choice of reals are computed: no loop has a branch."""
     if isinstance(e, Logic):
-        return Binary(e.operator[0], unbranched(e.left), unbranched(e.right))
+        return Binary(e.operator[0], without_branches(e.left), without_branches(e.right))
     if isinstance(e, Select) and e.kind is Kind.REAL and not _is_magnitude(e):
-        return Choice(unbranched(e.condition), unbranched(e.yes), unbranched(e.no))
-    return e.with_operands(unbranched)
+        return Choice(without_branches(e.condition), without_branches(e.yes), without_branches(e.no))
+    return e.with_operands(without_branches)
 
 
 def _is_magnitude(e: Select) -> bool:

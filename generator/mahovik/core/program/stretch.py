@@ -13,7 +13,7 @@ from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.late import late
-from mahovik.core.program.rewrite import FreshNames, rebuilt, unbranched
+from mahovik.core.program.rewrite import FreshNames, rebuilt, without_branches
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, When
 from mahovik.core.program.types import Kind
 from mahovik.core.program.varying import Varying
@@ -69,7 +69,7 @@ class Stretches:
         """Statements without conditions that vary, in lanes."""
         items = self._split(body)
         self._count(items)
-        return tuple(self._joined(items))
+        return tuple(self._join_lanes(items))
 
     # -- cutting -------------------------------------------------------------------------------------------------------
 
@@ -129,13 +129,13 @@ class Stretches:
 
     # -- joining -------------------------------------------------------------------------------------------------------
 
-    def _joined(self, items: list[_Item]) -> Iterator[Statement]:
+    def _join_lanes(self, items: list[_Item]) -> Iterator[Statement]:
         """Statements in lanes."""
         for item in items:
             if isinstance(item, _Stretch):
                 yield from self._loop(item)
             else:
-                yield self._nested(item)
+                yield self._widen_block(item)
 
     def _loop(self, stretch: _Stretch) -> Iterator[Statement]:
         """A stretch as a loop over lanes, after what is the same for all and the arrays that it needs."""
@@ -152,9 +152,9 @@ class Stretches:
                     elif len(users) == 1:
                         self._waiting.setdefault(next(iter(users)), []).append(variable)
                     elif users:
-                        outer.append(replace(s, variable=self._widened(variable)))
+                        outer.append(replace(s, variable=self._widen_variable(variable)))
                 case Let(variable, value) if len(self._users[id(variable)]) > 1:
-                    outer.append(Declare(self._widened(variable), s.comment))
+                    outer.append(Declare(self._widen_variable(variable), s.comment))
                     inner.append(Set(self._place(variable.place, index.place), self._expr(value, index.place)))
                 case Let(_, value):
                     inner.append(replace(s, value=self._expr(value, index.place)))
@@ -171,7 +171,7 @@ class Stretches:
             yield Loop(index, first, last, late(inner, index, self._fresh))
         yield from stretch.after
 
-    def _widened(self, variable: Variable) -> Variable:
+    def _widen_variable(self, variable: Variable) -> Variable:
         self._variables[id(variable)] = self._wide.variable(variable)
         return self._variables[id(variable)]
 
@@ -184,14 +184,14 @@ class Stretches:
                 return replace(s, place=self._place(place, None), value=self._expr(value, None))
         return s
 
-    def _nested(self, item: _Nested) -> Statement:
+    def _widen_block(self, item: _Nested) -> Statement:
         s = item.statement
         match s:
             case Loop():
                 start, stop = self._expr(s.start, None), self._expr(s.stop, None)
-                return replace(s, start=start, stop=stop, body=tuple(self._joined(item.body)))
+                return replace(s, start=start, stop=stop, body=tuple(self._join_lanes(item.body)))
             case When():
-                yes, no = tuple(self._joined(item.body)), tuple(self._joined(item.otherwise))
+                yes, no = tuple(self._join_lanes(item.body)), tuple(self._join_lanes(item.otherwise))
                 return replace(s, condition=self._expr(s.condition, None), body=yes, otherwise=no)
             case Copy(target, source):
                 return replace(s, target=self._place(target, None), source=self._place(source, None))
@@ -202,7 +202,7 @@ class Stretches:
 
     def _expr(self, e: Expr, lane: Place | None) -> Expr:
         found = rebuilt(e, lambda place: self._leaf(place, lane))
-        return found if lane is None else unbranched(found)
+        return found if lane is None else without_branches(found)
 
     def _place(self, place: Place, lane: Place | None) -> Place:
         found = self._expr(place, lane)

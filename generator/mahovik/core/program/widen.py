@@ -13,7 +13,7 @@ from dataclasses import replace
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, select, unequal, word
 from mahovik.core.program.function import Function
-from mahovik.core.program.prune import pruned
+from mahovik.core.program.prune import prune
 from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.rewrite import FreshNames
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
@@ -46,7 +46,7 @@ class Widener:
         key = (narrow.name, names)
         if key not in self._done:
             made = _Widening(self, narrow, names).function()
-            self._done[key] = replace(made, name=self._name(narrow.name), body=pruned(made).body)
+            self._done[key] = replace(made, name=self._name(narrow.name), body=prune(made).body)
         return self._done[key]
 
     def _name(self, name: str) -> str:

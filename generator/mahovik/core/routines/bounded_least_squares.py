@@ -58,7 +58,7 @@ def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, r
         _goal(body, (W.place, r.place, weight.place), (y.place, held.place), scratch, size, ridge)
         stopped = _advance(body, low.place, high.place, y.place, held.place, scratch.goal)
         with body.when(stopped < 0):
-            freed = _released(body, W.place, weight.place, y.place, held.place, scratch.z)
+            freed = _unknown_to_release(body, W.place, weight.place, y.place, held.place, scratch.z)
             with body.when(freed < 0):
                 body.set(going, integer(0))
             with body.otherwise():
@@ -225,7 +225,7 @@ def _advance(body: Body, low: Place, high: Place, y: Place, held: Place, goal: P
     return stopped
 
 
-def _released(body: Body, W: Place, weight: Place, y: Place, held: Place, z: Place) -> Place:
+def _unknown_to_release(body: Body, W: Place, weight: Place, y: Place, held: Place, z: Place) -> Place:
     """The held unknown that the objective would move inward most, beyond rounding, or -1."""
     freed = body.local("freed", (), Kind.INT)
     best = body.local("best")

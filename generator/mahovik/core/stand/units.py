@@ -79,7 +79,7 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
     if isinstance(raw, str):
         found = _QUANTITY.fullmatch(raw.strip())
         if found is None:
-            raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expected(dimension)}")
+            raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expectation(dimension)}")
         if unit is not None:
             raise QuantityError(f"{show(raw)} has a unit of its own inside a list in {unit}")
         if not found[2]:
@@ -88,7 +88,7 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
     if isinstance(raw, Column):
         return cast(float, _column(raw, dimension, unit))
     if isinstance(raw, bool) or not isinstance(raw, int | Decimal):
-        raise QuantityError(f"expected {_expected(dimension)}, found {show(raw)}")
+        raise QuantityError(f"expected {_expectation(dimension)}, found {show(raw)}")
     if unit is None:
         return _round(_exact(raw))
     return _round(_exact(raw) * factor(unit, dimension))
@@ -150,8 +150,8 @@ def _refusal(literal: str, unit: str, dimension: Dimension) -> str:
     if product != unit:
         with suppress(QuantityError):
             _root(product)
-            return f'unit {show(unit)}, read as "{product}", does not fit, expected {_expected(dimension)}{more}'
-    expected = "" if "expected" in literal else f", expected {_expected(dimension)}"
+            return f'unit {show(unit)}, read as "{product}", does not fit, expected {_expectation(dimension)}{more}'
+    expected = "" if "expected" in literal else f", expected {_expectation(dimension)}"
     return f"{literal}{expected}{more}"
 
 
@@ -181,7 +181,7 @@ def _literal_factor(unit: str, dimension: Dimension) -> Fraction:
     fitting = (our_radians,) if dimension in (ANGLE, SPEED) else (our_radians, 0, *dimension.radians)
     if not same or radians not in fitting:
         frequency = ", a frequency is not one: write rpm or rad/s" if dimension == SPEED and same else ""
-        raise QuantityError(f"unit {show(unit)} does not fit, expected {_expected(dimension)}{frequency}")
+        raise QuantityError(f"unit {show(unit)} does not fit, expected {_expectation(dimension)}{frequency}")
     return theirs / ours
 
 
@@ -204,7 +204,7 @@ def _short(text: str) -> str:
     return text if len(text) <= 40 else text[:37] + "..."
 
 
-def _expected(dimension: Dimension) -> str:
+def _expectation(dimension: Dimension) -> str:
     return f"{dimension.words} ({dimension.si})" if dimension.si else dimension.words
 
 

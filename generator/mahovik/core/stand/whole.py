@@ -45,7 +45,7 @@ class MassProperties:
 
 def placed_bodies(stand: Stand) -> list[Placed]:
     """All bodies of a stand in E1, in its order."""
-    return [_placed(stand, body) for body in stand.bodies]
+    return [_place_bodies(stand, body) for body in stand.bodies]
 
 
 def mass_properties(stand: Stand) -> MassProperties:
@@ -65,7 +65,7 @@ def mass_properties(stand: Stand) -> MassProperties:
     return MassProperties(mass, vec3(center), matrix3(J), vec3(moments), matrix3(rows))
 
 
-def _placed(stand: Stand, body: Body) -> Placed:
+def _place_bodies(stand: Stand, body: Body) -> Placed:
     position, axes = np.zeros(3), np.eye(3)
     if isinstance(body, Instrument | Flywheel):
         position, axes = placement(body)

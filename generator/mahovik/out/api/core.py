@@ -287,7 +287,7 @@ class Built:
         if tables is not None:
             n = self._check_tables(tables, n)
         if carry is not None:
-            alike["carry"] = self._carried(f, carry, n)
+            alike["carry"] = self._carry_records(f, carry, n)
         found, status = self._call.run(function, parts | alike, 1 if n is None else n, on_error, tables)
         return found, status, n is None
 
@@ -304,7 +304,7 @@ class Built:
             raise InputError(f"different numbers of states: {n} given, tables {len(tables)}")
         return len(tables)
 
-    def _carried(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
+    def _carry_records(self, f: ArrayFunction, carry: Any, n: int | None) -> Array:
         """A carry as records, one for each state."""
         shape = (self._components,) if n is None else (n, self._components)
         if not isinstance(carry, np.ndarray) or carry.dtype != self._element or carry.shape != shape:

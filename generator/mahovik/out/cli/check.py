@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.fitting import fitted, fitting_unit
+from mahovik.out.cli.fitting import column_that_fits, fitting_unit
 from mahovik.out.cli.options import STAND_FILE, command, json_option, load_stand, option
 from mahovik.out.cli.output import console, print_json, print_line, print_table
 from mahovik.out.functions.motor_limits import warn_of_speeds
@@ -137,7 +137,7 @@ def read_speed(text: str) -> float:
 
 def _print(summary: Summary, names: Identities, short: list[str], written: list[Written]) -> None:
     console().print(f"[bold]{summary.name}[/bold]   structure {names.structure}, physics {names.physics}")
-    title, masses = fitted("mass", [*(b.mass for b in summary.bodies), summary.mass], "kg")
+    title, masses = column_that_fits("mass", [*(b.mass for b in summary.bodies), summary.mass], "kg")
     print_table(
         ("body", "kind", "mount", title, "centre of mass in E1, m>"),
         (
@@ -146,7 +146,7 @@ def _print(summary: Summary, names: Identities, short: list[str], written: list[
         ),
         total=("all", "", "", masses[-1], _vector(summary.center_of_mass)),
     )
-    title, moments = fitted("principal inertia about the centre of mass", summary.principal_inertia, "kg m2")
+    title, moments = column_that_fits("principal inertia about the centre of mass", summary.principal_inertia, "kg m2")
     print_table((title, "its axis in E1>"), zip(moments, map(_vector, summary.principal_axes), strict=True))
     if summary.unbalance:
         _print_flywheels(summary)
@@ -163,22 +163,22 @@ def _print_flywheels(summary: Summary) -> None:
 
     rows, names = summary.unbalance, [row.name for row in summary.unbalance]
     columns = (
-        fitted("spin inertia", [row.spin_inertia for row in rows], "kg m2"),
-        fitted("static", [1e-6 * row.static for row in rows], "kg m"),
+        column_that_fits("spin inertia", [row.spin_inertia for row in rows], "kg m2"),
+        column_that_fits("static", [1e-6 * row.static for row in rows], "kg m"),
         ("at, deg>", [_degrees(row.static_at) for row in rows]),
-        fitted("dynamic", [1e-9 * row.dynamic for row in rows], "dynamic"),
+        column_that_fits("dynamic", [1e-9 * row.dynamic for row in rows], "dynamic"),
         ("at, deg>", [_degrees(row.dynamic_at) for row in rows]),
-        fitted("about its mass centre", [1e-9 * row.dynamic_center for row in rows], "dynamic"),
-        fitted("J22 - J33", [1e-9 * row.asymmetry for row in rows], "dynamic"),
-        fitted("J23", [1e-9 * row.product for row in rows], "dynamic"),
+        column_that_fits("about its mass centre", [1e-9 * row.dynamic_center for row in rows], "dynamic"),
+        column_that_fits("J22 - J33", [1e-9 * row.asymmetry for row in rows], "dynamic"),
+        column_that_fits("J23", [1e-9 * row.product for row in rows], "dynamic"),
     )
     _print_columns(names, columns)
     effects = (
         ("at, rpm>", [f"{row.speed * RPM:.5g}" for row in rows]),
-        fitted("force", [row.force for row in rows], "N"),
-        fitted("moment", [row.moment for row in rows], "N m"),
-        fitted("couple", [row.couple for row in rows], "N m"),
-        fitted("e omega", [row.eccentric_velocity for row in rows], "mm/s"),
+        column_that_fits("force", [row.force for row in rows], "N"),
+        column_that_fits("moment", [row.moment for row in rows], "N m"),
+        column_that_fits("couple", [row.couple for row in rows], "N m"),
+        column_that_fits("e omega", [row.eccentric_velocity for row in rows], "mm/s"),
         ("ISO 21940-11", [grade_words(row.eccentric_velocity) for row in rows]),
         *_at_planes(rows),
         *_capacities(summary, lambda capacity: capacity.each),
@@ -212,12 +212,12 @@ def _at_planes(rows: Sequence[UnbalanceRow]) -> tuple[Column, ...]:
     if all(velocity is None for velocity in velocities):
         return ()
     grades = ["-" if velocity is None else grade_words(velocity) for velocity in velocities]
-    return fitted("at two planes", velocities, "mm/s"), ("grade there", grades)
+    return column_that_fits("at two planes", velocities, "mm/s"), ("grade there", grades)
 
 
 def _capacities(summary: Summary, values: Callable[[Capacity], Sequence[float | None]]) -> tuple[Column, ...]:
     """Columns of momentum and torque, each if some motor has a limit of it."""
-    return tuple(fitted(name, values(capacity), unit) for name, capacity, unit in _kinds(summary))
+    return tuple(column_that_fits(name, values(capacity), unit) for name, capacity, unit in _kinds(summary))
 
 
 def _kinds(summary: Summary) -> list[tuple[str, Capacity, str]]:

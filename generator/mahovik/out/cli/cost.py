@@ -74,7 +74,7 @@ def cost(
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     lanes = delivered_lanes(folder)
     before = read_accepted(text, str(folder / FIGURES), lanes) if text is not None else None
-    found = _measured(stand, pairs, lanes, delivered_only(folder))
+    found = _measure(stand, pairs, lanes, delivered_only(folder))
     if as_json:
         print_json_text(json_text(found))
     elif not usual and not check:
@@ -106,7 +106,7 @@ def _compare(
     click.echo(f"{found.stand}: no rise on {'; '.join(result.compared) or 'any target'}", err=quiet)
 
 
-def _measured(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int, only: tuple[str, ...]) -> Costs:
+def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], lanes: int, only: tuple[str, ...]) -> Costs:
     from mahovik.proof.cost.measure import measure
 
     with progress(f"cost of {stand.name}", len(pairs)) as stage:

@@ -61,7 +61,7 @@ def evidence(
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
-    found = _collected(stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real)
+    found = _collect(stand_file, folder, full, seconds or FUZZ_SECONDS[full], wanted, real)
     if as_json:
         print_json(_plain(found, folder))
     else:
@@ -88,7 +88,7 @@ def _check(folder: Path, as_json: bool) -> None:
         click.echo(f"{click.format_filename(folder)}   every file as it was written")
 
 
-def _collected(
+def _collect(
     stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
 ) -> list[Collected]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""

@@ -35,7 +35,7 @@ def fitting_unit(values: Sequence[float | None], quantity: str) -> tuple[str, fl
     return min(units, key=lambda unit: unit[1]) if largest < units[0][1] else max(units, key=lambda unit: unit[1])
 
 
-def fitted(title: str, values: Sequence[float | None], quantity: str) -> tuple[str, list[str]]:
+def column_that_fits(title: str, values: Sequence[float | None], quantity: str) -> tuple[str, list[str]]:
     """Title of a right-aligned column with its unit, and its figures; "-" for None."""
     unit, size = fitting_unit(values, quantity)
     return f"{title}, {unit}>", ["-" if x is None else f"{x / size:.5g}" for x in values]

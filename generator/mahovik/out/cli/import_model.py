@@ -122,7 +122,7 @@ def _write(
     found = make_stand(model, own, source.name, carrier=carrier, gravity=field, instruments=instruments)
     text = stand_file(found, source.name, f"mahovik import {click.get_current_context().info_name}")
     with progress(f"comparing with {source.name}"):
-        comparison = _compared(found, model, original, source)
+        comparison = _comparison_words(found, model, original, source)
     write(target, text)
     stand = found.stand
     made = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
@@ -132,7 +132,7 @@ def _write(
         click.echo(note)
 
 
-def _compared(
+def _comparison_words(
     found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], source: Path
 ) -> str:
     """Agreement of the stand with the original file, in words. Raises CheckError."""

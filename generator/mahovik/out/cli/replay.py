@@ -136,7 +136,7 @@ class _Session:
         self._steps += 1
         self._refused += found.status < 0
         if self._output is not None:
-            self._lines.append(self._written(found))
+            self._lines.append(self._state_text(found))
         if found.step.count == self._wanted:
             self._show(found)
             self._wanted = None
@@ -144,7 +144,7 @@ class _Session:
             self._emit_test(found)
             self._tested = None
 
-    def _written(self, found: Outcome) -> str:
+    def _state_text(self, found: Outcome) -> str:
         from mahovik.errors import StateError
         from mahovik.use.simulate.replay import check_format, csv_row, eval_line
 

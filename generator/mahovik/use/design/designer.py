@@ -69,7 +69,7 @@ def make_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
     if not has_bounds(problem.motion.bounds):
         return best, ()
     improver = Improver.of(problem)
-    over = _exceeded(problem, best)
+    over = _exceeded_bounds(problem, best)
     if (over or least > problem.tolerance) and problem.N >= 6:
         found = improver.polish(course, "given", budget)
         if found is not None and found.accepted:
@@ -86,7 +86,7 @@ def drop_harmonics(problem: Problem, course: Periodic, residual: float) -> Perio
     return course
 
 
-def _exceeded(problem: Problem, course: Periodic) -> tuple[str, ...]:
+def _exceeded_bounds(problem: Problem, course: Periodic) -> tuple[str, ...]:
     """Bounds of the motion file that the flywheels' motion exceeds, as messages."""
     grid = problem.grid(20 * (2 * course.H + 2), course.H, 0.5)
     angles = course.at(grid.basis)

@@ -127,13 +127,13 @@ class Task:
 
     def rows(self, design: Design, weighing: Weighing) -> Array:
         """All rows at a design."""
-        return self._evaluated(design, weighing, False)[0]
+        return self._evaluate(design, weighing, False)[0]
 
     def jacobian(self, design: Design, weighing: Weighing) -> Array:
         """Derivatives of all rows by z."""
-        return self._evaluated(design, weighing, True)[1] * self.scales(design.motion.H)
+        return self._evaluate(design, weighing, True)[1] * self.scales(design.motion.H)
 
-    def _evaluated(self, design: Design, weighing: Weighing, differentiate: bool) -> tuple[Array, Array]:
+    def _evaluate(self, design: Design, weighing: Weighing, differentiate: bool) -> tuple[Array, Array]:
         y, motion = design
         grid = self.grid(motion.winding, motion.H)
         problem, at, found = self._linear(design, grid)

@@ -198,12 +198,12 @@ class _Former:
             yield Variable("dt", units.SECOND, text, "parameter", "tunable", self._dt, least=1e-9, most=most)
 
     def _parameters(self) -> Iterator[Variable]:
-        return self._measured(parameters(self._stand, self._layout, self._values))
+        return self._measurement_variables(parameters(self._stand, self._layout, self._values))
 
     def _laws(self) -> Iterator[Variable]:
-        return self._measured(laws(self._stand, self._layout, self._values))
+        return self._measurement_variables(laws(self._stand, self._layout, self._values))
 
-    def _measured(self, members: Iterator[Member]) -> Iterator[Variable]:
+    def _measurement_variables(self, members: Iterator[Member]) -> Iterator[Variable]:
         for member in members:
             most = self._most["MAX_VELOCITY" if member.name.startswith("stream[") else "MAX_PARAMETER"]
             yield Variable(
@@ -213,7 +213,7 @@ class _Former:
 
     # -- what is calculated --------------------------------------------------------------------------------------------
 
-    def _named(self, *prefixes: str) -> tuple[str, ...]:
+    def _state_names(self, *prefixes: str) -> tuple[str, ...]:
         """Names of states of these beginnings."""
         return tuple(v.name for v in self._of("STATE") if v.name.startswith(prefixes))
 
@@ -222,16 +222,16 @@ class _Former:
         layout = self._layout
         found = tuple(v.name for name in ("DRIVE", "WRENCH") for v in self._of(name))
         if any(law.placed for law in layout.law_tables):
-            found += self._named("carrier.position")
+            found += self._state_names("carrier.position")
         if attitude or layout.attitude_needed:
-            found += self._named("carrier.attitude")
-        return found + self._named("carrier.V[") + self._turning()
+            found += self._state_names("carrier.attitude")
+        return found + self._state_names("carrier.V[") + self._turning()
 
     def _turning(self) -> tuple[str, ...]:
         return tuple(f"{name}.phi" for name in self._names) + tuple(f"{name}.phi_dot" for name in self._names)
 
     def _rates(self, states: Sequence[Variable]) -> Iterator[Variable]:
-        attitude, V = self._named("carrier.attitude"), self._named("carrier.V[")
+        attitude, V = self._state_names("carrier.attitude"), self._state_names("carrier.V[")
         for i, state in enumerate(states[:7]):
             what = "velocity of O1 in E0" if i < 3 else "rate of the quaternion, drawn to unit length"
             depends = attitude + V[:3] if i < 3 else attitude + V[3:]
@@ -271,12 +271,12 @@ class _Former:
             yield Variable(f"{name}.tau", units.TORQUE, text, "output", depends=self._moving())
 
     def _momenta(self) -> Iterator[Variable]:
-        pose = self._named("carrier.position", "carrier.attitude")
-        moving = self._named("carrier.attitude", "carrier.V[") + self._turning()
+        pose = self._state_names("carrier.position", "carrier.attitude")
+        moving = self._state_names("carrier.attitude", "carrier.V[") + self._turning()
         yield Variable("energy", units.ENERGY, "kinetic energy of all bodies", "output", depends=moving)
         for i in range(6):
             text = f"momentum screw of all bodies in E0 about its origin, {'linear' if i < 3 else 'angular'} part, (1)"
-            depends = pose + self._named("carrier.V[") + self._turning()
+            depends = pose + self._state_names("carrier.V[") + self._turning()
             yield Variable(f"momentum[{i + 1}]", units.MOMENTUM_SCREW[i], text, "output", depends=depends)
         for i in range(3):
             text = f"centre of mass of all bodies in E1, component {i + 1}"
@@ -284,8 +284,8 @@ class _Former:
             yield Variable(f"center_of_mass[{i + 1}]", units.METRE, text, "output", depends=depends)
 
     def _readings(self) -> Iterator[Variable]:
-        attitude, V = self._named("carrier.attitude"), self._named("carrier.V[")
-        position = self._named("carrier.position")
+        attitude, V = self._state_names("carrier.attitude"), self._state_names("carrier.V[")
+        position = self._state_names("carrier.position")
         for name in self._layout.sensors:
             for i in range(3):
                 text = f"{name}: position in E0, component {i + 1}"

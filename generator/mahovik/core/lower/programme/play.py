@@ -76,11 +76,11 @@ class Player:
         for course in self._made.courses:
             last = scalar(1) if not course.form.cyclic else scalar(1) - scalar(2.0**-self._precision.significand)
             phases = tuple(scalar(x) for x in (*GOOD, last))
-            answers = tuple(self._listed(self.at(course, float(x))[1]) for x in phases)
+            answers = tuple(self._as_tuple(self.at(course, float(x))[1]) for x in phases)
             courses.append(GoldenCourse(course, phases, answers))
         return Golden(tuple(courses), self._loop())
 
-    def _listed(self, outputs: Mapping[str, Any]) -> tuple[Any, ...]:
+    def _as_tuple(self, outputs: Mapping[str, Any]) -> tuple[Any, ...]:
         return tuple(self._precision.scalar(x) for values in outputs.values() for x in values)
 
     def _loop(self) -> int:
@@ -93,5 +93,5 @@ class Player:
             clock = run("programme_advance", {"clock": clock})[1]["clock"]
             phase = run("programme_phase", {"clock": clock})[1]["phase"]
             outputs = self.at(self._made.courses[0], phase)[1]
-            total = fnv1a(np.array([phase, *self._listed(outputs)], dtype=kind).tobytes(), total)
+            total = fnv1a(np.array([phase, *self._as_tuple(outputs)], dtype=kind).tobytes(), total)
         return total

@@ -107,7 +107,7 @@ def _servo(
         status, found = interpreter.run("servo_step", inputs)
         state = found["state"]
         listed.append(tuple(precision.scalar(x) for x in found["tau"]))
-        total = _hashed(precision, total, int(status), found["tau"])
+        total = _hash_answers(precision, total, int(status), found["tau"])
     return tuple(listed[:LISTED]), total
 
 
@@ -130,10 +130,10 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
         }
         status, found = interpreter.run("trim_step", inputs)
         state = found["state"]
-        total = _hashed(precision, total, int(status), [*found["phi"], *found["phi_dot"], *found["tau"]])
+        total = _hash_answers(precision, total, int(status), [*found["phi"], *found["phi_dot"], *found["tau"]])
     return total
 
 
-def _hashed(precision: Precision, total: int, status: int, values: list[Any]) -> int:
+def _hash_answers(precision: Precision, total: int, status: int, values: list[Any]) -> int:
     kind = f"<f{precision.width // 8}"
     return fnv1a(np.array([status, *values], dtype=kind).tobytes(), total)

@@ -192,14 +192,14 @@ class Boundary:
         near = None
         if before is not None:
             near, guess = before.course.near, before.course.y
-        given, rest, found, error = self._followed(self.family.angles(c), guess, near)
+        given, rest, found, error = self._follow(self.family.angles(c), guess, near)
         return Flight(c, given, rest, found, error)
 
     def table_error(self, table: Samples, guess: Array) -> float:
         """Terminal error (see `size`) of a table as it is read, on this problem's nodes; `guess`: states (M, 12)."""
-        return size(self._followed(table.at(self.family.t), guess, None)[3])
+        return size(self._follow(table.at(self.family.t), guess, None)[3])
 
-    def _followed(
+    def _follow(
         self, angles: Angles, guess: Array | None, near: Eliminated | None
     ) -> tuple[Drive, Equilibrium, CarrierCourse, Array]:
         given = drive(self.chart.mechanics, *angles)
@@ -214,7 +214,7 @@ class Boundary:
         """Torques along a flight, and derivatives of (8) and of the torques by the flywheels' motion."""
         return linearise_along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
 
-    def relinearised(self, flight: Flight) -> Flight:
+    def linearise_again(self, flight: Flight) -> Flight:
         """The same flight with the linear equations along its own course."""
         near = linearise(self.chart, flight.given, self.spacing, flight.course.y)
         return replace(flight, course=replace(flight.course, near=near))
@@ -222,7 +222,7 @@ class Boundary:
     def sensitivity(self, flight: Flight) -> tuple[Array, Array]:
         """Derivatives by c: of the terminal error (12, N P), and of the states at all nodes (M, 12, N P).
 
-        As exact as the flight's linear equations: call `relinearised` first.
+        As exact as the flight's linear equations: call `linearise_again` first.
         """
         N, P = flight.c.shape
         rates = np.zeros((len(self.family.t), 12, N, P))

@@ -40,7 +40,7 @@ def shoot(problem: Boundary, start: Flight, goal: float, most: int, budget: Budg
     for taken in range(most):
         if flight.size <= goal or (budget is not None and budget.is_spent()):
             return flight, taken
-        flight = problem.relinearised(flight)
+        flight = problem.linearise_again(flight)
         J, _ = problem.sensitivity(flight)
         step = least_step(J, flight.error, flight.c.ravel() if flight.size > FAR else None).reshape(flight.c.shape)
         step *= min(1.0, LONGEST / max(float(np.abs(step).max()), 1e-300))
@@ -138,7 +138,7 @@ def reduce_excess(problem: Boundary, flight: Flight, bounds: Bounds, budget: Bud
             or (len(history) > _STALL and least > 0.9 * history[-1 - _STALL])
         ):
             break
-        best = problem.relinearised(best)
+        best = problem.linearise_again(best)
         J, states = problem.sensitivity(best)
         h, G = _rows(problem, best, bounds, states)
         step = _bounded_step(J, best.error, h, G, weight * float(np.linalg.norm(G)) ** 2 / G.shape[1])

@@ -106,7 +106,7 @@ def solve(
 
 def is_out_of_reach(problem: Boundary, flight: Flight) -> bool:
     """Whether the remaining terminal error cannot be reduced by any flywheel motion, to first order."""
-    J, _ = problem.sensitivity(problem.relinearised(flight))
+    J, _ = problem.sensitivity(problem.linearise_again(flight))
     U, sigma, _ = np.linalg.svd(J)
     lost = U[:, ~nonzero(sigma)].T @ flight.error
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))

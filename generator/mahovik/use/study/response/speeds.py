@@ -141,7 +141,7 @@ def _plan_speeds(names: list[str], texts: dict[str, tuple[str, str]]) -> SpeedPl
         else:
             constant[name] = _speed(each, text)
     for name in geared:
-        constant[name], factor[name] = _geared(name, geared, constant, factor)
+        constant[name], factor[name] = _gear_ratio(name, geared, constant, factor)
     if swept is None:
         swept = next((name for name in names if constant[name]), None)
     leader = None if swept is None else names.index(swept)
@@ -165,7 +165,7 @@ def _factor(each: str, text: str | None) -> float:
         raise UsageError(f"--speed {each}: {text.removesuffix('*')!r} is not a number") from None
 
 
-def _geared(
+def _gear_ratio(
     name: str, geared: dict[str, tuple[str, float, str]], constant: dict[str, float], factor: dict[str, float]
 ) -> tuple[float, float]:
     """Constant and factor of a flywheel that is geared, possibly through others."""
