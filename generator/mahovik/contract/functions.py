@@ -357,7 +357,6 @@ CONFLICTS = tuple(
 )
 """Pairs of wants that give two values to one name, and the name."""
 
-
 TASK_TAKERS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].takes and name != "inverse")
 """Wants that take the motion which results of a state's task, in place of its V_dot and phi_ddot."""
 
