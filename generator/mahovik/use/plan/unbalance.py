@@ -1,4 +1,4 @@
-"""What unbalance and asymmetry add to a programme of the mean stand: the stand itself with these motions of the flywheels.
+"""What unbalance and asymmetry add to a programme of the mean stand: the stand itself with the same flywheel motions.
 
 The carrier of the stand has the momentum that the mean stand has at t = 0, so that it rests where unbalance only shakes
 it; from there (8) with the programme's phi(t), block by block, each by Picard's iteration at uniform nodes.
@@ -50,7 +50,7 @@ class Shaken:
     shift: Array
 
     def figures(self, sight: Array | None) -> dict[str, dict[str, float]]:
-        """`angle` (rad) of the attitude, or of the line of `sight` (3, in E1), and `shift` (m): largest, RMS, at the end."""
+        """`angle` (rad) of the attitude or of the line of `sight` (3, in E1), `shift` (m): largest, RMS, at the end."""
         turn = self.turn if sight is None else np.cross(self.turn, sight)
         found = {}
         for name, values in (("angle", turn), ("shift", self.shift)):
