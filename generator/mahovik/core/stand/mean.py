@@ -1,9 +1,9 @@
 """The mean stand: flywheels whose mass properties are means over a turn, so that they do not depend on the phase.
 
-The mean over a turn about the first axis keeps mass, spin inertia and the place of the centre of mass along the axis. It
-brings this point onto the axis, makes both transverse inertias equal to their mean, and products of inertia zero. What
-is left is smooth in time at any speed. Unbalance and asymmetry, which shake the carrier once or twice a turn, are left
-out. Laws of a flywheel are kept as they are.
+The mean over a turn about the first axis keeps mass, spin inertia and the place of the centre of mass along the axis.
+It brings this point onto the axis, makes both transverse inertias equal to their mean, and products of inertia zero.
+What is left is smooth in time at any speed. Unbalance and asymmetry, which shake the carrier once or twice a turn, are
+left out. Laws of a flywheel are kept as they are.
 """
 
 from __future__ import annotations
