@@ -27,7 +27,7 @@ MOST = 0.5 * ARCSEC
 """rad: accepted distance from the end on the stand itself."""
 
 
-def turned(degrees: float) -> dict[str, Any]:
+def about_z(degrees: float) -> dict[str, Any]:
     return {"angles": [f"{degrees} deg", 0, 0]}
 
 
@@ -42,19 +42,19 @@ def planned(verify: bool = False, **keys: Any) -> Plan:
 
 @cache
 def quick() -> Programme:
-    return planned(end=turned(5), duration=10, start=against(314)).programmes[0]
+    return planned(end=about_z(5), duration=10, start=against(314)).programmes[0]
 
 
 @pytest.mark.parametrize(
     "keys",
     [
-        {"end": turned(5), "duration": 10, "start": against(500)},
-        pytest.param({"end": turned(30), "duration": 20, "start": against(100)}, marks=SLOW),
-        pytest.param({"end": turned(10), "duration": 10, "start": against(60)}, marks=SLOW),
-        pytest.param({"end": turned(30), "duration": 60, "start": against(100)}, marks=SLOW),
-        pytest.param({"end": turned(30), "start": against(314)}, marks=SLOW),
-        pytest.param({"end": turned(30), "start": against(500)}, marks=SLOW),
-        pytest.param({"end": turned(90), "start": {"phi_dot": 500}}, marks=SLOW),
+        {"end": about_z(5), "duration": 10, "start": against(500)},
+        pytest.param({"end": about_z(30), "duration": 20, "start": against(100)}, marks=SLOW),
+        pytest.param({"end": about_z(10), "duration": 10, "start": against(60)}, marks=SLOW),
+        pytest.param({"end": about_z(30), "duration": 60, "start": against(100)}, marks=SLOW),
+        pytest.param({"end": about_z(30), "start": against(314)}, marks=SLOW),
+        pytest.param({"end": about_z(30), "start": against(500)}, marks=SLOW),
+        pytest.param({"end": about_z(90), "start": {"phi_dot": 500}}, marks=SLOW),
     ],
 )
 def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
@@ -73,7 +73,7 @@ def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
 def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     """The literal reference over the first turns of the wheels, by another method in other coordinates."""
     stand, programme = sat4(), quick()
-    motion = resolved(slew(stand, end=turned(5), duration=10, start=against(314)), programme)
+    motion = resolved(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
     found = shaken(stand, motion, programme)
     assert found is not None
     k = int(np.searchsorted(found.t, 0.05))
@@ -98,7 +98,7 @@ def test_the_carrier_begins_with_the_momentum_of_the_mean_stand() -> None:
 
 def test_without_unbalance_nothing_is_added() -> None:
     stand = mean_stand(sat4())
-    wanted = slew(stand, end=turned(5), duration=10, start=against(50))
+    wanted = slew(stand, end=about_z(5), duration=10, start=against(50))
     figures = plan_slew(stand, wanted, verify=False).programmes[0].report["unbalance"]
     assert figures["angle"]["largest"] < 1e-9 and figures["shift"]["largest"] < 1e-9
 
@@ -108,7 +108,7 @@ def test_the_programme_says_so_and_is_not_taken_for_a_resisted_one() -> None:
     again = read_programme(programme_text(programme))
     assert again.unbalance == "averaged"
     assert programme_text(again) == programme_text(programme)
-    keys: dict[str, Any] = {"end": turned(5), "duration": 10, "start": against(314)}
+    keys: dict[str, Any] = {"end": about_z(5), "duration": 10, "start": against(314)}
     other = slew(stand, unbalance="resisted", **keys)
     findings = verify_programme(stand, resolved(other, replace(programme, unbalance="resisted")), programme)
     assert {each.name for each in findings if not each.passed} == {"motion"}
@@ -120,7 +120,7 @@ def test_the_programme_says_so_and_is_not_taken_for_a_resisted_one() -> None:
 
 def test_near_rest_unbalance_can_be_resisted() -> None:
     """The flywheels' ripple is in the programme, and nothing is added; wheels from rest do not pass zero speed."""
-    found = planned(end=turned(3), duration=5, unbalance="resisted", verify=True)
+    found = planned(end=about_z(3), duration=5, unbalance="resisted", verify=True)
     assert found.status == "OK", found.words
     programme = found.programmes[0]
     assert "unbalance" not in programme.report
@@ -129,7 +129,7 @@ def test_near_rest_unbalance_can_be_resisted() -> None:
 
 
 def test_a_wheel_that_reverses_passes_zero_speed() -> None:
-    found = planned(end=turned(30), duration=20, start={"phi_dot": [0.5, -0.5, 0.5, -0.5]})
+    found = planned(end=about_z(30), duration=20, start={"phi_dot": [0.5, -0.5, 0.5, -0.5]})
     names = found.programmes[0].report["through_zero"]
     peaks = np.sign(found.programmes[0].at(np.linspace(0, 20, 41)).phi_dot)
     reversing = [wheel.name for wheel, signs in zip(sat4().flywheels, peaks.T, strict=True) if len(set(signs)) > 1]
@@ -139,7 +139,7 @@ def test_a_wheel_that_reverses_passes_zero_speed() -> None:
 @SLOW
 def test_torque_of_the_motor_is_within_its_limit_where_friction_brakes_too() -> None:
     """The drive torque tau, friction included, may be more than the motor's own while it brakes."""
-    found = planned(end=turned(20), bounds={"torque": 0.1}, verify=True)
+    found = planned(end=about_z(20), bounds={"torque": 0.1}, verify=True)
     report = found.programmes[0].report
     assert report["peak_torque"].max() > 0.1 >= report["peak_motor_torque"].max() > 0.099
     assert report["verified"], report["verification"]  # the bound of the file is one of the motor

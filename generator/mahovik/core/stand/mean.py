@@ -15,7 +15,7 @@ from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand
 
 Unbalance = Literal["averaged", "resisted"]
-"""What a programme does about unbalance and asymmetry of the flywheels.
+"""Choices on unbalance and asymmetry of the flywheels, of a programme or a slew.
 
 resisted   the flywheels move so that these do not move the carrier: (12) holds for the stand
 averaged   (12) holds for the mean stand; they shake the carrier besides

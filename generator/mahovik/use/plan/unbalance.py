@@ -71,7 +71,7 @@ def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
 
 
 def shaken(stand: Stand, motion: RequiredMotion, programme: Programme) -> Shaken | None:
-    """What a finite programme of the mean stand does to the stand itself; None: the flywheels turn too often for it.
+    """Motion of the stand itself by a finite programme of its mean stand; None: the flywheels turn too often for it.
 
     Raises StateError: the carrier is lost.
     """
