@@ -18,7 +18,7 @@ from mahovik.stands import path
 PHASES = 2.0 * np.pi * np.arange(8) / 8.0
 
 
-def turned(state: State, phase: float) -> State:
+def at_phase(state: State, phase: float) -> State:
     return replace(state, phi=tuple(phi + phase for phi in state.phi))
 
 
@@ -32,7 +32,7 @@ def test_k_and_i_are_their_means_over_the_phases(seed: int) -> None:
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, 3)
     state = random_state(stand, rng, phase_limit=10.0)
-    each = [matrices(stand, turned(state, phase)) for phase in PHASES]
+    each = [matrices(stand, at_phase(state, phase)) for phase in PHASES]
     for k, mean in enumerate(matrices(mean_stand(stand), state)):
         expected = np.mean([pair[k] for pair in each], axis=0)
         assert mean == pytest.approx(expected, rel=1e-12, abs=1e-12 * np.abs(expected).max())
@@ -41,7 +41,7 @@ def test_k_and_i_are_their_means_over_the_phases(seed: int) -> None:
 def test_nothing_depends_on_the_phase() -> None:
     stand = mean_stand(load(path("sat4")))
     state = random_state(stand, np.random.default_rng(5), phase_limit=10.0)
-    first, other = matrices(stand, state), matrices(stand, turned(state, 1.0))
+    first, other = matrices(stand, state), matrices(stand, at_phase(state, 1.0))
     for a, b in zip(first, other, strict=True):
         assert a == pytest.approx(b, rel=1e-12, abs=1e-12 * np.abs(a).max())
 

@@ -1,9 +1,9 @@
-"""The mean stand: flywheels whose mass properties are means over a turn, so that nothing of them depends on the phase.
+"""The mean stand: flywheels whose mass properties are means over a turn, so that they do not depend on the phase.
 
-The mean over a turn about the first axis keeps mass, spin inertia and the place of the centre of mass along the axis; it
-brings this point onto the axis, makes both transverse inertias equal to their mean, and products of inertia zero. What is
-left is smooth in time at any speed; what it leaves out is unbalance and asymmetry, which shake the carrier once or twice a
-turn. Laws of a flywheel are kept as they are.
+The mean over a turn about the first axis keeps mass, spin inertia and the place of the centre of mass along the axis.
+It brings this point onto the axis, makes both transverse inertias equal to their mean, and products of inertia zero.
+What is left is smooth in time at any speed. Unbalance and asymmetry, which shake the carrier once or twice a turn, are
+left out. Laws of a flywheel are kept as they are.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand
 
 Unbalance = Literal["averaged", "resisted"]
-"""What a programme does about unbalance and asymmetry of the flywheels.
+"""Choices on unbalance and asymmetry of the flywheels, of a programme or a slew.
 
 resisted   the flywheels move so that these do not move the carrier: (12) holds for the stand
 averaged   (12) holds for the mean stand; they shake the carrier besides

@@ -164,8 +164,8 @@ def _report_unbalance(found: Any) -> None:
     angle, shift = ({key: float(value) for key, value in found[name].items()} for name in ("angle", "shift"))
     arcsec = {key: math.degrees(value) * 3600.0 for key, value in angle.items()}
     click.echo(
-        f"unbalance adds up to {arcsec['largest']:.3g} arcsec (RMS {arcsec['rms']:.3g}, at the end {arcsec['end']:.3g}) "
-        f"and {1e6 * shift['largest']:.3g} um of O1"
+        f"unbalance adds up to {arcsec['largest']:.3g} arcsec (RMS {arcsec['rms']:.3g}, at the end "
+        f"{arcsec['end']:.3g}) and {1e6 * shift['largest']:.3g} um of O1"
     )
 
 

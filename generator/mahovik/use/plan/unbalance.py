@@ -1,4 +1,4 @@
-"""What unbalance and asymmetry add to a programme of the mean stand: the stand itself with these motions of the flywheels.
+"""What unbalance and asymmetry add to a programme of the mean stand: the stand itself with the same flywheel motions.
 
 The carrier of the stand has the momentum that the mean stand has at t = 0, so that it rests where unbalance only shakes
 it; from there (8) with the programme's phi(t), block by block, each by Picard's iteration at uniform nodes.
@@ -50,7 +50,7 @@ class Shaken:
     shift: Array
 
     def figures(self, sight: Array | None) -> dict[str, dict[str, float]]:
-        """`angle` (rad) of the attitude, or of the line of `sight` (3, in E1), and `shift` (m): largest, RMS, at the end."""
+        """`angle` (rad) of the attitude or of the line of `sight` (3, in E1), `shift` (m): largest, RMS, at the end."""
         turn = self.turn if sight is None else np.cross(self.turn, sight)
         found = {}
         for name, values in (("angle", turn), ("shift", self.shift)):
@@ -71,7 +71,7 @@ def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
 
 
 def shaken(stand: Stand, motion: RequiredMotion, programme: Programme) -> Shaken | None:
-    """What a finite programme of the mean stand does to the stand itself; None: the flywheels turn too often for it.
+    """Motion of the stand itself by a finite programme of its mean stand; None: the flywheels turn too often for it.
 
     Raises StateError: the carrier is lost.
     """

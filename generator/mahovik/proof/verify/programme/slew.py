@@ -98,7 +98,7 @@ def _rows(slew: Slew, rates: Array, accelerations: Array) -> list[Finding]:
 
 
 def motor_torques(stand: Stand, angles: Angles, tau: Array) -> Array:
-    """What the motors themselves give (M, N; N m) of drive torques tau (M, N), which friction is part of."""
+    """Torques of the motors themselves (M, N; N m) in drive torques tau (M, N), which friction is part of."""
     found = np.array(tau)
     for s, wheel in enumerate(stand.flywheels):
         if wheel.motor is not None:

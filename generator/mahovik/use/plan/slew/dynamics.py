@@ -28,8 +28,8 @@ from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
 from mahovik.use.plan.residual.kinematics import in_E1, twists
 from mahovik.use.plan.residual.prescribed import prescribed_at
-from mahovik.use.plan.slew.share import Mean
 from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
+from mahovik.use.plan.slew.share import Mean
 
 _SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 _ROUNDS = 60
@@ -78,7 +78,7 @@ class Exact:
     S: Array
 
     def follow(self, demand: Demand) -> Found:
-        """The motion that makes the demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
+        """The motion whose demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
         t, slew, stand = demand.t, self.slew, self.mechanics.stand
         M = len(t)
         phi_dot = np.tile(slew.phi_dot, (M, 1))
