@@ -19,7 +19,7 @@ from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import Compiled, compiled
 from mahovik.out.api.samples import Samples
-from mahovik.out.api.tables import passed
+from mahovik.out.api.tables import prepare_arguments
 from mahovik.out.api.variants import variants
 
 COUNTS = (8, 100, 1000, 10_000)
@@ -62,7 +62,7 @@ def _row(model: mahovik.Model, library: Compiled, n: int) -> tuple[Any, ...]:
     V_dot, later, status = np.empty((6, n)), np.empty_like(state), np.zeros(n, dtype=np.int32)
     locked, dt, order = np.zeros(count, np.int32), np.array([STEP]), np.array([2], np.int32)
     block = tables.block("table")
-    ready = passed(library, element, found, {"table": block})
+    ready = prepare_arguments(library, element, found, {"table": block})
 
     call = library.library.call
     alone, each, prepare, step, python, whole = seconds(
@@ -95,9 +95,9 @@ def page(found: Figures) -> str:
     title = list(TABLE.forms)
     row = next(row for row in found["rows"] if row["stands"] == 1000)
     limits = (
-        f"With 1,000 tables: `forward` of distinct stands, `prepare` included, takes {row[title[4]]:.1f} times the batch "
-        f"`forward` of one stand (expected at most {LIMIT:g}); `model.step(..., tables=tables)` keeps {row[title[7]]:.0%} of "
-        f"the speed of the batch C (expected at least {SHARE:.0%})."
+        f"With 1,000 tables: `forward` of distinct stands, `prepare` included, takes {row[title[4]]:.1f} times the "
+        f"batch `forward` of one stand (wanted: at most {LIMIT:g}); `model.step(..., tables=tables)` keeps "
+        f"{row[title[7]]:.0%} of the speed of the batch C (wanted: at least {SHARE:.0%})."
     )
     head = f"`bench8`, one thread, a stand; {found['compiler']}, {found['processor']}."
     return f"{head}\n\n{TABLE.text(found['rows'])}\n\n{limits}"

@@ -82,7 +82,7 @@ _ROWS = (
         ("reference", "rigorous"),
         want=True,
         batched=True,
-    ),
+    ),  # fmt: skip
     PublicFunction(
         "momentum",
         "(1), (2)",
@@ -181,12 +181,7 @@ _ROWS = (
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven",
-        "",
-        (*_STATE, "phi_ddot", "wrench", "dt", "order"),
-        ("next",),
-        ("trajectory",),
-        batched=True,
+        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batched=True
     ),
     PublicFunction(
         "inverse_fast",
