@@ -82,7 +82,7 @@ _ROWS = (
         ("reference", "rigorous"),
         want=True,
         batched=True,
-    ),  # fmt: skip
+    ),
     PublicFunction(
         "momentum",
         "(1), (2)",

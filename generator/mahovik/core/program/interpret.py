@@ -1,10 +1,10 @@
 """Runs a program operation by operation, in float32 or float64.
 
 Each function is turned into a Python function that does the same operations in the same order; every real is a
-`numpy.float32`, or a `float` of Python, which is IEEE double as well and much faster than NumPy's; or a column of
-them, of many stands at once, which has the operators of numbers and `map`; every word is reduced to its width. The generator computes the tables of a
-stand with it, so that they are the same on every machine and equal to what `prepare` computes on the target,
-and `verify` demands that the compiled C agrees with it bit for bit.
+`numpy.float32`, or a `float` of Python, which is IEEE double as well and much faster than NumPy's; or a column of them,
+of many stands at once, which has the operators of numbers and `map`. Every word is reduced to its width.
+The generator computes the tables of a stand with it, so that they are the same on every machine and equal to what
+`prepare` computes on the target, and `verify` demands that the compiled C agrees with it bit for bit.
 """
 
 from __future__ import annotations
