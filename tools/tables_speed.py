@@ -109,7 +109,7 @@ def _row(model: mahovik.Model, library: Compiled, n: int) -> tuple[Any, ...]:
 TABLE = Columns(
     {
         "stands": "{:,}", "batch `forward`, one stand, ns": "{:,.0f}", "distinct stands, ns": "{:,.0f}",
-        "`prepare`, ns": "{:,.0f}", "both, times one stand": "{:.1f}", "a step of order 2, ns": "{:,.0f}",
+        "`prepare`, ns": "{:,.0f}", "both, times one stand": "{:.1f}", "ns a step of order 2": "{:,.0f}",
         "by Python, ns": "{:,.0f}", "part kept": "{:.0%}", "`model.tables`, µs": "{:,.1f}",
     },
     0,
