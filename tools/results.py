@@ -32,6 +32,7 @@ TOOLS = (
     "control_loop",
     "pil",
     "api_speed",
+    "tables_speed",
     "lanes_table",
     "generation_time",
     "install_size",

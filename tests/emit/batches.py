@@ -202,7 +202,7 @@ void vary({name}_table *t, double factor)
 
 
 def _vary_mounting(name: str, mounting: Struct, real: str) -> str:
-    """The same of the mountings, and C that puts those of n stands side by side."""
+    """C that scales every number of a copy of the mountings, and that puts those of n stands side by side."""
     lines, put = _scaled(mounting, "t->", count()), _put(mounting, "", count())
     return f"""
 int size_of_mounting(void);

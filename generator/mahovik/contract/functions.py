@@ -184,12 +184,7 @@ _ROWS = (
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven",
-        "",
-        (*_STATE, "phi_ddot", "wrench", "dt", "order"),
-        ("next",),
-        ("trajectory",),
-        batched=True,
+        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batched=True
     ),
     PublicFunction(
         "inverse_fast",

@@ -97,12 +97,12 @@ class _Printer:
                 "wide": f"wide_{s.name}",
                 "type": self._names.type(s),
                 "argument": names[s.name],
-                "lines": over_members(self._names, s, self._taking_lines, ""),
+                "lines": over_members(self._names, s, self._take_lane, ""),
             }
             for s in self._preparing.structs
         ]
 
-    def _taking_lines(self, f: Field, place: str, depth: int) -> list[str]:
+    def _take_lane(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that take a member of a narrow struct out of lane k of a wide one."""
         lane = ".at[k]" if f.type is Kind.REAL else ""
         return nested_loops(self._names, place, f.shape, lambda e, _: [f"to->{e[1:]} = from->{e[1:]}{lane};"], depth)

@@ -62,7 +62,7 @@ class Preparing:
         return lines
 
     def values(self) -> dict[str, Any]:
-        """What the source needs besides: lines that fill a block, calls, and the way back to single tables."""
+        """Values of the template of the source: lines that fill a block, and calls."""
         names = self._names
         first = self._made.preparing[0]
         parameters = names.declaration("each", self._made.widener.wide.of(self._layout.parameters))

@@ -140,8 +140,12 @@ def _check_range(stand: Stand, layout: Layout, name: str, value: Any) -> None:
     elif isinstance(value, list | tuple):
         for number, each in enumerate(value):
             _check_range(stand, layout, f"{name}[{number}]", each)
-    elif isinstance(value, float | Column) and not bool(abs(value) <= largest):
+    elif isinstance(value, float | Column) and _exceeds(value, largest):
         raise StandError([f"stand {stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"])
+
+
+def _exceeds(value: Any, largest: float) -> bool:
+    return not abs(value) <= largest
 
 
 class _Laws:

@@ -1,10 +1,10 @@
 """Runs a program operation by operation, in float32 or float64.
 
 Each function is turned into a Python function that does the same operations in the same order; every real is a
-`numpy.float32`, or a `float` of Python, which is IEEE double as well and much faster than NumPy's; or a column of
-them, of many stands at once; every word is reduced to its width. The generator computes the tables of a
-stand with it, so that they are the same on every machine and equal to what `prepare` computes on the target,
-and `verify` demands that the compiled C agrees with it bit for bit.
+`numpy.float32`, or a `float` of Python, which is IEEE double as well and much faster than NumPy's; or a column of them,
+of many stands at once, which has the operators of numbers and `map`. Every word is reduced to its width.
+The generator computes the tables of a stand with it, so that they are the same on every machine and equal to what
+`prepare` computes on the target, and `verify` demands that the compiled C agrees with it bit for bit.
 """
 
 from __future__ import annotations
@@ -34,7 +34,6 @@ from mahovik.core.program.expression import (
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Field, Kind, Precision, Struct
-from mahovik.core.stand.columns import Column
 
 
 class Interpreter:
@@ -119,7 +118,7 @@ def filled_value(type_: Kind | Struct, shape: tuple[Any, ...], value: Any, preci
             return filled_value(f.type, f.shape, value[f.name], precision)
 
         return SimpleNamespace(**{f.name: member(f) for f in type_.fields})
-    if isinstance(value, Column):
+    if hasattr(value, "map"):
         return value.map(lambda numbers: numbers.astype(precision.scalar))
     return _number(precision)(value) if type_ is Kind.REAL else int(value)
 
@@ -173,17 +172,17 @@ def _runtime(precision: Precision) -> dict[str, Any]:
 
     def divided(a: Any, b: Any) -> Any:
         """Quotient by IEEE 754, also where Python raises an error."""
-        if isinstance(b, Column):
+        if hasattr(b, "map"):
             return a / b
         return a / b if b else number(scalar(a) / scalar(b))
 
     def bits_of(x: Any) -> Any:
-        if isinstance(x, Column):
+        if hasattr(x, "map"):
             return x.map(lambda numbers: numbers.view(word))
         return _word_of_double(x) if number is float else int(scalar(x).view(word))
 
     def real_of_bits(w: Any) -> Any:
-        if isinstance(w, Column):
+        if hasattr(w, "map"):
             return w.map(lambda words: words.view(scalar))
         return _double_of_word(w) if number is float else word(w).view(scalar)
 

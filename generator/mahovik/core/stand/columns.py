@@ -1,4 +1,4 @@
-"""Many stands read as one: in place of a number a column, which has a number of each sample.
+"""Many stands read as one: a column stands for a number, and has the number of each sample.
 
 Code that reads a stand file does with a column what it does with a float: the same operations, sample by sample, so
 the same bits. Where it decides by a comparison, the first sample of the column decides; samples for which the answer is
@@ -154,15 +154,15 @@ def values_of(number: Any, n: int) -> NDArray[np.float64]:
 
 def hypot(*numbers: Any) -> Any:
     """Length of a vector."""
-    return _each(math.hypot, *numbers)
+    return _by_sample(math.hypot, *numbers)
 
 
 def atan2(a: Any, b: Any) -> Any:
     """Angle of (b, a), rad."""
-    return _each(math.atan2, a, b)
+    return _by_sample(math.atan2, a, b)
 
 
-def _each(function: Callable[..., float], *numbers: Any) -> Any:
+def _by_sample(function: Callable[..., float], *numbers: Any) -> Any:
     """A function of `math`, for columns sample by sample: other libraries round it otherwise."""
     columns = [x for x in numbers if isinstance(x, Column)]
     if not columns:

@@ -46,9 +46,8 @@ def doubtful(stand: Stand, n: int) -> NDArray[np.bool_]:
 def _places_of_tasks(stand: Stand) -> Iterator[Any]:
     """Numbers of where the rows of tasks are: whether these go together, only `task` says."""
     named = {row.of for task in stand.tasks for row in task.rows}
-    for place in (*stand.instruments, *stand.points):
-        if place.name in named or isinstance(place, Instrument):
-            yield from numbers((place.position, place.angles))
+    yield from (x for body in stand.instruments for x in numbers((body.position, body.angles)))
+    yield from (x for p in stand.points if p.name in named for x in numbers((p.position, p.angles)))
 
 
 def numbers(value: Any) -> Iterator[Any]:

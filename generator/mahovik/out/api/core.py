@@ -193,10 +193,9 @@ class Built:
     def tables(self, changes: Mapping[str, Any], n: int | None = None) -> Tables:
         """Prepared tables of n stands that differ from the model's: arrays by path of the stand file.
 
-        `{"w1.unbalance.static": array, "carrier.mass": array, "gravity": array}`: paths as in `Stand.replace`, arrays
-        with the samples first, (n,) for a number, (n, 3) for a vector, (n, 3, 3) for a tensor; SI, or
-        `{"value": array, "unit": "g mm"}`; a number or a text with a unit is for all samples. Table j has the bits of
-        `model.stand.replace` with the values of sample j. Every function takes them as `tables=`, with n states or one.
+        `{"w1.unbalance.static": array, "gravity": array}`: paths as in `Stand.replace`, arrays with the samples first,
+        (n,) for a number, (n, 3) for a vector; SI, or `{"value": array, "unit": "g mm"}`; a number or a text is for all
+        samples. Table j has the bits of `Stand.replace` with the values of sample j.
 
         Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere or to another structure,
         StandError for a sample that cannot be, by its number.

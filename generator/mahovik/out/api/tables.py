@@ -33,7 +33,8 @@ Prepare = Callable[[bool], tuple[Blocks, NDArray[np.int32]]]
 class Tables:
     """Prepared numbers of n stands of one structure, for the functions of the model that made them.
 
-    Attributes: `base`, the stand that all differ from; `samples`, by path the values that differ; `real`, as the model's.
+    Attributes: `base`, the stand that all differ from; `samples`, by path the values that differ; `real`, as that of
+    the model.
     """
 
     def __init__(self, made_of: CoreStand, real: str, samples: Samples, prepare: Prepare) -> None:
@@ -107,19 +108,22 @@ def prepare_tables(
     blocks = {name: _aligned(made.library.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
     status = np.zeros(n, dtype=np.int32)
     if n:
-        made.library.call("prepare", n, passed(made, element, found, blocks), status, threads)
+        given, _columns = prepare_arguments(made, element, found, blocks)
+        made.library.call("prepare", n, given, status, threads)
     return blocks, status
 
 
-def passed(made: Compiled, element: np.dtype[Any], found: Variants, blocks: Blocks) -> list[NDArray[Any]]:
-    """The arguments of `prepare` of n stands. What they point to lives as long as the list."""
+def prepare_arguments(
+    made: Compiled, element: np.dtype[Any], found: Variants, blocks: Blocks
+) -> tuple[list[NDArray[Any]], list[NDArray[Any]]]:
+    """The arguments of `prepare` of n stands, and the columns whose addresses they have."""
     columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in found.varied]
     addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in columns], dtype=np.uintp)
     parameters = filled(made.parameters, element, found.parameters)
     table = filled(made.records["table"], element, found.table)
     none = np.zeros(0)
     given = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
-    return [*given, *columns]
+    return given, columns
 
 
 def _aligned(size: int) -> NDArray[np.uint8]:
