@@ -48,7 +48,12 @@ class Torus:
     @staticmethod
     def of(count: int, order: int) -> Torus:
         """All k with |k_1| + |k_2| + ... <= order. Raises CheckError: too many nodes."""
-        return _torus(count, order)
+        found = _torus(count, order)
+        if found is None:
+            raise CheckError(
+                f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order"
+            )
+        return found
 
     @property
     def count(self) -> int:
@@ -124,17 +129,18 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
 
 
 @lru_cache(maxsize=32)
-def _torus(count: int, order: int) -> Torus:
+def _torus(count: int, order: int) -> Torus | None:
+    """None: too many nodes."""
     k = indices(count, order)
     beyond = indices(count, order + BEYOND)[len(k) :].astype(np.float64)  # a product of floats is the fast one
     rng = np.random.default_rng(count * 1000 + order)
-    M = (4 * len(k) if count > 1 else 2 * (order + BEYOND)) | 1
+    M = 2 * len(indices(count, order + BEYOND // 2)) - 1  # fewer cannot be enough: all these differ too
     while M <= MOST_NODES:
         for z in _generators(count, M, rng):
             if _apart(k, z, M) and _apart_from(beyond, k, z, M):
                 return Torus(k, z, M)
         M = int(M * 1.15) | 1
-    raise CheckError(f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order")
+    return None
 
 
 def _apart(k: Whole, z: Whole, M: int) -> bool:
