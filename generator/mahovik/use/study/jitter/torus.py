@@ -25,7 +25,7 @@ MOST_NODES = 40_000
 """Most nodes of a lattice: time and memory grow in proportion."""
 
 BEYOND = 2
-"""Orders above the kept ones that are told from them at the nodes: products of kept terms would else pass for slow
+"""Orders above the kept ones that stay apart from them at the nodes: products of kept terms would else pass for slow
 beats, whose displacement is their acceleration by the square of a low frequency."""
 
 TRIES = 200
@@ -137,19 +137,19 @@ def _torus(count: int, order: int) -> Torus | None:
     M = 2 * len(indices(count, order + BEYOND // 2)) - 1  # fewer cannot be enough: all these differ too
     while M <= MOST_NODES:
         for z in _generators(count, M, rng):
-            if _apart(k, z, M) and _apart_from(beyond, k, z, M):
+            if _differ(k, z, M) and _differ_from(beyond, k, z, M):
                 return Torus(k, z, M)
         M = int(M * 1.15) | 1
     return None
 
 
-def _apart(k: Whole, z: Whole, M: int) -> bool:
+def _differ(k: Whole, z: Whole, M: int) -> bool:
     """Whether the harmonics of all k and -k differ."""
     b = k @ z % M
     return len(np.unique(np.concatenate([b, M - b[1:]]))) == 2 * len(b) - 1
 
 
-def _apart_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:
+def _differ_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:
     """Whether the harmonics of k and -k differ from those of `beyond`."""
     taken = np.zeros(M, dtype=bool)
     b = k @ z % M
