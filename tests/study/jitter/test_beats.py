@@ -32,7 +32,7 @@ NEARLY_EQUAL: tuple[list[float], ...] = (
 )
 
 
-def at(speeds: list[float]) -> Balance:
+def solve(speeds: list[float]) -> Balance:
     """The motion at speeds in rpm."""
     return balance(SAT4, [RPM * x for x in speeds])
 
@@ -54,8 +54,8 @@ def test_which_stands_keep_their_momentum() -> None:
 
 @pytest.mark.parametrize("speeds", NEARLY_EQUAL, ids=str)
 def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
-    """By the literal reference, in E0; a carrier that turned by the 0.4 arcsec of a false beat would show it."""
-    found, rng = at(speeds), np.random.default_rng(3)
+    """Momentum in E0 by the literal reference: a carrier that turned by a false beat would show it."""
+    found, rng = solve(speeds), np.random.default_rng(3)
     angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(found.turning)))
     Z = np.array([momentum_in_E0(pieces(SAT4, found.state(theta))) for theta in angles])
     spin = np.linalg.norm(Z[:, 3:], axis=1).max()
@@ -69,7 +69,7 @@ def test_a_beat_does_not_depend_on_the_order_and_what_is_left_out_says_so(speeds
     left = left_out_of(low, View.of(places(SAT4, ["acc1"])[0], "angle"))
     off = np.abs(low.c[:, 3:6] - high.c[: len(low.c), 3:6]).max()
     assert off <= 2.0 * np.linalg.norm(left) < 1e-4 * np.abs(low.c[:, 3:6]).max()
-    assert at(speeds).left_out < 1e-6
+    assert solve(speeds).left_out < 1e-6
 
 
 def test_a_beat_that_is_left_out_is_in_the_remainder() -> None:
@@ -82,7 +82,7 @@ def test_a_beat_that_is_left_out_is_in_the_remainder() -> None:
 
 def test_a_slower_beat_is_larger_in_proportion_and_only_along_the_momentum() -> None:
     """What stands across the momentum is held by the wheels' spin; the second-order rate is divided once."""
-    fast, slow = (at([3000, x, 0, 0]) for x in (2999.9, 2999.99))
+    fast, slow = (solve([3000, x, 0, 0]) for x in (2999.9, 2999.99))
     k = next(i for i, each in enumerate(fast.torus.k.tolist()) if each == [1, -1])
     along = np.array([0.0, 1.0, 1.0]) / np.sqrt(2.0)
     a, b = fast.c[k, 3:6], slow.c[k, 3:6]
@@ -107,7 +107,7 @@ def test_with_a_common_period_the_beat_is_that_of_the_response() -> None:
     response = periodic_response(SAT4, [RPM * x for x in speeds], ["acc1"])
     beat = int(np.argmin(np.abs(response.frequencies - 100 / 60)))
     wanted = np.abs(response.points["acc1"].harmonics("displacement")[beat])
-    assert amplitude(at(speeds), "rw1 - rw2", "displacement") == pytest.approx(wanted, rel=1e-4)
+    assert amplitude(solve(speeds), "rw1 - rw2", "displacement") == pytest.approx(wanted, rel=1e-4)
 
 
 @pytest.mark.slow
@@ -117,7 +117,7 @@ def test_a_simulation_of_the_c_has_this_beat(
 ) -> None:
     """Amplitudes of 4e-6 and 4e-4 arcsec beside lines of 0.03."""
     monkeypatch.setattr(jitter_campaign, "SECONDS", seconds)
-    found = at(speeds)
+    found = solve(speeds)
     t, rows = jitter_campaign.simulated(SAT4, found, 2e-4)
     chart, own = found.scene.chart, lines(found)
     turned = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
@@ -132,7 +132,7 @@ def test_a_simulation_of_the_c_has_this_beat(
 
 
 def test_a_planted_drift_of_momentum_is_seen() -> None:
-    found = at(NEARLY_EQUAL[0])
+    found = solve(NEARLY_EQUAL[0])
     c = found.c.copy()
     c[1, 9:] *= 1.0001
     wrong = replace(found, c=c)

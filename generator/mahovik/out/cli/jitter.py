@@ -260,7 +260,9 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
         )
     if study.problems:
         count = f"; so at {len(study.problems)} speeds" if len(study.problems) > 1 else ""
-        click.echo(f"warning: {study.problems[0][1]}{count}", err=True)
+        step, text = study.problems[0]
+        where = f"at {RPM * study.value[step]:.6g} rpm: " if study.swept else ""
+        click.echo(f"warning: {where}{text}{count}", err=True)
     if np.abs(study.hold).max() > 1e-12:
         force, moment = (float(np.linalg.norm(part)) for part in (study.hold[:3], study.hold[3:]))
         held = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m"

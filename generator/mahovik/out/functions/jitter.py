@@ -97,7 +97,7 @@ class Jitter(Table):
 
     @property
     def remainder(self) -> Array:
-        """What the balance leaves out of the quantity (S, 3): sum of its lines of two more orders; NaN: unknown."""
+        """Part of the quantity that the balance leaves out (S, 3): lines of two more orders, summed; NaN: unknown."""
         return self.study.remainder
 
     @property

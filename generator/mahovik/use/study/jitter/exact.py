@@ -42,7 +42,7 @@ def exact_lines(found: Balance, seen: View, phases: Array, chain: Chain | None =
 
 
 def left_out_of(found: Balance, seen: View) -> Array:
-    """What the balance leaves out of the quantity (3) at any phases: sum of the amplitudes of its lines.
+    """Part of the quantity (3) that the balance leaves out at any phases: sum of the amplitudes of its lines.
 
     The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known.
     """

@@ -56,7 +56,7 @@ class Lines:
         return np.where(self.frequency[:, :, None] == 0.0, 0.0, np.abs(self.amplitude))
 
     @property
-    def known(self) -> Flags:
+    def is_finite(self) -> Flags:
         """(S): whether every line of a speed has a finite amplitude."""
         return np.asarray(np.isfinite(self.amplitude).all(axis=(1, 2)) & np.isfinite(self.frequency).all(axis=1))
 
@@ -80,9 +80,9 @@ class Lines:
             for i in range(len(self.frequency))
         ]
         found = np.sqrt((loose + np.array(tied).reshape(-1, 3)) / 2.0)
-        return np.where(self.known[:, None], found, np.nan)
+        return np.where(self.is_finite[:, None], found, np.nan)
 
-    def without(self, which: Sequence[int]) -> Lines:
+    def clear(self, which: Sequence[int]) -> Lines:
         """These lines, NaN at some of the speeds."""
         amplitude = self.amplitude.copy()
         amplitude[list(which)] = np.nan

@@ -148,7 +148,7 @@ def _values(found: Jitter, requirement: Requirement) -> Array:
             np.zeros(0), np.zeros((0, 3)), empty.noise_frequency, empty.noise_density, empty.edges, empty.density
         ).mean_square_within(requirement.low, requirement.high)
     sizes = np.where(there[..., None], lines.sizes, 0.0)
-    sizes[~lines.known] = np.nan
+    sizes[~lines.is_finite] = np.nan
     if requirement.sum == "worst":
         return np.asarray(sizes.sum(axis=1) + 3.0 * np.sqrt(noise))
     if requirement.sum == "rss":
@@ -158,5 +158,5 @@ def _values(found: Jitter, requirement: Requirement) -> Array:
     a = np.where(there[..., None], lines.amplitude, 0.0)[:, known]
     for i in range(len(square)):
         square[i] += (np.abs(coherent(lines.frequency[i, known], a[i])[1]) ** 2).sum(axis=0)
-    square[~lines.known] = np.nan
+    square[~lines.is_finite] = np.nan
     return np.asarray(np.sqrt(square / 2.0 + noise))

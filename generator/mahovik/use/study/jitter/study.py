@@ -233,7 +233,7 @@ class _Study:
     def _resonances(self, lines: Lines, besides: set[int]) -> list[tuple[int, str]]:
         """Speeds at which a line has no finite amplitude, and why."""
         found = []
-        for i in np.flatnonzero(~lines.known).tolist():
+        for i in np.flatnonzero(~lines.is_finite).tolist():
             if i not in besides:
                 at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
                 hertz = float(lines.frequency[i, at])
@@ -316,8 +316,8 @@ class _Study:
         if S:
             lines = lines.joined(self.chain.table_lines(self.speeds[:S]))
             problems = tuple(sorted((*problems, *self._resonances(lines, {i for i, _ in problems}))))
-            lines = lines.without(np.flatnonzero(~lines.known).tolist())
-            if not lines.known.any():
+            lines = lines.clear(np.flatnonzero(~lines.is_finite).tolist())
+            if not lines.is_finite.any():
                 raise CheckError(problems[0][1])
         noise = broadband(self.chain, self.speeds[_largest(lines)]) if S else None
         return Jitter(

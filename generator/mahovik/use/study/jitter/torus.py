@@ -25,7 +25,7 @@ MOST_NODES = 40_000
 """Most nodes of a lattice: time and memory grow in proportion."""
 
 BEYOND = 2
-"""Orders above the kept ones that are told from them at the nodes: products of kept terms would else pass for slow
+"""Orders above the kept ones that stay apart from them at the nodes: products of kept terms would else pass for slow
 beats, whose displacement is their acceleration by the square of a low frequency."""
 
 TRIES = 200
@@ -48,7 +48,12 @@ class Torus:
     @staticmethod
     def of(count: int, order: int) -> Torus:
         """All k with |k_1| + |k_2| + ... <= order. Raises CheckError: too many nodes."""
-        return _torus(count, order)
+        found = _torus(count, order)
+        if found is None:
+            raise CheckError(
+                f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order"
+            )
+        return found
 
     @property
     def count(self) -> int:
@@ -124,26 +129,27 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
 
 
 @lru_cache(maxsize=32)
-def _torus(count: int, order: int) -> Torus:
+def _torus(count: int, order: int) -> Torus | None:
+    """None: too many nodes."""
     k = indices(count, order)
     beyond = indices(count, order + BEYOND)[len(k) :].astype(np.float64)  # a product of floats is the fast one
     rng = np.random.default_rng(count * 1000 + order)
-    M = (4 * len(k) if count > 1 else 2 * (order + BEYOND)) | 1
+    M = 2 * len(indices(count, order + BEYOND // 2)) - 1  # fewer cannot be enough: all these differ too
     while M <= MOST_NODES:
         for z in _generators(count, M, rng):
-            if _apart(k, z, M) and _apart_from(beyond, k, z, M):
+            if _differ(k, z, M) and _differ_from(beyond, k, z, M):
                 return Torus(k, z, M)
         M = int(M * 1.15) | 1
-    raise CheckError(f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order")
+    return None
 
 
-def _apart(k: Whole, z: Whole, M: int) -> bool:
+def _differ(k: Whole, z: Whole, M: int) -> bool:
     """Whether the harmonics of all k and -k differ."""
     b = k @ z % M
     return len(np.unique(np.concatenate([b, M - b[1:]]))) == 2 * len(b) - 1
 
 
-def _apart_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:
+def _differ_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:
     """Whether the harmonics of k and -k differ from those of `beyond`."""
     taken = np.zeros(M, dtype=bool)
     b = k @ z % M
