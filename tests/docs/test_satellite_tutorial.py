@@ -13,16 +13,16 @@ from mahovik.stands import path
 PAGE = ROOT / "docs" / "tutorial-satellite.md"
 
 
-def one_line(text: str) -> str:
-    """A command without its continuations."""
+def join_lines(text: str) -> str:
+    """Join the lines of a command."""
     return " ".join(text.replace("\\\n", " ").split())
 
 
 def test_the_picture_is_that_of_the_command_on_the_page() -> None:
-    """But for the requirement, which does not change the picture."""
+    """The requirement alone is left out: it does not change the picture."""
     (block,) = (each for each in blocks(PAGE) if "-o budget.svg" in each.text)
-    shown = one_line(block.text).removeprefix("mahovik jitter eye4.toml ").split(" --require")[0]
-    assert f"{shown} -o $(CURDIR)/docs/satellite-jitter.svg" in one_line((ROOT / "Makefile").read_text("utf-8"))
+    shown = join_lines(block.text).removeprefix("mahovik jitter eye4.toml ").split(" --require")[0]
+    assert f"{shown} -o $(CURDIR)/docs/satellite-jitter.svg" in join_lines((ROOT / "Makefile").read_text("utf-8"))
     files = {each.file.removesuffix(".csv") for each in blocks(PAGE) if each.file}
     (listed,) = re.findall(r"for file in ([a-z ]+); do", (ROOT / "Makefile").read_text("utf-8"))
     assert files == set(listed.split())
