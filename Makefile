@@ -223,11 +223,11 @@ jitter-picture: setup-test
 
 satellite-picture: setup-test
 	mkdir -p build/demo
-	for file in wheel bearing sight mask; do \
+	for file in wheel bearing camera mask; do \
 	  sed -n "/^\`\`\`csv $$file.csv/,/^\`\`\`$$/{/^\`\`\`/!p}" docs/tutorial-satellite.md > build/demo/$$file.csv; done
 	cd build/demo && $(CURDIR)/$(BIN)/mahovik jitter $(CURDIR)/generator/mahovik/stands/eye4.toml \
 	  --speed rw1=0..6000rpm --speed rw2=-rw1 --speed rw3=0.97*rw1 --speed rw4=-0.97*rw1 --steps 600 \
-	  --sight sight.csv --harmonics all=wheel.csv --inner-modes all=bearing.csv -o $(CURDIR)/docs/satellite-jitter.svg
+	  --sight camera.csv --harmonics all=wheel.csv --inner-modes all=bearing.csv -o $(CURDIR)/docs/satellite-jitter.svg
 
 programme-picture: setup-test
 	mkdir -p build/demo

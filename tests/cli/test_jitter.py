@@ -52,6 +52,14 @@ def test_a_picture(tmp_path: Path) -> None:
     assert "cumulative RMS" in drawn and "budget" in drawn
 
 
+def test_a_line_of_sight_of_two_angles_is_drawn_along_two_axes(tmp_path: Path) -> None:
+    (tmp_path / "camera.csv").write_text("acc1 rx [-],acc1 ry [-]\n1,0\n0,1\n", encoding="utf-8")
+    asked = ("jitter", SAT4, "--speed", "all=3000rpm", "--sight", str(tmp_path / "camera.csv"))
+    assert run(*asked, "-o", str(tmp_path / "j.svg")).exit_code == 0
+    drawn = (tmp_path / "j.svg").read_text(encoding="utf-8")
+    assert "<!-- x -->" in drawn and "<!-- y -->" in drawn and "<!-- z -->" not in drawn
+
+
 def test_a_requirement_decides_the_exit_status(wheel: str) -> None:
     good = run(*ONE, "--harmonics", f"all={wheel}", "--require", "worst 5 arcsec 10..60Hz", "--json")
     verdict = json.loads(good.stdout)["requirements"][0]

@@ -69,6 +69,13 @@ def test_it_agrees_where_its_wheel_is_exact(name: str) -> None:
     assert all(abs(wheel.tensor[0, 2]) > 0.0 or wheel.static > 0.0 for wheel in wheels(ITS[name]))
 
 
+def test_a_stand_that_takes_a_run_time_wrench_is_compared_without_one() -> None:
+    """Otherwise only states at rest would be left, where nothing can differ."""
+    report = judged(basilisk_stand(bare_stand(load(path("eye4")))))
+    assert report.passed
+    assert all(number > 0.0 for number in worst(report).values()), worst(report)
+
+
 def test_a_stand_without_flywheels() -> None:
     stand = basilisk_stand(random_stand(np.random.default_rng(0), 0, FEATURES))
     found = judged(stand)

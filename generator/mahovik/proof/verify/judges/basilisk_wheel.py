@@ -87,13 +87,19 @@ def unsupported_features(stand: Stand, asymmetric: bool = False) -> list[str]:
 
 
 def basilisk_stand(stand: Stand, asymmetric: bool = False) -> Stand:
-    """The stand without gravity, its flywheels cut to what Basilisk's wheel has.
+    """The stand without gravity and run-time wrenches, its flywheels cut to what Basilisk's wheel has.
 
     Of the dynamic unbalance the part across the static one is kept, of the transverse moments the mean; with
     `asymmetric` each of them.
     """
     flywheels = tuple(_basilisk_flywheel(s, w, asymmetric) for s, w in zip(stand.flywheels, wheels(stand), strict=True))
-    return replace(stand, gravity=(0.0, 0.0, 0.0), flywheels=flywheels)
+    return replace(
+        stand,
+        gravity=(0.0, 0.0, 0.0),
+        carrier=replace(stand.carrier, wrench_input=False),
+        instruments=tuple(replace(each, wrench_input=False) for each in stand.instruments),
+        flywheels=tuple(replace(each, wrench_input=False) for each in flywheels),
+    )
 
 
 def _wheel(body: RigidBody, fixed: dict[str, RigidBody]) -> Wheel:
