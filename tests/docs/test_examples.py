@@ -33,7 +33,6 @@ SLOW = {
     "docs/design.md",
     "docs/diagnosis.md",
     "docs/howto/added-mass.md",
-    "docs/howto/attitude-firmware.md",
     "docs/howto/control-loop-1khz.md",
     "docs/howto/cross-validation.md",
     "docs/howto/field-log.md",

@@ -24,7 +24,7 @@ int main(void)
 
 
 def test_the_nearest_double_is_the_one_of_this_machine() -> None:
-    """By exact arithmetic, with its neighbour farther away."""
+    """Exact arithmetic says so: its neighbour is farther away."""
     exact = Fraction(A) + Fraction(B)
     right, wrong = (Fraction(float.fromhex(f"-0x1.fffffffeead{end}p-67")) for end in ("72", "73"))
     assert right == A + B
