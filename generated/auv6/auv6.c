@@ -585,7 +585,7 @@ static auv6_status auv6_factor3(const auv6_real S[6], auv6_factors3 *restrict L)
 
 /* Solves S y = b by S = L D L^T. */
 AUV6_CODE
-static void auv6_solve3(const auv6_factors3 *L, const auv6_real b[3], auv6_real y[restrict 3])
+static inline void auv6_solve3(const auv6_factors3 *L, const auv6_real b[3], auv6_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const auv6_real z2 = b[1] - L->l21 * b[0];

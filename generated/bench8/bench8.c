@@ -693,7 +693,7 @@ static bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *res
 
 /* Solves S y = b by S = L D L^T. */
 BENCH8_CODE
-static void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3], bench8_real y[restrict 3])
+static inline void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3], bench8_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const bench8_real z2 = b[1] - L->l21 * b[0];

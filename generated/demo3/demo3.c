@@ -576,7 +576,7 @@ static demo3_status demo3_factor3(const demo3_real S[6], demo3_factors3 *restric
 
 /* Solves S y = b by S = L D L^T. */
 DEMO3_CODE
-static void demo3_solve3(const demo3_factors3 *L, const demo3_real b[3], demo3_real y[restrict 3])
+static inline void demo3_solve3(const demo3_factors3 *L, const demo3_real b[3], demo3_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const demo3_real z2 = b[1] - L->l21 * b[0];

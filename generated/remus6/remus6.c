@@ -581,7 +581,7 @@ static remus6_status remus6_factor3(const remus6_real S[6], remus6_factors3 *res
 
 /* Solves S y = b by S = L D L^T. */
 REMUS6_CODE
-static void remus6_solve3(const remus6_factors3 *L, const remus6_real b[3], remus6_real y[restrict 3])
+static inline void remus6_solve3(const remus6_factors3 *L, const remus6_real b[3], remus6_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const remus6_real z2 = b[1] - L->l21 * b[0];

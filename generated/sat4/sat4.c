@@ -573,7 +573,7 @@ static sat4_status sat4_factor3(const sat4_real S[6], sat4_factors3 *restrict L)
 
 /* Solves S y = b by S = L D L^T. */
 SAT4_CODE
-static void sat4_solve3(const sat4_factors3 *L, const sat4_real b[3], sat4_real y[restrict 3])
+static inline void sat4_solve3(const sat4_factors3 *L, const sat4_real b[3], sat4_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const sat4_real z2 = b[1] - L->l21 * b[0];

@@ -695,7 +695,8 @@ static shaker2_status shaker2_factor3(const shaker2_real S[6], shaker2_factors3 
 
 /* Solves S y = b by S = L D L^T. */
 SHAKER2_CODE
-static void shaker2_solve3(const shaker2_factors3 *L, const shaker2_real b[3], shaker2_real y[restrict 3])
+static inline void shaker2_solve3(const shaker2_factors3 *L, const shaker2_real b[3],
+                                  shaker2_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const shaker2_real z2 = b[1] - L->l21 * b[0];

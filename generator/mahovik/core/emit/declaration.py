@@ -36,9 +36,10 @@ def prototype(
     """Storage, return type, name and arguments, wrapped under the opening parenthesis.
 
     `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
-    `inline`: internal functions are, but for those that are apart: a compiler is asked to copy them nowhere.
+    `inline`: all internal functions are, but for those that are apart: a compiler is asked to copy them nowhere.
     """
-    storage = "" if function.public else "static inline " if inline and not function.apart else "static "
+    copied = function.short or (inline and not function.apart)
+    storage = "" if function.public else "static inline " if copied else "static "
     returns = names.type(function.returns) if function.returns is not None else "void"
     head = f"{storage}{returns} {names.function(function.name)}("
     arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from mahovik.core.formula.derived import carrier as derived
@@ -108,7 +109,7 @@ def solve3(lib: Library) -> Function:
     body.set(y.place[0], x[0] * f.r1 - f.l21 * y2 - f.l31 * y3)
     body.set(y.place[1], y2)
     body.set(y.place[2], y3)
-    return body.function("solve3", "Solves S y = b by S = L D L^T.", (factor, b, y))
+    return replace(body.function("solve3", "Solves S y = b by S = L D L^T.", (factor, b, y)), short=True)
 
 
 def factor_carrier(lib: Library) -> Function:

@@ -14,7 +14,8 @@ class Function:
     """A function of the program.
 
     `equation` are numbers of the paper, "(8)"; `returns` None, REAL or STATUS; `statuses` those it can return;
-    `notes` further lines of the contract; `public` functions stand in the header; `apart`: not copied into its callers.
+    `notes` further lines of the contract; `public` functions stand in the header; `apart`: not copied into its callers;
+    `short`: a compiler is asked to copy it there, which takes fewer instructions and no more code than calls.
     """
 
     name: str
@@ -27,6 +28,7 @@ class Function:
     notes: tuple[str, ...] = ()
     public: bool = False
     apart: bool = False
+    short: bool = False
 
     @property
     def signature(self) -> Signature:
