@@ -73,6 +73,9 @@ _STATE = ("table", "x")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
 
+_FRICTION = ("motor_viscous", "motor_coulomb", "motor_coulomb_speed")
+"""Members of the options that only EXCESSIVE looks at."""
+
 _ROWS = (
     PublicFunction(
         "matrices",
@@ -189,7 +192,7 @@ _ROWS = (
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FOR_TORQUES),
+        ignores=("near", "limit", *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",
@@ -201,7 +204,7 @@ _ROWS = (
         needs="tasks",
         tasks=True,
         unread="infinity, which is no limit at all",
-        ignores=("near", "limit", "most", "damping"),
+        ignores=("near", "limit", "most", "damping", *_FRICTION),
     ),
     PublicFunction(
         "forward_jacobian",

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body
+from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Const, Not, Place, integer, magnitude, or_, real
+from mahovik.core.program.expression import Const, Not, Place, and_, integer, magnitude, or_, real, select, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -37,13 +38,8 @@ def excessive(lib: Library) -> Function:
         named |= {a.name: a.place for a in (*turns, *phi_ddot, *wrench)}
         body.call(lib["balance"], *lib.passed("balance", **named))
         with body.loop("s", layout.count) as s:
-            body.note("driving, the torque falls linearly to zero at the no-load speed; braking has all of it")
-            speed = body.let("speed", x.place.phi_dot[s])
-            share = body.local("share")
-            body.set(share, real(1))
-            with body.when(tau[s] * speed > 0):
-                body.set(share, 1 - magnitude(speed) / p.motor_speed[s])
-            with body.when(or_(share <= 0, magnitude(tau[s]) > p.motor_torque[s] * share)):
+            lacks = call(lib["motor_lacks"], p, s, tau[s], x.place.phi_dot[s])
+            with body.when(unequal(lacks, integer(0))):
                 body.set(found, bit)
     body.set(flags.place, found)
     return body.function(
@@ -51,6 +47,76 @@ def excessive(lib: Library) -> Function:
         "Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked inputs.",
         (table, x, *turns, V_dot, *phi_ddot, options, *wrench, flags),
     )
+
+
+def motor_lacks(lib: Library) -> Function:
+    """Whether the motor of a flywheel lacks a torque, with its friction, at a speed."""
+    options = Argument("options", lib.layout.inverse_options, purpose="what each flywheel has")
+    number, tau = Argument("number", Kind.INT), Argument("tau", Kind.REAL, unit="N m")
+    speed = Argument("speed", Kind.REAL, unit="rad/s")
+    p, s, v = options.place, number.place, speed.place
+    body = Body()
+    own = body.local("own", comment="of the motor itself, which bears the friction")
+    body.set(own, tau.place + p.motor_viscous[s] * v)
+    with body.when(p.motor_coulomb[s] > 0):
+        ratio = body.let("ratio", v / p.motor_coulomb_speed[s])
+        y = body.let("y", select(ratio > 3, real(3), select(ratio < -3, real(-3), ratio)), "tanh y to 0.024")
+        square = body.let("square", y * y)
+        body.add(own, p.motor_coulomb[s] * (y * (real(27) + square) / (real(27) + real(9) * square)))
+    body.note("driving, the torque falls linearly to zero at the no-load speed; braking has all of it")
+    share = body.local("share")
+    body.set(share, real(1))
+    with body.when(own * v > 0):
+        body.set(share, 1 - magnitude(v) / p.motor_speed[s])
+    lacking = or_(share <= 0, magnitude(own) > p.motor_torque[s] * share)
+    body.ret(select(lacking, integer(1), integer(0)))
+    return body.function(
+        "motor_lacks",
+        "Does a motor lack the torque tau, with its friction, at this speed? Of checked options.",
+        (options, number, tau, speed),
+        returns=Kind.INT,
+    )
+
+
+def spin_up_excess(lib: Library, body: Body, places: tuple[Place, Place, Place], phi_ddot: Place) -> Place:
+    """EXCESSIVE, or 0, by Theta_ff phi'' alone: what the carrier's motion adds is left out, for fast loops.
+
+    `places`: table, state, options, which are checked.
+    """
+    table, x, p = places
+    bit = Const(STATUS_VALUES["EXCESSIVE"], Kind.INT, "EXCESSIVE")
+    flags = body.local("flags", (), Kind.INT)
+    body.set(flags, integer(0))
+    with body.loop("s", lib.layout.count) as s:
+        tau = body.let("tau", entry(lib, table, s, "spin") * phi_ddot[s], "for the flywheel's own inertia")
+        lacks = unequal(call(lib["motor_lacks"], p, s, tau, x.phi_dot[s]), integer(0))
+        with body.when(or_(magnitude(phi_ddot[s]) > p.most[s], lacks)):
+            body.set(flags, bit)
+    return flags
+
+
+SPIN_UP_NOTE = (
+    "EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds is left "
+    "out: `torque` and `inverse` have it."
+)
+
+
+def check_all_abilities(lib: Library, body: Body, p: Place) -> None:
+    """The checks of `check_abilities` and `check_friction` for all flywheels, quick where nothing is wrong."""
+    with body.loop("s", lib.layout.count) as s:
+        numbers = and_(and_(p.most[s] > 0, p.motor_torque[s] >= 0), and_(p.motor_speed[s] > 0, p.motor_viscous[s] >= 0))
+        good = and_(numbers, and_(p.motor_coulomb[s] >= 0, p.motor_coulomb_speed[s] > 0))
+        with body.when(Not(good)):
+            check_abilities(lib, body, p, s)
+            check_friction(lib, body, p, s)
+
+
+def check_friction(lib: Library, body: Body, p: Place, s: Place) -> None:
+    """NOT_FINITE or BAD_ARGUMENT where the options say of the friction of flywheel s what none can have."""
+    viscous, coulomb, speed = p.motor_viscous[s], p.motor_coulomb[s], p.motor_coulomb_speed[s]
+    for value in (viscous, coulomb, speed):
+        lib.guard(body, Not(or_(value > 0, value <= 0)), "NOT_FINITE")
+    lib.guard(body, or_(or_(viscous < 0, coulomb < 0), speed <= 0), "BAD_ARGUMENT")
 
 
 def check_abilities(lib: Library, body: Body, p: Place, s: Place) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
-from mahovik.core.lower.excess import check_abilities
+from mahovik.core.lower.excess import check_abilities, check_friction
 from mahovik.core.lower.flywheels import named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
@@ -52,6 +52,7 @@ def inverse(lib: Library) -> Function:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
         check_abilities(lib, body, p, s)
+        check_friction(lib, body, p, s)
     work = body.local("work", (), layout.inverse_work)
     answer = body.local("answer", (layout.count,), comment="phi''")
     limited = body.local("limited", (layout.count,), Kind.INT)

@@ -7,12 +7,13 @@ fewer (W^T W) y = W^T r, where weights have no say.
 from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
+from mahovik.core.lower.excess import SPIN_UP_NOTE, check_all_abilities, spin_up_excess
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Not, Place, integer, real
+from mahovik.core.program.expression import Convert, Not, Place, integer, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -25,7 +26,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     layout = lib.layout
     table, x = lib.table_argument(), lib.state_argument()
     V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted derivative of the components of V")
-    options = Argument("options", layout.inverse_options, purpose="weights and damping; `near` and limits are ignored")
+    options = Argument("options", layout.inverse_options, purpose="weights and damping; `near` and `limit` are ignored")
     given, wrench = lib.given_turns() if at else (), lib.wrench_arguments()
     phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
     p = options.place
@@ -33,6 +34,7 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
     size = 6 if wide else int(layout.count)
     body = Body()
     check_demand(lib, body, table, x, V_dot, p, ("damping",), wrench, given)
+    check_all_abilities(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     inputs = [w.place for w in wrench]
     turns = all_turns(lib, body, x.place, given)
@@ -78,18 +80,23 @@ def inverse_fast(lib: Library, at: bool = False) -> Function:
                 body.add(y, work.I[k][s] * z[k])
         body.set(answer[s], y * work.scale[s])
     check_answer(lib, body, answer, layout.count)
+    flags = spin_up_excess(lib, body, (table.place, x.place, p), answer)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], answer[s])
-    return body.checked(
+    body.ret(Convert(flags, Kind.STATUS))
+    return Function(
         "inverse_fast_at" if at else "inverse_fast",
         "Flywheel accelerations for a wanted motion of the carrier, without diagnostics: normal equations.",
         (table, x, *given, V_dot, options, *wrench, phi_ddot),
+        body.statements,
         equation="(12)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "EXCESSIVE"),
         notes=(
             "Squares the condition number: as accurate as inverse if singular values differ by a factor of at most "
             "some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
             "Damping is relative to the norm of W.",
+            SPIN_UP_NOTE,
             ANSWER_NOTE,
             *(AT_NOTES if at else ()),
         ),

@@ -145,6 +145,15 @@ class Layout(Tables):
                 "rad/s",
                 "no-load speed, where the torque that drives has fallen to 0; greater than 0; infinity: none",
             ),
+            Field("motor_viscous", REAL, (self.count,), "N m s", "viscous friction, which the motor bears; 0: none"),
+            Field("motor_coulomb", REAL, (self.count,), "N m", "dry friction, which the motor bears; 0: none"),
+            Field(
+                "motor_coulomb_speed",
+                REAL,
+                (self.count,),
+                "rad/s",
+                "speed at which dry friction has its three quarters; greater than 0",
+            ),
             Field("near", REAL, (), "", "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"),
             Field(
                 "damping", REAL, (), "", "damping of small singular values, as a fraction of the largest, 0..1; 0: none"

@@ -126,6 +126,7 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(demand.demand(lib))
         lib.add(allocate.solve_gram(lib))
         lib.add(allocate.allocate(lib))
+        lib.add(excess.motor_lacks(lib))
         lib.add(excess.excessive(lib))
         lib.add(inverse.inverse(lib))
         lib.add(inverse_fast.inverse_fast(lib))

@@ -240,6 +240,9 @@ def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
         "most": [stand.inverse_most if motor is None else none for motor in motors],
         "motor_torque": [none if motor is None or motor.torque is None else motor.torque for motor in motors],
         "motor_speed": [none if motor is None or motor.speed is None else motor.speed for motor in motors],
+        "motor_viscous": [0.0 if motor is None else motor.viscous for motor in motors],
+        "motor_coulomb": [0.0 if motor is None else motor.coulomb for motor in motors],
+        "motor_coulomb_speed": [1.0 if motor is None else motor.coulomb_speed for motor in motors],
     }
 
 

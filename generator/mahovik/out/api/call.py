@@ -183,7 +183,7 @@ def _refusal_reasons(
             yield from _wrong(member.name, column, labels, member.unit)
 
 
-_NOT_NEGATIVE = ("motor_torque", "motor_power", "target_rate", "avoid_speed")
+_NOT_NEGATIVE = ("motor_torque", "motor_viscous", "motor_coulomb", "motor_power", "target_rate", "avoid_speed")
 
 
 def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[str]:
@@ -199,7 +199,7 @@ def _option(argument: ArgumentLayout, memory: Array, stand: Stand) -> Iterator[s
                 yield f"{what} is {x:.9g}, expected at least {least:g}"
             elif member.name in _NOT_NEGATIVE and not x >= 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected at least 0"
-            elif member.name in ("limit", "most", "motor_speed") and not x > 0:
+            elif member.name in ("limit", "most", "motor_speed", "motor_coulomb_speed") and not x > 0:
                 yield f"{what} is {x:.9g} {member.unit}, expected above 0"
             elif member.name in ("near", "damping") and not 0 <= x <= 1:
                 yield f"{what} is {x:.9g}, expected 0 to 1"

@@ -24,20 +24,41 @@ def available(motor: Motor, tau: float, speed: float) -> float:
     return most * share if share else 0.0
 
 
+def friction(motor: Motor, speed: float) -> float:
+    """Torque of friction on the flywheel at a speed (rad/s), N m: viscous, and dry as the servos compensate it.
+
+    Dry friction is y (27 + y^2) / (27 + 9 y^2) of its whole, y the speed over `coulomb_speed` inside -3..3: tanh y to
+    0.024.
+    """
+    y = min(max(speed / motor.coulomb_speed, -3.0), 3.0)
+    return -motor.viscous * speed - motor.coulomb * y * (27.0 + y * y) / (27.0 + 9.0 * y * y)
+
+
 def shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     """Need of each flywheel for the motion V_dot (6), phi_ddot (N), over what it has (N); above 1 is too much.
 
-    Drive torque tau_s over that of the motor; without a motor, or of one without limits, |phi_s''| over `inverse_most`.
+    Torque of the motor, which gives tau_s and bears the friction, over what it has; without a motor, or of one without
+    limits, |phi_s''| over `inverse_most`.
     """
+    return shares_of(stand, at, torque(at, V_dot, phi_ddot), phi_ddot)
+
+
+def spin_up_shares(stand: Stand, at: Pieces, phi_ddot: Array) -> Array:
+    """Likewise (N) by Theta_ff phi'' in place of tau: as fast functions judge."""
+    return shares_of(stand, at, np.diag(at.Theta_ff) * phi_ddot, phi_ddot)
+
+
+def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
+    """Likewise (N) for drive torques tau (N, N m)."""
     found = np.zeros(len(stand.flywheels))
-    tau = torque(at, V_dot, phi_ddot)
     for k, wheel in enumerate(stand.flywheels):
         motor = wheel.motor
         if motor is None or (motor.torque is None and motor.speed is None):
             found[k] = abs(phi_ddot[k]) / stand.inverse_most
             continue
-        most = available(motor, tau[k], at.phi_dot[k])
-        found[k] = abs(tau[k]) / most if most else (np.inf if tau[k] else 0.0)
+        own = tau[k] - friction(motor, at.phi_dot[k])
+        most = available(motor, own, at.phi_dot[k])
+        found[k] = abs(own) / most if most else (np.inf if own else 0.0)
     return found
 
 

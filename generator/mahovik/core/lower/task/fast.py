@@ -7,6 +7,7 @@ fewer (W^T W) y = W^T r, where weights have no say.
 from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
+from mahovik.core.lower.excess import SPIN_UP_NOTE, check_all_abilities, spin_up_excess
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.lanes import entry
@@ -17,7 +18,7 @@ from mahovik.core.lower.task.inverse import FREE_NOTE, task_arguments
 from mahovik.core.lower.task.rows import Rows
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place
+from mahovik.core.program.expression import Convert, Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -33,6 +34,7 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
     place = {a.name: a.place for a in arguments}
     body = Body()
     check_demand(lib, body, table, x, demand, p, ("damping",), tuple(wrench), given)
+    check_all_abilities(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     turns = all_turns(lib, body, x.place, given)
     direct = rows.whole_turning and int(layout.count) >= 3
@@ -64,17 +66,22 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
     else:
         chosen()
     check_answer(lib, body, answer, layout.count)
+    flags = spin_up_excess(lib, body, (table.place, x.place, p), answer)
     with body.loop("s", layout.count) as s:
         body.set(phi_ddot.place[s], answer[s])
-    return body.checked(
+    body.ret(Convert(flags, Kind.STATUS))
+    return Function(
         f"inverse_fast_{name}_at" if at else f"inverse_fast_{name}",
         f"Flywheel accelerations for the task {name}, without diagnostics: normal equations.",
         (table, x, *given, demand, options, *wrench, phi_ddot),
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT"),
+        body.statements,
+        returns=Kind.STATUS,
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "EXCESSIVE"),
         notes=(
             f"Squares the condition number: as accurate as inverse_{name} if singular values differ by a factor of at "
             "most some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
             "Damping is relative to the norm of W.",
+            SPIN_UP_NOTE,
             FREE_NOTE,
             ANSWER_NOTE,
             *(AT_NOTES if at else ()),

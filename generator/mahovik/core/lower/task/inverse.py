@@ -6,7 +6,7 @@ The same steps as of `inverse`, on the rows of the task that are demanded; what 
 from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
-from mahovik.core.lower.excess import check_abilities
+from mahovik.core.lower.excess import check_abilities, check_friction
 from mahovik.core.lower.flywheels import named_turns, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.inverse import POSITIVE, choose_rank, flag, hardest, sort
@@ -54,6 +54,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
         lib.guard(body, Not(or_(p.limit[s] > 0, p.limit[s] <= 0)), "NOT_FINITE")
         lib.guard(body, p.limit[s] <= 0, "BAD_ARGUMENT")
         check_abilities(lib, body, p, s)
+        check_friction(lib, body, p, s)
     work = body.local("work", (), layout.inverse_work)
     L = body.local("L", (m, m), comment="factor of the norm of the demand")
     answer = body.local("answer", (layout.count,), comment="phi''")

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from mahovik.contract.functions import task_of
-from mahovik.contract.status import status_bits
+from mahovik.contract.status import status_bits, status_words
 from mahovik.core.stand.model import Motor, Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import friction, shares_of
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.compare import Row
-from mahovik.proof.verify.functions.allocation import answer_of, with_demand
+from mahovik.proof.verify.functions.allocation import FAST_DAMPING, with_demand
 from mahovik.proof.verify.functions.case import Case, Comparison
 
 ROOM = 0.1
@@ -26,60 +26,92 @@ ROOM = 0.1
 
 
 def excess_rows(case: Case, function: str) -> Iterator[Row]:
-    """The bit EXCESSIVE of `inverse`, or of a task's form: by torque, by speed, without motors by `most`."""
+    """The bit EXCESSIVE of `inverse`, of its fast form, or of a task's: by torque, by speed, without motors by `most`.
+
+    The fast functions count Theta_ff phi'' in place of the drive torque.
+    """
     row = Comparison(function, "EXCESSIVE, with other motors", 0.0)
     task = task_of(function)
+    fast = function.startswith("inverse_fast")
     for number, (name, state) in enumerate(case.states if case.count else ()):
         asked = with_demand(case, number, state, task)[0] if task else state
         given, at = case.backend.arguments(asked), case.at(asked)
+        if fast:  # of a state near a singular position
+            given["options"] = {**given["options"], "damping": FAST_DAMPING}
         try:
-            _, found = answer_of(case, given, given["options"], function)
-            phi_ddot = np.array(found["phi_ddot"], dtype=np.float64)
+            _, phi_ddot = _answer(case, given, given["options"], function)
             rng = case.random(700 + number)
             short = int(rng.integers(case.count)) if number % 2 else None
-            stand, options = _motors(case, at, phi_ddot, rng, short, kind=number // 2 % 3)
-            status, found = answer_of(case, given, {**given["options"], **options}, function)
+            stand, options = _motors(case, at, _torques(at, phi_ddot, fast), phi_ddot, rng, short, number // 2 % 3)
+            status, phi_ddot = _answer(case, given, {**given["options"], **options}, function)
         except StateError as error:
             row.note_refusal(error, name)
             continue
-        phi_ddot = np.array(found["phi_ddot"], dtype=np.float64)
-        due = bool(np.any(shares(stand, at, forward(at, phi_ddot), phi_ddot) > 1.0))
+        due = bool(np.any(shares_of(stand, at, _torques(at, phi_ddot, fast), phi_ddot) > 1.0))
         wrong = due != ("EXCESSIVE" in status_bits(status))
         words = ("expected" if due else "not expected") if wrong else ""
         row.note_difference(np.inf if wrong else 0.0, words, name)
     yield row.finished()
 
 
+def _answer(case: Case, given: Mapping[str, Any], options: Mapping[str, Any], function: str) -> tuple[int, Array]:
+    """Status and phi'' (N). Raises StateError if the function refuses."""
+    status, outputs = case.backend.call(function, {**given, "options": options})
+    if status < 0:
+        raise StateError(f"{function} refused with status {status_words(status)}")
+    return status, np.array(outputs.get("out", outputs)["phi_ddot"], dtype=np.float64)
+
+
+def _torques(at: Pieces, phi_ddot: Array, fast: bool) -> Array:
+    """Torques (N, N m) by which EXCESSIVE is judged."""
+    return np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
+
+
 def _motors(
-    case: Case, at: Pieces, phi_ddot: Array, rng: np.random.Generator, short: int | None, kind: int
+    case: Case, at: Pieces, tau: Array, phi_ddot: Array, rng: np.random.Generator, short: int | None, kind: int
 ) -> tuple[Stand, dict[str, Any]]:
     """The stand with other motors and the options that say so; of `short` a flywheel that has too little.
 
-    kind  0: by torque at rest or braking, with a no-load speed; 1: by torque alone; 2: no motors, by the acceleration
+    kind  0: by torque at rest or braking, with a no-load speed; 1: by torque alone; 2: no motors, by the acceleration.
+    Motors bear friction of about a fifth of their torque.
     """
-    tau = np.abs(torque(at, forward(at, phi_ddot), phi_ddot))
-    signed = torque(at, forward(at, phi_ddot), phi_ddot) * at.phi_dot
-    speed = np.abs(at.phi_dot) * rng.uniform(1.5, 4.0, case.count) + 1.0
-    room = np.where(signed > 0, 1 - np.abs(at.phi_dot) / speed, 1.0)
     enough = np.full(case.count, 1.0 + ROOM)
     if short is not None:
         enough[short] = 1.0 - ROOM
     none = case.backend.layout.precision.largest
+    nothing = {name: [0.0] * case.count for name in ("motor_viscous", "motor_coulomb")}
+    nothing |= {"motor_coulomb_speed": [1.0] * case.count}
     if kind == 2:
         most = case.nearest_numbers(np.max(np.abs(phi_ddot) * enough) * np.ones(case.count))
         wheels = tuple(replace(s, motor=None) for s in case.stand.flywheels)
         if short is not None:
             most = case.nearest_numbers(np.max(np.abs(phi_ddot)) * (1.0 - ROOM) * np.ones(case.count))
         stand = replace(case.stand, flywheels=wheels, inverse_most=float(most[0]))
-        return stand, {"most": list(most), "motor_torque": [none] * case.count, "motor_speed": [none] * case.count}
-    limit = case.nearest_numbers(tau / (room if kind == 0 else 1.0) * enough)
-    speed = case.nearest_numbers(speed)
-    wheels = tuple(
-        replace(
-            s, motor=Motor(float(limit[k]), float(speed[k]) if kind == 0 else None, None, None, None, 0.0, 0.0, 0.1)
+        limits = {"most": list(most), "motor_torque": [none] * case.count, "motor_speed": [none] * case.count}
+        return stand, limits | nothing
+    size = np.abs(at.phi_dot) + 1.0
+    bearing = np.array([
+        case.nearest_numbers(x)
+        for x in (
+            0.1 * np.abs(tau) / size * rng.uniform(0.5, 2.0, case.count),
+            0.1 * np.abs(tau) * rng.uniform(0.5, 2.0, case.count),
+            size * rng.uniform(0.2, 5.0, case.count),
         )
-        for k, s in enumerate(case.stand.flywheels)
-    )
-    speeds = list(speed) if kind == 0 else [none] * case.count
-    options = {"most": [none] * case.count, "motor_torque": list(limit), "motor_speed": speeds}
+    ])  # fmt: skip
+    own = [
+        tau[k] - friction(Motor(None, None, None, None, None, *map(float, bearing[:, k])), at.phi_dot[k])
+        for k in range(case.count)
+    ]
+    speed = np.abs(at.phi_dot) * rng.uniform(1.5, 4.0, case.count) + 1.0
+    room = np.where(np.array(own) * at.phi_dot > 0, 1 - np.abs(at.phi_dot) / speed, 1.0)
+    limit = case.nearest_numbers(np.abs(own) / (room if kind == 0 else 1.0) * enough)
+    speed = case.nearest_numbers(speed)
+    motors = [
+        Motor(float(limit[k]), float(speed[k]) if kind == 0 else None, None, None, None, *map(float, bearing[:, k]))
+        for k in range(case.count)
+    ]
+    wheels = tuple(replace(s, motor=motors[k]) for k, s in enumerate(case.stand.flywheels))
+    options = {"most": [none] * case.count, "motor_torque": list(limit)}
+    options |= {"motor_speed": list(speed) if kind == 0 else [none] * case.count}
+    options |= {name: list(bearing[i]) for i, name in enumerate(nothing)}
     return replace(case.stand, flywheels=wheels), options

@@ -283,7 +283,8 @@ def fast_rows(
             options = options_of(case, number, damping=damping)
             weight = np.array(options["weight"])
             status, found = case.backend.call(function, given | {"options": options})
-            status_row.note_difference(*_wrong_refusal(case, status, normal_matrix(scaled, weight, damping)), name)
+            rest = status & ~STATUS_VALUES["EXCESSIVE"] if status > 0 else status  # has a judge of its own
+            status_row.note_difference(*_wrong_refusal(case, rest, normal_matrix(scaled, weight, damping)), name)
             note_fast(row, case, scaled, options, status, found, name, loss(state, scaled))
             if status >= 0 and not damping:
                 solved.note_difference(

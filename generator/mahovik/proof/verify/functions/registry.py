@@ -26,6 +26,11 @@ from mahovik.proof.verify.functions import (
 )
 from mahovik.proof.verify.functions.case import Case
 
+
+def _fast_rows(case: Case, function: str) -> Iterator[Row]:
+    return chain(allocation.fast_rows(case, function), abilities.excess_rows(case, function))
+
+
 JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "wrench": external.wrench_rows,
     "mounts": reactions.mount_rows,
@@ -35,8 +40,8 @@ JUDGES: dict[str, Callable[[Case], Iterable[Row]]] = {
     "step_carried": partial(carries.carried_rows, function="step_carried"),
     "step_driven_carried": partial(carries.carried_rows, function="step_driven_carried"),
     "inverse": lambda case: chain(allocation.inverse_rows(case), abilities.excess_rows(case, "inverse")),
-    "inverse_fast": partial(allocation.fast_rows, function="inverse_fast"),
-    "inverse_fast_at": partial(allocation.fast_rows, function="inverse_fast_at"),
+    "inverse_fast": partial(_fast_rows, function="inverse_fast"),
+    "inverse_fast_at": partial(_fast_rows, function="inverse_fast_at"),
     "forward_jacobian": partial(jacobians.jacobian_rows, function="forward_jacobian"),
     "coupled_jacobian": partial(jacobians.jacobian_rows, function="coupled_jacobian"),
     "quaternion": attitudes.quaternion_rows,

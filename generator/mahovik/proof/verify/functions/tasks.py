@@ -93,6 +93,7 @@ def fast_rows(case: Case, function: str) -> Iterator[Row]:
         status, found = case.backend.call(function, case.backend.arguments(asked) | {"options": free})
         allocation.note_fast(freed, case, part, options, status, found, name, _loss(case, asked, part))
     yield freed.finished()
+    yield from excess_rows(case, function)
 
 
 def _some_rows(case: Case, number: int, count: int) -> Rows:
