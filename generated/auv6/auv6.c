@@ -2610,6 +2610,26 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+AUV6_CODE
+static int auv6_motor_lacks(const auv6_inverse_options *options, int number, auv6_real tau, auv6_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    auv6_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const auv6_real ratio = speed / options->motor_coulomb_speed[number];
+        const auv6_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const auv6_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    auv6_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 AUV6_CODE
@@ -2634,13 +2654,7 @@ static void auv6_excessive(const auv6_table *table, const auv6_state *x, const a
         auv6_real tau[AUV6_N];  /* drive torques */
         auv6_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < AUV6_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const auv6_real speed = x->phi_dot[s];
-            auv6_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (auv6_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = AUV6_EXCESSIVE;
             }
         }
@@ -2680,6 +2694,14 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return AUV6_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return AUV6_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return AUV6_BAD_ARGUMENT; }
     }
     auv6_inverse_work work;
     auv6_real answer[AUV6_N];  /* phi'' */
@@ -2920,10 +2942,29 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
     }
     status = auv6_within(answer, AUV6_N, AUV6_LARGEST);
     if (status != AUV6_OK) { return AUV6_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < AUV6_N; ++s) {
+        if (flags == 0) {
+            const auv6_real v = x->phi_dot[s];
+            const auv6_real spin = table->flywheel[s].spin;
+            const auv6_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const auv6_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const auv6_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || auv6_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = AUV6_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < AUV6_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return AUV6_OK;
+    return (auv6_status)flags;
 }
 
 /* Reading of an accelerometer and a gyro at one instrument or point. */
@@ -4136,6 +4177,9 @@ const auv6_inverse_options auv6_default_options =
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
     .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

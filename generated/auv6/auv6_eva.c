@@ -228,6 +228,9 @@ static void normal_inverse_options(auv6_inverse_options *x)
     about(&x->most[0], &auv6_default_options.most[0], 6);
     about(&x->motor_torque[0], &auv6_default_options.motor_torque[0], 6);
     about(&x->motor_speed[0], &auv6_default_options.motor_speed[0], 6);
+    about(&x->motor_viscous[0], &auv6_default_options.motor_viscous[0], 6);
+    about(&x->motor_coulomb[0], &auv6_default_options.motor_coulomb[0], 6);
+    about(&x->motor_coulomb_speed[0], &auv6_default_options.motor_coulomb_speed[0], 6);
     about(&x->near, &auv6_default_options.near, 1);
     about(&x->damping, &auv6_default_options.damping, 1);
 }
@@ -239,6 +242,9 @@ static void any_inverse_options(auv6_inverse_options *x)
     reals(&x->most[0], 6, AUV6_LARGEST);
     reals(&x->motor_torque[0], 6, AUV6_LARGEST);
     reals(&x->motor_speed[0], 6, AUV6_LARGEST);
+    reals(&x->motor_viscous[0], 6, AUV6_LARGEST);
+    reals(&x->motor_coulomb[0], 6, AUV6_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 6, AUV6_LARGEST);
     reals(&x->near, 1, AUV6_LARGEST);
     reals(&x->damping, 1, AUV6_LARGEST);
 }
@@ -250,6 +256,9 @@ static void bits_inverse_options(auv6_inverse_options *x)
     all_bits(&x->most[0], 6);
     all_bits(&x->motor_torque[0], 6);
     all_bits(&x->motor_speed[0], 6);
+    all_bits(&x->motor_viscous[0], 6);
+    all_bits(&x->motor_coulomb[0], 6);
+    all_bits(&x->motor_coulomb_speed[0], 6);
     one_of_all(&x->near);
     one_of_all(&x->damping);
 }

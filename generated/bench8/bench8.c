@@ -2492,6 +2492,27 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+BENCH8_CODE
+static int bench8_motor_lacks(const bench8_inverse_options *options, int number, bench8_real tau,
+                              bench8_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    bench8_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const bench8_real ratio = speed / options->motor_coulomb_speed[number];
+        const bench8_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const bench8_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    bench8_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 BENCH8_CODE
@@ -2516,13 +2537,7 @@ static void bench8_excessive(const bench8_table *table, const bench8_state *x,
         bench8_real tau[BENCH8_N];  /* drive torques */
         bench8_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < BENCH8_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const bench8_real speed = x->phi_dot[s];
-            bench8_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (bench8_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = BENCH8_EXCESSIVE;
             }
         }
@@ -2561,6 +2576,14 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
     bench8_real answer[BENCH8_N];  /* phi'' */
@@ -2801,10 +2824,29 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     }
     status = bench8_within(answer, BENCH8_N, BENCH8_LARGEST);
     if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < BENCH8_N; ++s) {
+        if (flags == 0) {
+            const bench8_real v = x->phi_dot[s];
+            const bench8_real spin = table->flywheel[s].spin;
+            const bench8_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const bench8_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const bench8_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || bench8_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = BENCH8_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return BENCH8_OK;
+    return (bench8_status)flags;
 }
 
 /* Attitude quaternion of three angles. */
@@ -3686,6 +3728,9 @@ const bench8_inverse_options bench8_default_options =
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
     .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

@@ -225,19 +225,23 @@ typedef struct bench8_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                          * default */
-    bench8_real limit[BENCH8_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                          * infinity: no limit */
-    bench8_real most[BENCH8_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    bench8_real motor_torque[BENCH8_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                          * infinity: no limit */
-    bench8_real motor_speed[BENCH8_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                          * to 0; greater than 0; infinity: none */
-    bench8_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
-                                          * singular value, 0..1 */
-    bench8_real damping;                 /* damping of small singular values, as a fraction of the largest,
-                                          * 0..1; 0: none */
+    bench8_real weight[BENCH8_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
+                                                 * 1e6, 1 by default */
+    bench8_real limit[BENCH8_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                                 * infinity: no limit */
+    bench8_real most[BENCH8_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    bench8_real motor_torque[BENCH8_N];         /* N m; EXCESSIVE if the drive torque is larger; not
+                                                 * negative; infinity: no limit */
+    bench8_real motor_speed[BENCH8_N];          /* rad/s; no-load speed, where the torque that drives has
+                                                 * fallen to 0; greater than 0; infinity: none */
+    bench8_real motor_viscous[BENCH8_N];        /* N m s; viscous friction, which the motor bears; 0: none */
+    bench8_real motor_coulomb[BENCH8_N];        /* N m; dry friction, which the motor bears; 0: none */
+    bench8_real motor_coulomb_speed[BENCH8_N];  /* rad/s; speed at which dry friction has its three
+                                                 * quarters; greater than 0 */
+    bench8_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
+                                                 * singular value, 0..1 */
+    bench8_real damping;                        /* damping of small singular values, as a fraction of the
+                                                 * largest, 0..1; 0: none */
 } bench8_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -456,7 +460,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 53830 operations on reals, 1411 of them divisions. Stack: at most 5568 bytes. */
+ * At most 54030 operations on reals, 1427 of them divisions. Stack: at most 5568 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -465,15 +469,18 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 4309 operations on reals, 61 of them divisions. Stack: at most 5056 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 4661 operations on reals, 93 of them divisions. Stack: at most 5136 bytes. */
 bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);

@@ -243,6 +243,9 @@ static void normal_inverse_options(bench8_inverse_options *x)
     about(&x->most[0], &bench8_default_options.most[0], 8);
     about(&x->motor_torque[0], &bench8_default_options.motor_torque[0], 8);
     about(&x->motor_speed[0], &bench8_default_options.motor_speed[0], 8);
+    about(&x->motor_viscous[0], &bench8_default_options.motor_viscous[0], 8);
+    about(&x->motor_coulomb[0], &bench8_default_options.motor_coulomb[0], 8);
+    about(&x->motor_coulomb_speed[0], &bench8_default_options.motor_coulomb_speed[0], 8);
     about(&x->near, &bench8_default_options.near, 1);
     about(&x->damping, &bench8_default_options.damping, 1);
 }
@@ -254,6 +257,9 @@ static void any_inverse_options(bench8_inverse_options *x)
     reals(&x->most[0], 8, BENCH8_LARGEST);
     reals(&x->motor_torque[0], 8, BENCH8_LARGEST);
     reals(&x->motor_speed[0], 8, BENCH8_LARGEST);
+    reals(&x->motor_viscous[0], 8, BENCH8_LARGEST);
+    reals(&x->motor_coulomb[0], 8, BENCH8_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 8, BENCH8_LARGEST);
     reals(&x->near, 1, BENCH8_LARGEST);
     reals(&x->damping, 1, BENCH8_LARGEST);
 }
@@ -265,6 +271,9 @@ static void bits_inverse_options(bench8_inverse_options *x)
     all_bits(&x->most[0], 8);
     all_bits(&x->motor_torque[0], 8);
     all_bits(&x->motor_speed[0], 8);
+    all_bits(&x->motor_viscous[0], 8);
+    all_bits(&x->motor_coulomb[0], 8);
+    all_bits(&x->motor_coulomb_speed[0], 8);
     one_of_all(&x->near);
     one_of_all(&x->damping);
 }

@@ -2306,6 +2306,27 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+DEMO3_CODE
+static int demo3_motor_lacks(const demo3_inverse_options *options, int number, demo3_real tau,
+                             demo3_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    demo3_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const demo3_real ratio = speed / options->motor_coulomb_speed[number];
+        const demo3_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const demo3_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    demo3_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 DEMO3_CODE
@@ -2330,13 +2351,7 @@ static void demo3_excessive(const demo3_table *table, const demo3_state *x, cons
         demo3_real tau[DEMO3_N];  /* drive torques */
         demo3_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < DEMO3_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const demo3_real speed = x->phi_dot[s];
-            demo3_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (demo3_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = DEMO3_EXCESSIVE;
             }
         }
@@ -2374,6 +2389,14 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return DEMO3_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return DEMO3_BAD_ARGUMENT; }
     }
     demo3_inverse_work work;
     demo3_real answer[DEMO3_N];  /* phi'' */
@@ -2607,10 +2630,29 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
     }
     status = demo3_within(answer, DEMO3_N, DEMO3_LARGEST);
     if (status != DEMO3_OK) { return DEMO3_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < DEMO3_N; ++s) {
+        if (flags == 0) {
+            const demo3_real v = x->phi_dot[s];
+            const demo3_real spin = table->flywheel[s].spin;
+            const demo3_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const demo3_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const demo3_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || demo3_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = DEMO3_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < DEMO3_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return DEMO3_OK;
+    return (demo3_status)flags;
 }
 
 /* Attitude quaternion of three angles. */
@@ -3442,6 +3484,9 @@ const demo3_inverse_options demo3_default_options =
     .most = { 1.0e4, 1.0e4, 1.0e4 },
     .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_viscous = { 0.0, 0.0, 0.0 },
+    .motor_coulomb = { 0.0, 0.0, 0.0 },
+    .motor_coulomb_speed = { 1.0, 1.0, 1.0 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

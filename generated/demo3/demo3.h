@@ -214,19 +214,23 @@ typedef struct demo3_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct demo3_inverse_options {
-    demo3_real weight[DEMO3_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                        * default */
-    demo3_real limit[DEMO3_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                        * infinity: no limit */
-    demo3_real most[DEMO3_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    demo3_real motor_torque[DEMO3_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                        * infinity: no limit */
-    demo3_real motor_speed[DEMO3_N];   /* rad/s; no-load speed, where the torque that drives has fallen to
-                                        * 0; greater than 0; infinity: none */
-    demo3_real near;                   /* status NEAR_SINGULAR below this fraction of the largest singular
-                                        * value, 0..1 */
-    demo3_real damping;                /* damping of small singular values, as a fraction of the largest,
-                                        * 0..1; 0: none */
+    demo3_real weight[DEMO3_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6,
+                                               * 1 by default */
+    demo3_real limit[DEMO3_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                               * infinity: no limit */
+    demo3_real most[DEMO3_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    demo3_real motor_torque[DEMO3_N];         /* N m; EXCESSIVE if the drive torque is larger; not
+                                               * negative; infinity: no limit */
+    demo3_real motor_speed[DEMO3_N];          /* rad/s; no-load speed, where the torque that drives has
+                                               * fallen to 0; greater than 0; infinity: none */
+    demo3_real motor_viscous[DEMO3_N];        /* N m s; viscous friction, which the motor bears; 0: none */
+    demo3_real motor_coulomb[DEMO3_N];        /* N m; dry friction, which the motor bears; 0: none */
+    demo3_real motor_coulomb_speed[DEMO3_N];  /* rad/s; speed at which dry friction has its three quarters;
+                                               * greater than 0 */
+    demo3_real near;                          /* status NEAR_SINGULAR below this fraction of the largest
+                                               * singular value, 0..1 */
+    demo3_real damping;                       /* damping of small singular values, as a fraction of the
+                                               * largest, 0..1; 0: none */
 } demo3_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -435,7 +439,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 30154 operations on reals, 927 of them divisions. Stack: at most 4512 bytes. */
+ * At most 30229 operations on reals, 933 of them divisions. Stack: at most 4512 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -444,15 +448,18 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   phi_ddot[3]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 1769 operations on reals, 30 of them divisions. Stack: at most 3472 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 1901 operations on reals, 42 of them divisions. Stack: at most 3536 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 

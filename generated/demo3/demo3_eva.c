@@ -213,6 +213,9 @@ static void normal_inverse_options(demo3_inverse_options *x)
     about(&x->most[0], &demo3_default_options.most[0], 3);
     about(&x->motor_torque[0], &demo3_default_options.motor_torque[0], 3);
     about(&x->motor_speed[0], &demo3_default_options.motor_speed[0], 3);
+    about(&x->motor_viscous[0], &demo3_default_options.motor_viscous[0], 3);
+    about(&x->motor_coulomb[0], &demo3_default_options.motor_coulomb[0], 3);
+    about(&x->motor_coulomb_speed[0], &demo3_default_options.motor_coulomb_speed[0], 3);
     about(&x->near, &demo3_default_options.near, 1);
     about(&x->damping, &demo3_default_options.damping, 1);
 }
@@ -224,6 +227,9 @@ static void any_inverse_options(demo3_inverse_options *x)
     reals(&x->most[0], 3, DEMO3_LARGEST);
     reals(&x->motor_torque[0], 3, DEMO3_LARGEST);
     reals(&x->motor_speed[0], 3, DEMO3_LARGEST);
+    reals(&x->motor_viscous[0], 3, DEMO3_LARGEST);
+    reals(&x->motor_coulomb[0], 3, DEMO3_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 3, DEMO3_LARGEST);
     reals(&x->near, 1, DEMO3_LARGEST);
     reals(&x->damping, 1, DEMO3_LARGEST);
 }
@@ -235,6 +241,9 @@ static void bits_inverse_options(demo3_inverse_options *x)
     all_bits(&x->most[0], 3);
     all_bits(&x->motor_torque[0], 3);
     all_bits(&x->motor_speed[0], 3);
+    all_bits(&x->motor_viscous[0], 3);
+    all_bits(&x->motor_coulomb[0], 3);
+    all_bits(&x->motor_coulomb_speed[0], 3);
     one_of_all(&x->near);
     one_of_all(&x->damping);
 }

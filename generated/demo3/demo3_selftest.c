@@ -1171,7 +1171,7 @@ static const function functions[FUNCTIONS] =
       0xed92914bu },
     { "inverse_fast", sizeof results.inverse_fast,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
-      { { 0, 0x3e8ce9e3u, 3 }, { 0, 0xc306074fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
+      { { 0, 0x3e8ce9e3u, 3 }, { 64, 0x1690008fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x7e05dacdu },
     { "quaternion", sizeof results.quaternion,
       call_quaternion, take_quaternion_results, numbers_quaternion,

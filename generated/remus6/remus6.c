@@ -2620,6 +2620,27 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+REMUS6_CODE
+static int remus6_motor_lacks(const remus6_inverse_options *options, int number, remus6_real tau,
+                              remus6_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    remus6_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const remus6_real ratio = speed / options->motor_coulomb_speed[number];
+        const remus6_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const remus6_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    remus6_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 REMUS6_CODE
@@ -2644,13 +2665,7 @@ static void remus6_excessive(const remus6_table *table, const remus6_state *x,
         remus6_real tau[REMUS6_N];  /* drive torques */
         remus6_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < REMUS6_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const remus6_real speed = x->phi_dot[s];
-            remus6_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (remus6_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = REMUS6_EXCESSIVE;
             }
         }
@@ -2691,6 +2706,14 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return REMUS6_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return REMUS6_BAD_ARGUMENT; }
     }
     remus6_inverse_work work;
     remus6_real answer[REMUS6_N];  /* phi'' */
@@ -2933,10 +2956,29 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
     }
     status = remus6_within(answer, REMUS6_N, REMUS6_LARGEST);
     if (status != REMUS6_OK) { return REMUS6_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < REMUS6_N; ++s) {
+        if (flags == 0) {
+            const remus6_real v = x->phi_dot[s];
+            const remus6_real spin = table->flywheel[s].spin;
+            const remus6_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const remus6_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const remus6_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || remus6_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = REMUS6_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < REMUS6_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return REMUS6_OK;
+    return (remus6_status)flags;
 }
 
 /* Reading of an accelerometer and a gyro at one instrument or point. */
@@ -4221,6 +4263,9 @@ const remus6_inverse_options remus6_default_options =
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
     .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

@@ -288,19 +288,23 @@ typedef struct remus6_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct remus6_inverse_options {
-    remus6_real weight[REMUS6_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                          * default */
-    remus6_real limit[REMUS6_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                          * infinity: no limit */
-    remus6_real most[REMUS6_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    remus6_real motor_torque[REMUS6_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                          * infinity: no limit */
-    remus6_real motor_speed[REMUS6_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                          * to 0; greater than 0; infinity: none */
-    remus6_real near;                    /* status NEAR_SINGULAR below this fraction of the largest
-                                          * singular value, 0..1 */
-    remus6_real damping;                 /* damping of small singular values, as a fraction of the largest,
-                                          * 0..1; 0: none */
+    remus6_real weight[REMUS6_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
+                                                 * 1e6, 1 by default */
+    remus6_real limit[REMUS6_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                                 * infinity: no limit */
+    remus6_real most[REMUS6_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    remus6_real motor_torque[REMUS6_N];         /* N m; EXCESSIVE if the drive torque is larger; not
+                                                 * negative; infinity: no limit */
+    remus6_real motor_speed[REMUS6_N];          /* rad/s; no-load speed, where the torque that drives has
+                                                 * fallen to 0; greater than 0; infinity: none */
+    remus6_real motor_viscous[REMUS6_N];        /* N m s; viscous friction, which the motor bears; 0: none */
+    remus6_real motor_coulomb[REMUS6_N];        /* N m; dry friction, which the motor bears; 0: none */
+    remus6_real motor_coulomb_speed[REMUS6_N];  /* rad/s; speed at which dry friction has its three
+                                                 * quarters; greater than 0 */
+    remus6_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
+                                                 * singular value, 0..1 */
+    remus6_real damping;                        /* damping of small singular values, as a fraction of the
+                                                 * largest, 0..1; 0: none */
 } remus6_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -519,7 +523,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43553 operations on reals, 1193 of them divisions. Stack: at most 5136 bytes. */
+ * At most 43703 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -528,15 +532,18 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   phi_ddot[6]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 3366 operations on reals, 55 of them divisions. Stack: at most 4576 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 3630 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);

@@ -2298,6 +2298,26 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+SAT4_CODE
+static int sat4_motor_lacks(const sat4_inverse_options *options, int number, sat4_real tau, sat4_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    sat4_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const sat4_real ratio = speed / options->motor_coulomb_speed[number];
+        const sat4_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const sat4_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    sat4_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 SAT4_CODE
@@ -2322,13 +2342,7 @@ static void sat4_excessive(const sat4_table *table, const sat4_state *x, const s
         sat4_real tau[SAT4_N];  /* drive torques */
         sat4_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < SAT4_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const sat4_real speed = x->phi_dot[s];
-            sat4_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (sat4_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = SAT4_EXCESSIVE;
             }
         }
@@ -2366,6 +2380,14 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
     sat4_real answer[SAT4_N];  /* phi'' */
@@ -2598,10 +2620,29 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     }
     status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (flags == 0) {
+            const sat4_real v = x->phi_dot[s];
+            const sat4_real spin = table->flywheel[s].spin;
+            const sat4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const sat4_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const sat4_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || sat4_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = SAT4_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return SAT4_OK;
+    return (sat4_status)flags;
 }
 
 /* The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor
@@ -3041,6 +3082,14 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return SAT4_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return SAT4_BAD_ARGUMENT; }
     }
     sat4_inverse_work work;
     sat4_real L[3][3];  /* factor of the norm of the demand */
@@ -3373,10 +3422,29 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
     }
     status = sat4_within(answer, SAT4_N, SAT4_LARGEST);
     if (status != SAT4_OK) { return SAT4_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < SAT4_N; ++s) {
+        if (flags == 0) {
+            const sat4_real v = x->phi_dot[s];
+            const sat4_real spin = table->flywheel[s].spin;
+            const sat4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const sat4_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const sat4_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || sat4_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = SAT4_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < SAT4_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return SAT4_OK;
+    return (sat4_status)flags;
 }
 
 /* How the turning part of the motion depends on the drive torques, scaled, at V* = 0. */
@@ -5001,6 +5069,9 @@ const sat4_inverse_options sat4_default_options =
     .most = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_torque = { 0.2, 0.2, 0.2, 0.2 },
     .motor_speed = { 628.3185307179587, 628.3185307179587, 628.3185307179587, 628.3185307179587 },
+    .motor_viscous = { 0.0, 0.0, 0.0, 0.0 },
+    .motor_coulomb = { 0.0005, 0.0005, 0.0005, 0.0005 },
+    .motor_coulomb_speed = { 0.1, 0.1, 0.1, 0.1 },
     .near = 1.0e-6,
     .damping = 0.0,
     .use_pointing = { 1, 1, 1 },

@@ -242,28 +242,32 @@ typedef struct sat4_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct sat4_inverse_options {
-    sat4_real weight[SAT4_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1 by
-                                      * default */
-    sat4_real limit[SAT4_N];         /* rad/s2; largest magnitude of each phi''; greater than 0; infinity:
-                                      * no limit */
-    sat4_real most[SAT4_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    sat4_real motor_torque[SAT4_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                      * infinity: no limit */
-    sat4_real motor_speed[SAT4_N];   /* rad/s; no-load speed, where the torque that drives has fallen to 0;
-                                      * greater than 0; infinity: none */
-    sat4_real near;                  /* status NEAR_SINGULAR below this fraction of the largest singular
-                                      * value, 0..1 */
-    sat4_real damping;               /* damping of small singular values, as a fraction of the largest,
-                                      * 0..1; 0: none */
-    int use_pointing[3];             /* rows of the task pointing: 0: free */
-    sat4_real motor_power[SAT4_N];   /* W; most that torque_for drives with; infinity: no limit */
-    sat4_real target_speed[SAT4_N];  /* rad/s; speed that torque_for approaches with what the demand leaves
-                                      * free */
-    sat4_real target_rate;           /* 1/s; part of what is missing to it, wanted a second; 0: least
-                                      * torque */
-    sat4_real avoid_speed;           /* rad/s; no wanted speed lies nearer to 0 than this; 0: none is
-                                      * avoided */
-    int keep_direction;              /* 1: a demand out of reach is made smaller, 0: least error */
+    sat4_real weight[SAT4_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
+                                             * by default */
+    sat4_real limit[SAT4_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
+                                             * infinity: no limit */
+    sat4_real most[SAT4_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    sat4_real motor_torque[SAT4_N];         /* N m; EXCESSIVE if the drive torque is larger; not negative;
+                                             * infinity: no limit */
+    sat4_real motor_speed[SAT4_N];          /* rad/s; no-load speed, where the torque that drives has
+                                             * fallen to 0; greater than 0; infinity: none */
+    sat4_real motor_viscous[SAT4_N];        /* N m s; viscous friction, which the motor bears; 0: none */
+    sat4_real motor_coulomb[SAT4_N];        /* N m; dry friction, which the motor bears; 0: none */
+    sat4_real motor_coulomb_speed[SAT4_N];  /* rad/s; speed at which dry friction has its three quarters;
+                                             * greater than 0 */
+    sat4_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
+                                             * singular value, 0..1 */
+    sat4_real damping;                      /* damping of small singular values, as a fraction of the
+                                             * largest, 0..1; 0: none */
+    int use_pointing[3];                    /* rows of the task pointing: 0: free */
+    sat4_real motor_power[SAT4_N];          /* W; most that torque_for drives with; infinity: no limit */
+    sat4_real target_speed[SAT4_N];         /* rad/s; speed that torque_for approaches with what the demand
+                                             * leaves free */
+    sat4_real target_rate;                  /* 1/s; part of what is missing to it, wanted a second; 0:
+                                             * least torque */
+    sat4_real avoid_speed;                  /* rad/s; no wanted speed lies nearer to 0 than this; 0: none
+                                             * is avoided */
+    int keep_direction;                     /* 1: a demand out of reach is made smaller, 0: least error */
 } sat4_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -493,7 +497,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34230 operations on reals, 1007 of them divisions. Stack: at most 4720 bytes. */
+ * At most 34330 operations on reals, 1015 of them divisions. Stack: at most 4720 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -502,15 +506,18 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   phi_ddot[4]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 2191 operations on reals, 35 of them divisions. Stack: at most 3712 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 2367 operations on reals, 51 of them divisions. Stack: at most 3776 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -526,7 +533,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11750 operations on reals, 413 of them divisions. Stack: at most 4368 bytes. */
+ * At most 11850 operations on reals, 421 of them divisions. Stack: at most 4368 bytes. */
 sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                   const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
 
@@ -540,11 +547,14 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
  * Squares the condition number: as accurate as inverse_pointing if singular values differ by a factor of
  * at most some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * A row is free where its flag in the options is 0; its demand must be a number nevertheless.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 2114 operations on reals, 50 of them divisions. Stack: at most 4048 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 2290 operations on reals, 66 of them divisions. Stack: at most 4112 bytes. */
 sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
                                        const sat4_real demand[3], const sat4_inverse_options *options,
                                        sat4_real phi_ddot[SAT4_N]);

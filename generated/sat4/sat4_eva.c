@@ -218,6 +218,9 @@ static void normal_inverse_options(sat4_inverse_options *x)
     about(&x->most[0], &sat4_default_options.most[0], 4);
     about(&x->motor_torque[0], &sat4_default_options.motor_torque[0], 4);
     about(&x->motor_speed[0], &sat4_default_options.motor_speed[0], 4);
+    about(&x->motor_viscous[0], &sat4_default_options.motor_viscous[0], 4);
+    about(&x->motor_coulomb[0], &sat4_default_options.motor_coulomb[0], 4);
+    about(&x->motor_coulomb_speed[0], &sat4_default_options.motor_coulomb_speed[0], 4);
     about(&x->near, &sat4_default_options.near, 1);
     about(&x->damping, &sat4_default_options.damping, 1);
     integers(&x->use_pointing[0], 3, -1048576, 1048576);
@@ -235,6 +238,9 @@ static void any_inverse_options(sat4_inverse_options *x)
     reals(&x->most[0], 4, SAT4_LARGEST);
     reals(&x->motor_torque[0], 4, SAT4_LARGEST);
     reals(&x->motor_speed[0], 4, SAT4_LARGEST);
+    reals(&x->motor_viscous[0], 4, SAT4_LARGEST);
+    reals(&x->motor_coulomb[0], 4, SAT4_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 4, SAT4_LARGEST);
     reals(&x->near, 1, SAT4_LARGEST);
     reals(&x->damping, 1, SAT4_LARGEST);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);
@@ -252,6 +258,9 @@ static void bits_inverse_options(sat4_inverse_options *x)
     all_bits(&x->most[0], 4);
     all_bits(&x->motor_torque[0], 4);
     all_bits(&x->motor_speed[0], 4);
+    all_bits(&x->motor_viscous[0], 4);
+    all_bits(&x->motor_coulomb[0], 4);
+    all_bits(&x->motor_coulomb_speed[0], 4);
     one_of_all(&x->near);
     one_of_all(&x->damping);
     integers(&x->use_pointing[0], 3, INT_MIN, INT_MAX);

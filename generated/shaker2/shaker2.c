@@ -2506,6 +2506,27 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     }
 }
 
+/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+SHAKER2_CODE
+static int shaker2_motor_lacks(const shaker2_inverse_options *options, int number, shaker2_real tau,
+                               shaker2_real speed)
+{
+    /* of the motor itself, which bears the friction */
+    shaker2_real own = tau + options->motor_viscous[number] * speed;
+    if (options->motor_coulomb[number] > 0.0) {
+        const shaker2_real ratio = speed / options->motor_coulomb_speed[number];
+        const shaker2_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
+        const shaker2_real square = y * y;
+        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+    }
+    /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
+    shaker2_real share = 1.0;
+    if (own * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+}
+
 /* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
  * inputs. */
 SHAKER2_CODE
@@ -2530,13 +2551,7 @@ static void shaker2_excessive(const shaker2_table *table, const shaker2_state *x
         shaker2_real tau[SHAKER2_N];  /* drive torques */
         shaker2_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < SHAKER2_N; ++s) {
-            /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
-            const shaker2_real speed = x->phi_dot[s];
-            shaker2_real share = 1.0;
-            if (tau[s] * speed > 0.0) {
-                share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[s];
-            }
-            if (share <= 0.0 || ((tau[s] < 0.0) ? -tau[s] : tau[s]) > options->motor_torque[s] * share) {
+            if (shaker2_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
                 found = SHAKER2_EXCESSIVE;
             }
         }
@@ -2576,6 +2591,14 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
         if (!(options->motor_speed[s] > 0.0 || options->motor_speed[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
         if (options->most[s] <= 0.0 || options->motor_torque[s] < 0.0
             || options->motor_speed[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
+        if (!(options->motor_viscous[s] > 0.0
+            || options->motor_viscous[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (!(options->motor_coulomb[s] > 0.0
+            || options->motor_coulomb[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (!(options->motor_coulomb_speed[s] > 0.0
+            || options->motor_coulomb_speed[s] <= 0.0)) { return SHAKER2_NOT_FINITE; }
+        if (options->motor_viscous[s] < 0.0 || options->motor_coulomb[s] < 0.0
+            || options->motor_coulomb_speed[s] <= 0.0) { return SHAKER2_BAD_ARGUMENT; }
     }
     shaker2_inverse_work work;
     shaker2_real answer[SHAKER2_N];  /* phi'' */
@@ -2810,10 +2833,29 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
     }
     status = shaker2_within(answer, SHAKER2_N, SHAKER2_LARGEST);
     if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
+    int flags = 0;
+    for (int s = 0; s < SHAKER2_N; ++s) {
+        if (flags == 0) {
+            const shaker2_real v = x->phi_dot[s];
+            const shaker2_real spin = table->flywheel[s].spin;
+            const shaker2_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
+            /* at most */
+            const shaker2_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
+                + options->motor_coulomb[s];
+            /* at least: when driving */
+            const shaker2_real has = options->motor_torque[s]
+                * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
+            if (!(size <= options->most[s] && needed <= has)) {
+                if (size > options->most[s] || shaker2_motor_lacks(options, s, spin * answer[s], v) != 0) {
+                    flags = SHAKER2_EXCESSIVE;
+                }
+            }
+        }
+    }
     for (int s = 0; s < SHAKER2_N; ++s) {
         phi_ddot[s] = answer[s];
     }
-    return SHAKER2_OK;
+    return (shaker2_status)flags;
 }
 
 /* Attitude quaternion of three angles. */
@@ -3687,6 +3729,9 @@ const shaker2_inverse_options shaker2_default_options =
     .most = { 1.0e4, 1.0e4 },
     .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308 },
     .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308 },
+    .motor_viscous = { 0.0, 0.0 },
+    .motor_coulomb = { 0.0, 0.0 },
+    .motor_coulomb_speed = { 1.0, 1.0 },
     .near = 1.0e-6,
     .damping = 0.0,
 };

@@ -225,19 +225,24 @@ typedef struct shaker2_schur_factor {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct shaker2_inverse_options {
-    shaker2_real weight[SHAKER2_N];        /* weight of each flywheel in the norm of phi'': 1e-6 to 1e6, 1
-                                            * by default */
-    shaker2_real limit[SHAKER2_N];         /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                            * infinity: no limit */
-    shaker2_real most[SHAKER2_N];          /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
-    shaker2_real motor_torque[SHAKER2_N];  /* N m; EXCESSIVE if the drive torque is larger; not negative;
-                                            * infinity: no limit */
-    shaker2_real motor_speed[SHAKER2_N];   /* rad/s; no-load speed, where the torque that drives has fallen
-                                            * to 0; greater than 0; infinity: none */
-    shaker2_real near;                     /* status NEAR_SINGULAR below this fraction of the largest
-                                            * singular value, 0..1 */
-    shaker2_real damping;                  /* damping of small singular values, as a fraction of the
-                                            * largest, 0..1; 0: none */
+    shaker2_real weight[SHAKER2_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
+                                                   * 1e6, 1 by default */
+    shaker2_real limit[SHAKER2_N];                /* rad/s2; largest magnitude of each phi''; greater than
+                                                   * 0; infinity: no limit */
+    shaker2_real most[SHAKER2_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    shaker2_real motor_torque[SHAKER2_N];         /* N m; EXCESSIVE if the drive torque is larger; not
+                                                   * negative; infinity: no limit */
+    shaker2_real motor_speed[SHAKER2_N];          /* rad/s; no-load speed, where the torque that drives has
+                                                   * fallen to 0; greater than 0; infinity: none */
+    shaker2_real motor_viscous[SHAKER2_N];        /* N m s; viscous friction, which the motor bears; 0:
+                                                   * none */
+    shaker2_real motor_coulomb[SHAKER2_N];        /* N m; dry friction, which the motor bears; 0: none */
+    shaker2_real motor_coulomb_speed[SHAKER2_N];  /* rad/s; speed at which dry friction has its three
+                                                   * quarters; greater than 0 */
+    shaker2_real near;                            /* status NEAR_SINGULAR below this fraction of the
+                                                   * largest singular value, 0..1 */
+    shaker2_real damping;                         /* damping of small singular values, as a fraction of the
+                                                   * largest, 0..1; 0: none */
 } shaker2_inverse_options;
 
 /* Result of inverse and its quality. */
@@ -460,7 +465,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 26800 operations on reals, 859 of them divisions. Stack: at most 4304 bytes. */
+ * At most 26850 operations on reals, 863 of them divisions. Stack: at most 4304 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -470,15 +475,18 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; wanted derivative of the components of V
- *   options      weights and damping; `near` and limits are ignored
+ *   options      weights and damping; `near` and `limit` are ignored
  *   phi_ddot[2]  out: rad/s2; flywheel accelerations
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
+ * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
+ * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
+ * this bit alone.
  * RANGE also where the answer is no finite number.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 1739 operations on reals, 29 of them divisions. Stack: at most 3728 bytes. */
+ * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
+ * the status is negative.
+ * At most 1827 operations on reals, 37 of them divisions. Stack: at most 3792 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);

@@ -213,6 +213,9 @@ static void normal_inverse_options(shaker2_inverse_options *x)
     about(&x->most[0], &shaker2_default_options.most[0], 2);
     about(&x->motor_torque[0], &shaker2_default_options.motor_torque[0], 2);
     about(&x->motor_speed[0], &shaker2_default_options.motor_speed[0], 2);
+    about(&x->motor_viscous[0], &shaker2_default_options.motor_viscous[0], 2);
+    about(&x->motor_coulomb[0], &shaker2_default_options.motor_coulomb[0], 2);
+    about(&x->motor_coulomb_speed[0], &shaker2_default_options.motor_coulomb_speed[0], 2);
     about(&x->near, &shaker2_default_options.near, 1);
     about(&x->damping, &shaker2_default_options.damping, 1);
 }
@@ -224,6 +227,9 @@ static void any_inverse_options(shaker2_inverse_options *x)
     reals(&x->most[0], 2, SHAKER2_LARGEST);
     reals(&x->motor_torque[0], 2, SHAKER2_LARGEST);
     reals(&x->motor_speed[0], 2, SHAKER2_LARGEST);
+    reals(&x->motor_viscous[0], 2, SHAKER2_LARGEST);
+    reals(&x->motor_coulomb[0], 2, SHAKER2_LARGEST);
+    reals(&x->motor_coulomb_speed[0], 2, SHAKER2_LARGEST);
     reals(&x->near, 1, SHAKER2_LARGEST);
     reals(&x->damping, 1, SHAKER2_LARGEST);
 }
@@ -235,6 +241,9 @@ static void bits_inverse_options(shaker2_inverse_options *x)
     all_bits(&x->most[0], 2);
     all_bits(&x->motor_torque[0], 2);
     all_bits(&x->motor_speed[0], 2);
+    all_bits(&x->motor_viscous[0], 2);
+    all_bits(&x->motor_coulomb[0], 2);
+    all_bits(&x->motor_coulomb_speed[0], 2);
     one_of_all(&x->near);
     one_of_all(&x->damping);
 }

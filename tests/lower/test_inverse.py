@@ -34,6 +34,7 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
     given = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
     defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near": 1e-6, "damping": 0.0}
     defaults |= dict.fromkeys(ABILITIES, [1e300] * count)
+    defaults |= {"motor_viscous": [0.0] * count, "motor_coulomb": [0.0] * count, "motor_coulomb_speed": [1.0] * count}
     given["options"] = defaults | options
     status, out = c.call("inverse", given)
     return given, status, out["out"] if status >= 0 else {}
@@ -239,6 +240,7 @@ def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: flo
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * 3, "phi_dot": [0.0] * 3}
     options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near": 1e-3, "damping": 0.0}
     options |= dict.fromkeys(ABILITIES, [3e38] * 3)
+    options |= {"motor_viscous": [0.0] * 3, "motor_coulomb": [0.0] * 3, "motor_coulomb_speed": [1.0] * 3}
     V_dot = [0.0, 0.0, 0.0, 9e8, 9e8, 9e8]
     status = c.call(function, {"table": table, "x": x, "V_dot": V_dot, "options": options})[0]
     assert status == STATUS_VALUES["RANGE"]

@@ -54,9 +54,20 @@ FAULTS = {
         "- work.G[1][0] * turn_2",
     ),
     "EXCESSIVE at half the torque": (
-        "excessive",
-        r"options->motor_torque\[s\] \* share",
-        "0.5 * options->motor_torque[s] * share",
+        "motor_lacks",
+        r"options->motor_torque\[number\] \* share",
+        "0.5 * options->motor_torque[number] * share",
+    ),
+    "friction helps the motor": (
+        "motor_lacks",
+        r"tau \+ options->motor_viscous",
+        "tau - options->motor_viscous",
+    ),
+    "no dry friction": ("motor_lacks", r"options->motor_coulomb\[number\] > 0\.0", "0"),
+    "EXCESSIVE of the fast function by half the torque": (
+        "inverse_fast_pointing",
+        r"needed <= has",
+        "needed <= 3.0 * has",
     ),
 }
 

@@ -42,7 +42,7 @@ class PublicFunction:
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
     judges    its independent checks, by name of JUDGES
-    ignores   arguments, or members of them, that it does not look at
+    ignores   arguments, or members of them, that it does not look at, or that change no more than a bit of the status
     """
 
     name: str
@@ -192,7 +192,7 @@ _ROWS = (
         sines=True,
         python=False,
         unread="near and limits",
-        ignores=("near", "limit", *_FOR_TORQUES),
+        ignores=("near", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",

@@ -7,7 +7,19 @@ from mahovik.core.lower.lanes import entry
 from mahovik.core.lower.library import Library
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Const, Not, Place, and_, integer, magnitude, or_, real, select, unequal
+from mahovik.core.program.expression import (
+    Const,
+    Not,
+    Place,
+    and_,
+    equal,
+    integer,
+    magnitude,
+    or_,
+    real,
+    select,
+    unequal,
+)
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
 
@@ -81,34 +93,29 @@ def motor_lacks(lib: Library) -> Function:
 def spin_up_excess(lib: Library, body: Body, places: tuple[Place, Place, Place], phi_ddot: Place) -> Place:
     """EXCESSIVE, or 0, by Theta_ff phi'' alone: what the carrier's motion adds is left out, for fast loops.
 
-    `places`: table, state, options, which are checked.
+    `places`: table, state, options. Options of motors that are no numbers or negative are not refused: they decide this
+    bit alone.
     """
     table, x, p = places
     bit = Const(STATUS_VALUES["EXCESSIVE"], Kind.INT, "EXCESSIVE")
     flags = body.local("flags", (), Kind.INT)
     body.set(flags, integer(0))
-    with body.loop("s", lib.layout.count) as s:
-        tau = body.let("tau", entry(lib, table, s, "spin") * phi_ddot[s], "for the flywheel's own inertia")
-        lacks = unequal(call(lib["motor_lacks"], p, s, tau, x.phi_dot[s]), integer(0))
-        with body.when(or_(magnitude(phi_ddot[s]) > p.most[s], lacks)):
-            body.set(flags, bit)
+    with body.loop("s", lib.layout.count) as s, body.when(equal(flags, integer(0))):
+        v, spin = body.let("v", x.phi_dot[s]), body.let("spin", entry(lib, table, s, "spin"))
+        size = body.let("size", magnitude(phi_ddot[s]))
+        needed = body.let("needed", spin * size + p.motor_viscous[s] * magnitude(v) + p.motor_coulomb[s], "at most")
+        has = body.let("has", p.motor_torque[s] * (1 - magnitude(v) / p.motor_speed[s]), "at least: when driving")
+        with body.when(Not(and_(size <= p.most[s], needed <= has))):
+            lacks = unequal(call(lib["motor_lacks"], p, s, spin * phi_ddot[s], v), integer(0))
+            with body.when(or_(size > p.most[s], lacks)):
+                body.set(flags, bit)
     return flags
 
 
 SPIN_UP_NOTE = (
     "EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds is left "
-    "out: `torque` and `inverse` have it."
+    "out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides this bit alone."
 )
-
-
-def check_all_abilities(lib: Library, body: Body, p: Place) -> None:
-    """The checks of `check_abilities` and `check_friction` for all flywheels, quick where nothing is wrong."""
-    with body.loop("s", lib.layout.count) as s:
-        numbers = and_(and_(p.most[s] > 0, p.motor_torque[s] >= 0), and_(p.motor_speed[s] > 0, p.motor_viscous[s] >= 0))
-        good = and_(numbers, and_(p.motor_coulomb[s] >= 0, p.motor_coulomb_speed[s] > 0))
-        with body.when(Not(good)):
-            check_abilities(lib, body, p, s)
-            check_friction(lib, body, p, s)
 
 
 def check_friction(lib: Library, body: Body, p: Place, s: Place) -> None:

@@ -7,7 +7,7 @@ fewer (W^T W) y = W^T r, where weights have no say.
 from __future__ import annotations
 
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
-from mahovik.core.lower.excess import SPIN_UP_NOTE, check_all_abilities, spin_up_excess
+from mahovik.core.lower.excess import SPIN_UP_NOTE, spin_up_excess
 from mahovik.core.lower.flywheels import AT_NOTES
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
 from mahovik.core.lower.lanes import entry
@@ -34,7 +34,6 @@ def inverse_fast_task(lib: Library, rows: Rows, at: bool = False) -> Function:
     place = {a.name: a.place for a in arguments}
     body = Body()
     check_demand(lib, body, table, x, demand, p, ("damping",), tuple(wrench), given)
-    check_all_abilities(lib, body, p)
     work = body.local("work", (), layout.inverse_work)
     turns = all_turns(lib, body, x.place, given)
     direct = rows.whole_turning and int(layout.count) >= 3

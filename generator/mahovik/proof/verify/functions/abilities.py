@@ -73,7 +73,7 @@ def _motors(
     """The stand with other motors and the options that say so; of `short` a flywheel that has too little.
 
     kind  0: by torque at rest or braking, with a no-load speed; 1: by torque alone; 2: no motors, by the acceleration.
-    Motors bear friction of about a fifth of their torque.
+    Motors bear friction of about their torque.
     """
     enough = np.full(case.count, 1.0 + ROOM)
     if short is not None:
@@ -93,8 +93,8 @@ def _motors(
     bearing = np.array([
         case.nearest_numbers(x)
         for x in (
-            0.1 * np.abs(tau) / size * rng.uniform(0.5, 2.0, case.count),
-            0.1 * np.abs(tau) * rng.uniform(0.5, 2.0, case.count),
+            0.3 * np.abs(tau) / size * rng.uniform(0.5, 2.0, case.count),
+            0.5 * np.abs(tau) * rng.uniform(0.5, 2.0, case.count),
             size * rng.uniform(0.2, 5.0, case.count),
         )
     ])  # fmt: skip
