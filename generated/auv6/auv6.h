@@ -280,8 +280,8 @@ typedef struct auv6_inverse_options {
                                              * fallen to 0; greater than 0; infinity: none */
     auv6_real motor_viscous[AUV6_N];        /* N m s; viscous friction, which the motor bears; 0: none */
     auv6_real motor_coulomb[AUV6_N];        /* N m; dry friction, which the motor bears; 0: none */
-    auv6_real motor_coulomb_speed[AUV6_N];  /* rad/s; speed at which dry friction has its three quarters;
-                                             * greater than 0 */
+    auv6_real motor_coulomb_speed[AUV6_N];  /* rad/s; speed at which three quarters of the dry friction
+                                             * act; greater than 0 */
     auv6_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
                                              * singular value, 0..1 */
     auv6_real damping;                      /* damping of small singular values, as a fraction of the

@@ -236,8 +236,8 @@ typedef struct bench8_inverse_options {
                                                  * fallen to 0; greater than 0; infinity: none */
     bench8_real motor_viscous[BENCH8_N];        /* N m s; viscous friction, which the motor bears; 0: none */
     bench8_real motor_coulomb[BENCH8_N];        /* N m; dry friction, which the motor bears; 0: none */
-    bench8_real motor_coulomb_speed[BENCH8_N];  /* rad/s; speed at which dry friction has its three
-                                                 * quarters; greater than 0 */
+    bench8_real motor_coulomb_speed[BENCH8_N];  /* rad/s; speed at which three quarters of the dry friction
+                                                 * act; greater than 0 */
     bench8_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
                                                  * singular value, 0..1 */
     bench8_real damping;                        /* damping of small singular values, as a fraction of the

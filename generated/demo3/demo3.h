@@ -225,8 +225,8 @@ typedef struct demo3_inverse_options {
                                                * fallen to 0; greater than 0; infinity: none */
     demo3_real motor_viscous[DEMO3_N];        /* N m s; viscous friction, which the motor bears; 0: none */
     demo3_real motor_coulomb[DEMO3_N];        /* N m; dry friction, which the motor bears; 0: none */
-    demo3_real motor_coulomb_speed[DEMO3_N];  /* rad/s; speed at which dry friction has its three quarters;
-                                               * greater than 0 */
+    demo3_real motor_coulomb_speed[DEMO3_N];  /* rad/s; speed at which three quarters of the dry friction
+                                               * act; greater than 0 */
     demo3_real near;                          /* status NEAR_SINGULAR below this fraction of the largest
                                                * singular value, 0..1 */
     demo3_real damping;                       /* damping of small singular values, as a fraction of the

@@ -299,8 +299,8 @@ typedef struct remus6_inverse_options {
                                                  * fallen to 0; greater than 0; infinity: none */
     remus6_real motor_viscous[REMUS6_N];        /* N m s; viscous friction, which the motor bears; 0: none */
     remus6_real motor_coulomb[REMUS6_N];        /* N m; dry friction, which the motor bears; 0: none */
-    remus6_real motor_coulomb_speed[REMUS6_N];  /* rad/s; speed at which dry friction has its three
-                                                 * quarters; greater than 0 */
+    remus6_real motor_coulomb_speed[REMUS6_N];  /* rad/s; speed at which three quarters of the dry friction
+                                                 * act; greater than 0 */
     remus6_real near;                           /* status NEAR_SINGULAR below this fraction of the largest
                                                  * singular value, 0..1 */
     remus6_real damping;                        /* damping of small singular values, as a fraction of the

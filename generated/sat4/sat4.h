@@ -253,8 +253,8 @@ typedef struct sat4_inverse_options {
                                              * fallen to 0; greater than 0; infinity: none */
     sat4_real motor_viscous[SAT4_N];        /* N m s; viscous friction, which the motor bears; 0: none */
     sat4_real motor_coulomb[SAT4_N];        /* N m; dry friction, which the motor bears; 0: none */
-    sat4_real motor_coulomb_speed[SAT4_N];  /* rad/s; speed at which dry friction has its three quarters;
-                                             * greater than 0 */
+    sat4_real motor_coulomb_speed[SAT4_N];  /* rad/s; speed at which three quarters of the dry friction
+                                             * act; greater than 0 */
     sat4_real near;                         /* status NEAR_SINGULAR below this fraction of the largest
                                              * singular value, 0..1 */
     sat4_real damping;                      /* damping of small singular values, as a fraction of the

@@ -237,8 +237,8 @@ typedef struct shaker2_inverse_options {
     shaker2_real motor_viscous[SHAKER2_N];        /* N m s; viscous friction, which the motor bears; 0:
                                                    * none */
     shaker2_real motor_coulomb[SHAKER2_N];        /* N m; dry friction, which the motor bears; 0: none */
-    shaker2_real motor_coulomb_speed[SHAKER2_N];  /* rad/s; speed at which dry friction has its three
-                                                   * quarters; greater than 0 */
+    shaker2_real motor_coulomb_speed[SHAKER2_N];  /* rad/s; speed at which three quarters of the dry
+                                                   * friction act; greater than 0 */
     shaker2_real near;                            /* status NEAR_SINGULAR below this fraction of the
                                                    * largest singular value, 0..1 */
     shaker2_real damping;                         /* damping of small singular values, as a fraction of the

@@ -109,7 +109,7 @@ BY_NAME = {
     "wrapped": MOTION, "orthogonalise": INVERSE, "factor": INVERSE, "solve_gram": INVERSE, "prepare": PARAMETERS,
     "quaternion": (*TARGET, *REFUSALS), "state_from_coordinates": (*TARGET, *CHECKS),
     "within": REFUSALS, "check_state": REFUSALS,
-    "check_motion": (*REFUSALS, *CHECKS), "frame_of_axes": (*PARAMETERS, *CHECKS), "excessive": TASKS,
+    "check_motion": (*REFUSALS, *CHECKS), "frame_of_axes": (*PARAMETERS, *CHECKS), "excessive": TASKS, "motor_lacks": TASKS,
     "balance": TASKS,
     "wrap": PHASES,
     "accumulate": PHASES, "phase_of_counts": PHASES, "speed_of_counts": PHASES, "generalized": (*REFUSALS, *TARGET),

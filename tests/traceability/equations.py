@@ -132,7 +132,7 @@ ROLES: dict[str, tuple[str, ...]] = {
     ),
     "checks of inputs": (
         "within", "check_state", "check_motion", "check_inertia", "check_body", "check_dry_body", "check_added_mass",
-        "check_parameters", "excessive",
+        "check_parameters", "excessive", "motor_lacks",
     ),
 }  # fmt: skip
 """Purposes of functions without an equation of the paper; `*`: any name of a task, or number of rows."""

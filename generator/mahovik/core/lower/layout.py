@@ -152,7 +152,7 @@ class Layout(Tables):
                 REAL,
                 (self.count,),
                 "rad/s",
-                "speed at which dry friction has its three quarters; greater than 0",
+                "speed at which three quarters of the dry friction act; greater than 0",
             ),
             Field("near", REAL, (), "", "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"),
             Field(
