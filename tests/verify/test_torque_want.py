@@ -47,6 +47,9 @@ TAU, WITHIN, MOTION, STATUS = (
     "V_dot, phi_ddot, residual",
     "status, limited",
 )
+NULL = np.array([1.0, -1.0, 1.0, -1.0])
+"""Torques that hardly turn the satellite."""
+
 FAULTS: dict[str, tuple[Callable[[dict[str, Any]], dict[str, Any]], set[str]]] = {
     "torques not quite the least": (lambda r: {"tau": r["tau"] + 1e-6 * NULL}, {TAU, MOTION}),
     "torques beyond the motors": (lambda r: {"tau": 1.01 * r["tau"]}, {TAU, WITHIN, MOTION, STATUS}),
@@ -60,8 +63,6 @@ FAULTS: dict[str, tuple[Callable[[dict[str, Any]], dict[str, Any]], set[str]]] =
     "not finite": (lambda r: {"phi_ddot": np.full(4, np.nan)}, {TAU}),
     "an error": (lambda r: {"error": "none"}, {TAU}),
 }
-NULL = np.array([1.0, -1.0, 1.0, -1.0])
-"""Torques that hardly turn the satellite."""
 
 
 @pytest.mark.parametrize("name", FAULTS)
