@@ -2610,13 +2610,13 @@ static void auv6_allocate(const auv6_inverse_work *work, const auv6_inverse_opti
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 AUV6_CODE
 static int auv6_motor_lacks(const auv6_inverse_options *options, int number, auv6_real tau, auv6_real speed)
 {
     /* of the motor itself, which bears the friction */
     auv6_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const auv6_real ratio = speed / options->motor_coulomb_speed[number];
         const auv6_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const auv6_real square = y * y;
@@ -2944,7 +2944,7 @@ auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, cons
     if (status != AUV6_OK) { return AUV6_RANGE; }
     int flags = 0;
     for (int s = 0; s < AUV6_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const auv6_real v = x->phi_dot[s];
             const auv6_real spin = table->flywheel[s].spin;
             const auv6_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

@@ -2492,14 +2492,14 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 BENCH8_CODE
 static int bench8_motor_lacks(const bench8_inverse_options *options, int number, bench8_real tau,
                               bench8_real speed)
 {
     /* of the motor itself, which bears the friction */
     bench8_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const bench8_real ratio = speed / options->motor_coulomb_speed[number];
         const bench8_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const bench8_real square = y * y;
@@ -2826,7 +2826,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     if (status != BENCH8_OK) { return BENCH8_RANGE; }
     int flags = 0;
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const bench8_real v = x->phi_dot[s];
             const bench8_real spin = table->flywheel[s].spin;
             const bench8_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

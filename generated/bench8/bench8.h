@@ -460,7 +460,7 @@ bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 54030 operations on reals, 1427 of them divisions. Stack: at most 5568 bytes. */
+ * At most 54038 operations on reals, 1427 of them divisions. Stack: at most 5568 bytes. */
 bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                              const bench8_inverse_options *options, bench8_inverse_result *out);
 
@@ -480,7 +480,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 4661 operations on reals, 93 of them divisions. Stack: at most 5136 bytes. */
+ * At most 4677 operations on reals, 93 of them divisions. Stack: at most 5136 bytes. */
 bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);

@@ -2306,14 +2306,14 @@ static void demo3_allocate(const demo3_inverse_work *work, const demo3_inverse_o
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 DEMO3_CODE
 static int demo3_motor_lacks(const demo3_inverse_options *options, int number, demo3_real tau,
                              demo3_real speed)
 {
     /* of the motor itself, which bears the friction */
     demo3_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const demo3_real ratio = speed / options->motor_coulomb_speed[number];
         const demo3_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const demo3_real square = y * y;
@@ -2632,7 +2632,7 @@ demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, 
     if (status != DEMO3_OK) { return DEMO3_RANGE; }
     int flags = 0;
     for (int s = 0; s < DEMO3_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const demo3_real v = x->phi_dot[s];
             const demo3_real spin = table->flywheel[s].spin;
             const demo3_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

@@ -439,7 +439,7 @@ demo3_status demo3_coupled_jacobian(const demo3_table *table, const demo3_state 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 30229 operations on reals, 933 of them divisions. Stack: at most 4512 bytes. */
+ * At most 30232 operations on reals, 933 of them divisions. Stack: at most 4512 bytes. */
 demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                            const demo3_inverse_options *options, demo3_inverse_result *out);
 
@@ -459,7 +459,7 @@ demo3_status demo3_inverse(const demo3_table *table, const demo3_state *x, const
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 1901 operations on reals, 42 of them divisions. Stack: at most 3536 bytes. */
+ * At most 1907 operations on reals, 42 of them divisions. Stack: at most 3536 bytes. */
 demo3_status demo3_inverse_fast(const demo3_table *table, const demo3_state *x, const demo3_real V_dot[6],
                                 const demo3_inverse_options *options, demo3_real phi_ddot[DEMO3_N]);
 

@@ -2620,14 +2620,14 @@ static void remus6_allocate(const remus6_inverse_work *work, const remus6_invers
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 REMUS6_CODE
 static int remus6_motor_lacks(const remus6_inverse_options *options, int number, remus6_real tau,
                               remus6_real speed)
 {
     /* of the motor itself, which bears the friction */
     remus6_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const remus6_real ratio = speed / options->motor_coulomb_speed[number];
         const remus6_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const remus6_real square = y * y;
@@ -2958,7 +2958,7 @@ remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state 
     if (status != REMUS6_OK) { return REMUS6_RANGE; }
     int flags = 0;
     for (int s = 0; s < REMUS6_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const remus6_real v = x->phi_dot[s];
             const remus6_real spin = table->flywheel[s].spin;
             const remus6_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

@@ -523,7 +523,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43703 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
+ * At most 43709 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -543,7 +543,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 3630 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
+ * At most 3642 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);

@@ -2298,13 +2298,13 @@ static void sat4_allocate(const sat4_inverse_work *work, const sat4_inverse_opti
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 SAT4_CODE
 static int sat4_motor_lacks(const sat4_inverse_options *options, int number, sat4_real tau, sat4_real speed)
 {
     /* of the motor itself, which bears the friction */
     sat4_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const sat4_real ratio = speed / options->motor_coulomb_speed[number];
         const sat4_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const sat4_real square = y * y;
@@ -2622,7 +2622,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
     if (status != SAT4_OK) { return SAT4_RANGE; }
     int flags = 0;
     for (int s = 0; s < SAT4_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const sat4_real v = x->phi_dot[s];
             const sat4_real spin = table->flywheel[s].spin;
             const sat4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];
@@ -3424,7 +3424,7 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
     if (status != SAT4_OK) { return SAT4_RANGE; }
     int flags = 0;
     for (int s = 0; s < SAT4_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const sat4_real v = x->phi_dot[s];
             const sat4_real spin = table->flywheel[s].spin;
             const sat4_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

@@ -497,7 +497,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34330 operations on reals, 1015 of them divisions. Stack: at most 4720 bytes. */
+ * At most 34334 operations on reals, 1015 of them divisions. Stack: at most 4720 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -517,7 +517,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2367 operations on reals, 51 of them divisions. Stack: at most 3776 bytes. */
+ * At most 2375 operations on reals, 51 of them divisions. Stack: at most 3776 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -533,7 +533,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11850 operations on reals, 421 of them divisions. Stack: at most 4368 bytes. */
+ * At most 11854 operations on reals, 421 of them divisions. Stack: at most 4368 bytes. */
 sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                   const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
 
@@ -554,7 +554,7 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2290 operations on reals, 66 of them divisions. Stack: at most 4112 bytes. */
+ * At most 2298 operations on reals, 66 of them divisions. Stack: at most 4112 bytes. */
 sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
                                        const sat4_real demand[3], const sat4_inverse_options *options,
                                        sat4_real phi_ddot[SAT4_N]);

@@ -2506,14 +2506,14 @@ static void shaker2_allocate(const shaker2_inverse_work *work, const shaker2_inv
     }
 }
 
-/* Does a motor lack the torque tau, with its friction, at this speed? Of checked options. */
+/* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
 SHAKER2_CODE
 static int shaker2_motor_lacks(const shaker2_inverse_options *options, int number, shaker2_real tau,
                                shaker2_real speed)
 {
     /* of the motor itself, which bears the friction */
     shaker2_real own = tau + options->motor_viscous[number] * speed;
-    if (options->motor_coulomb[number] > 0.0) {
+    if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const shaker2_real ratio = speed / options->motor_coulomb_speed[number];
         const shaker2_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const shaker2_real square = y * y;
@@ -2835,7 +2835,7 @@ shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_st
     if (status != SHAKER2_OK) { return SHAKER2_RANGE; }
     int flags = 0;
     for (int s = 0; s < SHAKER2_N; ++s) {
-        if (flags == 0) {
+        if (flags == 0 && options->motor_speed[s] > 0.0) {
             const shaker2_real v = x->phi_dot[s];
             const shaker2_real spin = table->flywheel[s].spin;
             const shaker2_real size = (answer[s] < 0.0) ? -answer[s] : answer[s];

@@ -465,7 +465,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 26850 operations on reals, 863 of them divisions. Stack: at most 4304 bytes. */
+ * At most 26852 operations on reals, 863 of them divisions. Stack: at most 4304 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -486,7 +486,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 1827 operations on reals, 37 of them divisions. Stack: at most 3792 bytes. */
+ * At most 1831 operations on reals, 37 of them divisions. Stack: at most 3792 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);

@@ -63,7 +63,11 @@ FAULTS = {
         r"tau \+ options->motor_viscous",
         "tau - options->motor_viscous",
     ),
-    "no dry friction": ("motor_lacks", r"options->motor_coulomb\[number\] > 0\.0", "0"),
+    "no dry friction": (
+        "motor_lacks",
+        r"options->motor_coulomb\[number\] > 0\.0",
+        "options->motor_coulomb[number] > 1e9",
+    ),
     "EXCESSIVE of the fast function by half the torque": (
         "inverse_fast_pointing",
         r"needed <= has",

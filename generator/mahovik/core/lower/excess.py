@@ -70,7 +70,7 @@ def motor_lacks(lib: Library) -> Function:
     body = Body()
     own = body.local("own", comment="of the motor itself, which bears the friction")
     body.set(own, tau.place + p.motor_viscous[s] * v)
-    with body.when(p.motor_coulomb[s] > 0):
+    with body.when(and_(p.motor_coulomb[s] > 0, p.motor_coulomb_speed[s] > 0)):
         ratio = body.let("ratio", v / p.motor_coulomb_speed[s])
         y = body.let("y", select(ratio > 3, real(3), select(ratio < -3, real(-3), ratio)), "tanh y to 0.024")
         square = body.let("square", y * y)
@@ -84,7 +84,7 @@ def motor_lacks(lib: Library) -> Function:
     body.ret(select(lacking, integer(1), integer(0)))
     return body.function(
         "motor_lacks",
-        "Does a motor lack the torque tau, with its friction, at this speed? Of checked options.",
+        "Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0.",
         (options, number, tau, speed),
         returns=Kind.INT,
     )
@@ -100,7 +100,7 @@ def spin_up_excess(lib: Library, body: Body, places: tuple[Place, Place, Place],
     bit = Const(STATUS_VALUES["EXCESSIVE"], Kind.INT, "EXCESSIVE")
     flags = body.local("flags", (), Kind.INT)
     body.set(flags, integer(0))
-    with body.loop("s", lib.layout.count) as s, body.when(equal(flags, integer(0))):
+    with body.loop("s", lib.layout.count) as s, body.when(and_(equal(flags, integer(0)), p.motor_speed[s] > 0)):
         v, spin = body.let("v", x.phi_dot[s]), body.let("spin", entry(lib, table, s, "spin"))
         size = body.let("size", magnitude(phi_ddot[s]))
         needed = body.let("needed", spin * size + p.motor_viscous[s] * magnitude(v) + p.motor_coulomb[s], "at most")
