@@ -159,15 +159,7 @@ _ROWS = (
         unread="the attitude of its state",
         ignores=("attitude",),
     ),
-    PublicFunction(
-        "points",
-        "",
-        (*_STATE, "V_dot"),
-        ("points",),
-        ("reference", "second"),
-        want=True,
-        needs="sensors",
-    ),
+    PublicFunction("points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors"),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
     PublicFunction(
@@ -346,7 +338,6 @@ CONFLICTS = tuple(
     if name in _GIVES[second]
 )
 """Pairs of wants that give two values to one name, and the name."""
-
 
 TASK_TAKERS = tuple(name for name in WANTS if "V_dot" in FUNCTIONS[name].takes and name != "inverse")
 """Wants that take the motion which results of a state's task, in place of its V_dot and phi_ddot."""

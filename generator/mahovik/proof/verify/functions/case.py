@@ -22,7 +22,7 @@ from mahovik.proof.verify.compare import Row, difference
 
 
 class Setting:
-    """What a judge of a task needs to know: the stand, accepted differences, numbers of the element type, seed."""
+    """The stand, accepted differences, numbers of the element type and seed of a judge of a task."""
 
     stand: Stand
     bounds: Bounds
