@@ -70,6 +70,8 @@ class PublicFunction:
 
 
 _STATE = ("table", "x")
+_TWO_JUDGES = ("reference", "second")
+_ALL_JUDGES = (*_TWO_JUDGES, "rigorous")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
 
@@ -91,7 +93,7 @@ _ROWS = (
         "(1), (2)",
         _STATE,
         ("Z", "Z0", "energy", "center_of_mass"),
-        ("reference", "second", "rigorous"),
+        _ALL_JUDGES,
         want=True,
         claimed=(NORMAL, ANY),
     ),
@@ -100,7 +102,7 @@ _ROWS = (
         "(8)",
         (*_STATE, "phi_ddot", "wrench"),
         ("V_dot",),
-        ("reference", "second", "rigorous"),
+        _ALL_JUDGES,
         want=True,
         sines=True,
         batched=True,
@@ -111,7 +113,7 @@ _ROWS = (
         "",
         (*_STATE, "V_dot", "phi_ddot", "wrench"),
         ("tau",),
-        ("reference", "second", "rigorous"),
+        _ALL_JUDGES,
         want=True,
         needs="flywheels",
         sines=True,
@@ -133,7 +135,7 @@ _ROWS = (
         "",
         (*_STATE, "tau", "locked", "wrench"),
         ("V_dot", "phi_ddot"),
-        ("reference", "second", "rigorous"),
+        _ALL_JUDGES,
         want=True,
         needs="flywheels",
         sines=True,
@@ -156,20 +158,13 @@ _ROWS = (
         "(10), (11)",
         (*_STATE, "angles", "phi_ddot", "wrench"),
         ("A", "D", "I0", "J0", "q_dot", "q_ddot"),
-        ("reference", "second"),
+        _TWO_JUDGES,
         want=True,
         unread="the attitude of its state",
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points",
-        "",
-        (*_STATE, "V_dot"),
-        ("points",),
-        ("reference", "second"),
-        want=True,
-        needs="sensors",
-        batched=True,
+        "points", "", (*_STATE, "V_dot"), ("points",), _TWO_JUDGES, want=True, needs="sensors", batched=True
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
