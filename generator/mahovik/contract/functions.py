@@ -70,8 +70,7 @@ class PublicFunction:
 
 
 _STATE = ("table", "x")
-_TWO_JUDGES = ("reference", "second")
-_ALL_JUDGES = (*_TWO_JUDGES, "rigorous")
+_ALL_JUDGES = ("reference", "second", "rigorous")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
 
@@ -158,13 +157,13 @@ _ROWS = (
         "(10), (11)",
         (*_STATE, "angles", "phi_ddot", "wrench"),
         ("A", "D", "I0", "J0", "q_dot", "q_ddot"),
-        _TWO_JUDGES,
+        ("reference", "second"),
         want=True,
         unread="the attitude of its state",
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points", "", (*_STATE, "V_dot"), ("points",), _TWO_JUDGES, want=True, needs="sensors", batched=True
+        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batched=True
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
@@ -379,10 +378,7 @@ def is_public(name: str) -> bool:
 
 
 def row_of(function: str) -> PublicFunction:
-    """The row of a public function of a stand: of a task's function that of the function whose form it is.
-
-    Raises KeyError.
-    """
+    """The row of a public function of a stand; for a task, of the function whose form it is. Raises KeyError."""
     task = task_of(function)
     if not task:
         return FUNCTIONS[function]
@@ -398,5 +394,4 @@ def row_of(function: str) -> PublicFunction:
         gives=gives,
         judges=("reference",) if inverts else row.judges,
         want=False,
-        sines=row.sines,
     )
