@@ -29,7 +29,7 @@ extern "C" {
 
 #define AUV6_STRUCTURE 0x192ea446u  /* hash of the stand's names, counts and kinds of wrench */
 #define AUV6_PHYSICS   0x002b2abcu  /* hash of its structure and all numbers */
-#define AUV6_TABLE_HASH 0x7c3dd86du /* FNV-1a of all numbers of the default table but its stream */
+#define AUV6_TABLE_HASH 0xc7c2c8e4u /* FNV-1a of all numbers of the default table but its stream */
 #define AUV6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define AUV6_REAL_BYTES 8           /* bytes of a auv6_real */
 #define AUV6_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -140,17 +140,18 @@ typedef struct auv6_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct auv6_row {
-    auv6_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    auv6_real mu_s[3];   /* kg m; sin phi */
-    auv6_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    auv6_real J_s[6];    /* kg m2; sin phi */
-    auv6_real J_2c[6];   /* kg m2; cos 2 phi */
-    auv6_real J_2s[6];   /* kg m2; sin 2 phi */
-    auv6_real t_0[3];    /* kg m2; moment part of I: constant */
-    auv6_real t_c[3];    /* kg m2; cos phi */
-    auv6_real t_s[3];    /* kg m2; sin phi */
-    auv6_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    auv6_real spin_inv;  /* 1/(kg m2) */
+    auv6_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    auv6_real mu_s[3];        /* kg m; sin phi */
+    auv6_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    auv6_real J_s[6];         /* kg m2; sin phi */
+    auv6_real J_2c[6];        /* kg m2; cos 2 phi */
+    auv6_real J_2s[6];        /* kg m2; sin 2 phi */
+    auv6_real t_0[3];         /* kg m2; moment part of I: constant */
+    auv6_real t_c[3];         /* kg m2; cos phi */
+    auv6_real t_s[3];         /* kg m2; sin phi */
+    auv6_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    auv6_real spin_inv;       /* 1/(kg m2) */
+    auv6_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } auv6_row;
 
 /* Pose of an instrument or a point. */
@@ -500,7 +501,7 @@ auv6_status auv6_coupled_jacobian(const auv6_table *table, const auv6_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43859 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
+ * At most 43709 operations on reals, 1199 of them divisions. Stack: at most 5136 bytes. */
 auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                          const auv6_inverse_options *options, auv6_inverse_result *out);
 
@@ -520,7 +521,7 @@ auv6_status auv6_inverse(const auv6_table *table, const auv6_state *x, const auv
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 3792 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
+ * At most 3642 operations on reals, 73 of them divisions. Stack: at most 4656 bytes. */
 auv6_status auv6_inverse_fast(const auv6_table *table, const auv6_state *x, const auv6_real V_dot[6],
                               const auv6_inverse_options *options, auv6_real phi_ddot[AUV6_N]);
 
@@ -579,7 +580,7 @@ auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const
  * the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12039 operations on reals, 102 of them divisions. Stack: at most 2416 bytes. */
+ * At most 12189 operations on reals, 108 of them divisions. Stack: at most 2416 bytes. */
 auv6_status auv6_prepare(const auv6_parameters *parameters, auv6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

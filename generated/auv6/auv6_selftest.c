@@ -174,14 +174,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const auv6_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -323,6 +315,7 @@ static void take_row(tally *sum, const auv6_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const auv6_sensor *value)
@@ -391,12 +384,9 @@ static auv6_status call_forward(void)
     return auv6_forward(&auv6_default, &in.x, in.phi_ddot, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, auv6_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -405,12 +395,9 @@ static auv6_status call_wrench(void)
     return auv6_wrench(&auv6_default, &in.x, results.wrench.F);
 }
 
-static void take_wrench_results(tally *sum, auv6_status status)
+static void take_wrench_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrench.F, sizeof results.wrench.F);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.wrench.F, 6);
 }
 
@@ -419,12 +406,9 @@ static auv6_status call_matrices(void)
     return auv6_matrices(&auv6_default, &in.x, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, auv6_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -433,12 +417,9 @@ static auv6_status call_momentum(void)
     return auv6_momentum(&auv6_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, auv6_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -447,12 +428,9 @@ static auv6_status call_torque(void)
     return auv6_torque(&auv6_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, auv6_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, AUV6_N);
 }
 
@@ -462,13 +440,9 @@ static auv6_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, auv6_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, AUV6_N);
 }
@@ -478,12 +452,9 @@ static auv6_status call_step(void)
     return auv6_step(&auv6_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, auv6_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -492,12 +463,9 @@ static auv6_status call_step_driven(void)
     return auv6_step_driven(&auv6_default, &in.x, in.phi_ddot, in.dt, in.order, &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, auv6_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -506,12 +474,9 @@ static auv6_status call_wrap(void)
     return auv6_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, auv6_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -520,12 +485,9 @@ static auv6_status call_phase_of_counts(void)
     return auv6_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, auv6_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -534,12 +496,9 @@ static auv6_status call_speed_of_counts(void)
     return auv6_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, auv6_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -549,9 +508,9 @@ static auv6_status call_accumulate(void)
     return auv6_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, auv6_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -560,12 +519,9 @@ static auv6_status call_forward_jacobian(void)
     return auv6_forward_jacobian(&auv6_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, auv6_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -574,12 +530,9 @@ static auv6_status call_coupled_jacobian(void)
     return auv6_coupled_jacobian(&auv6_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, auv6_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -588,12 +541,9 @@ static auv6_status call_inverse(void)
     return auv6_inverse(&auv6_default, &in.x, in.V_dot, &auv6_default_options, &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, auv6_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -603,12 +553,9 @@ static auv6_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, auv6_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, AUV6_N);
 }
 
@@ -617,12 +564,9 @@ static auv6_status call_points(void)
     return auv6_points(&auv6_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_points_results(tally *sum, auv6_status status)
+static void take_points_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.points.out, sizeof results.points.out);
-        return;
-    }
+    if (refused != 0) { return; }
     for (int i = 0; i < AUV6_SENSORS; ++i) {
         take_points_result(sum, &results.points.out[i]);
     }
@@ -633,12 +577,9 @@ static auv6_status call_quaternion(void)
     return auv6_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, auv6_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -649,13 +590,10 @@ static auv6_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, auv6_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -664,12 +602,9 @@ static auv6_status call_generalized(void)
     return auv6_generalized(&auv6_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, auv6_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -679,9 +614,9 @@ static auv6_status call_prepare(void)
     return auv6_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, auv6_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -690,12 +625,9 @@ static auv6_status call_mounts(void)
     return auv6_mounts(&auv6_default, &mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, auv6_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 36);
 }
 
@@ -704,12 +636,9 @@ static auv6_status call_prepare_mounts(void)
     return auv6_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, auv6_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -720,13 +649,10 @@ static auv6_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, auv6_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -737,13 +663,10 @@ static auv6_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, auv6_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -753,13 +676,9 @@ static auv6_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, auv6_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1253,8 +1172,9 @@ static const auv6_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     auv6_status (*call)(void);
-    void (*take)(tally *sum, auv6_status status);
+    void (*take)(tally *sum, int refused);
     const auv6_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1262,107 +1182,107 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0xbb05d8b3u, 6 }, { 0, 0x6304d620u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0a419437u },
-    { "wrench", sizeof results.wrench,
+    { "wrench", sizeof results.wrench, 0u,
       call_wrench, take_wrench_results, numbers_wrench,
       { { 0, 0xf6ef5e7du, 6 }, { 0, 0xbb336c64u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x04e8e553u },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0x2b307f44u, 32 }, { 0, 0x502f7e75u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xabdffa86u },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x847cacdfu, 16 }, { 0, 0xce54589bu, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x1f44b2c0u },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x4f9088aau, 6 }, { 0, 0xee48dffeu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xfa6c7131u },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0x4b6d4eb4u, 12 }, { 0, 0xf65cfce5u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
       0xde6b4186u },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0x57086a10u, 25 }, { 32, 0x474adf92u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa3ae2e34u },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0xc91a10bau, 25 }, { 32, 0x0500a715u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd14316b3u },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0x3f5b19b4u, 1 }, { 0, 0x47688450u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xfb61958bu },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0x9a384185u, 1 }, { 0, 0x9e337ecdu, 1 }, { -5, 0x2107376du, 0 } },
       0x6a80af01u },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0x208714f1u, 1 }, { 0, 0x222d4c64u, 1 }, { -5, 0x2107376du, 0 } },
       0xfdc52a3du },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0xe9416429u, 0 }, { 0, 0x3cc1e79fu, 0 }, { -5, 0xce17516bu, 0 } },
       0x400cb891u },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0xd8c5f596u, 32 }, { 0, 0xf6a2d9bbu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x094b5603u },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0xd2c3ccf9u, 32 }, { 0, 0x917905f8u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x79f0b109u },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 64, 0x4f67ca4eu, 25 }, { 64, 0x865f193du, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf778ef8eu },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 64, 0x55d1b847u, 6 }, { 64, 0xce2615d5u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3c3b5c0eu },
-    { "points", sizeof results.points,
+    { "points", sizeof results.points, 0u,
       call_points, take_points_results, numbers_points,
       { { 0, 0x5d0ae681u, 24 }, { 0, 0x948644ebu, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0x13d91ca9u },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xcdc117bdu, 4 }, { 0, 0xb40ee1d0u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x15657920u },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x65c14606u, 31 }, { 0, 0xaad962d4u, 31 }, { -2, 0x249e3b21u, 25 } },
       0x2b77723fu },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0xc5951b52u, 32 }, { 0, 0xe277f0e1u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc052ac6eu },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xa992278bu, 32 }, { 0, 0x2b5328bbu, 32 }, { -2, 0xb25f73e4u, 32 } },
-      0xfec59890u },
-    { "mounts", sizeof results.mounts,
+      { { 0, 0x8883abb5u, 32 }, { 0, 0xd6eeb54au, 32 }, { -2, 0xffc58281u, 32 } },
+      0xa7892ee5u },
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xf350c984u, 32 }, { 0, 0x665b890bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6f6a26eau },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x7843cc07u, 32 }, { 0, 0xe90358b0u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x76326645u },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0x5fa7e220u, 32 }, { 32, 0xb4834821u, 32 }, { -2, 0xd062397fu, 25 } },
       0x2283c1eeu },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0x011e052cu, 32 }, { 32, 0x7d200266u, 32 }, { -2, 0xd062397fu, 25 } },
       0x03067f19u },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0x36d9eb67u, 3 }, { 0, 0x13de093fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3e089d03u },
@@ -1507,7 +1427,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];

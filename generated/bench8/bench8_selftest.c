@@ -173,14 +173,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const bench8_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -311,6 +303,7 @@ static void take_row(tally *sum, const bench8_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_suspension(tally *sum, const bench8_suspension *value)
@@ -366,12 +359,9 @@ static bench8_status call_forward(void)
     return bench8_forward(&bench8_default, &in.x, in.phi_ddot, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, bench8_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -380,12 +370,9 @@ static bench8_status call_wrench(void)
     return bench8_wrench(&bench8_default, &in.x, results.wrench.F);
 }
 
-static void take_wrench_results(tally *sum, bench8_status status)
+static void take_wrench_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrench.F, sizeof results.wrench.F);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.wrench.F, 6);
 }
 
@@ -394,12 +381,9 @@ static bench8_status call_matrices(void)
     return bench8_matrices(&bench8_default, &in.x, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, bench8_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -408,12 +392,9 @@ static bench8_status call_momentum(void)
     return bench8_momentum(&bench8_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, bench8_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -422,12 +403,9 @@ static bench8_status call_torque(void)
     return bench8_torque(&bench8_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, bench8_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, BENCH8_N);
 }
 
@@ -437,13 +415,9 @@ static bench8_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, bench8_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, BENCH8_N);
 }
@@ -453,12 +427,9 @@ static bench8_status call_step(void)
     return bench8_step(&bench8_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, bench8_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -468,12 +439,9 @@ static bench8_status call_step_driven(void)
         &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, bench8_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -482,12 +450,9 @@ static bench8_status call_wrap(void)
     return bench8_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, bench8_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -496,12 +461,9 @@ static bench8_status call_phase_of_counts(void)
     return bench8_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, bench8_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -510,12 +472,9 @@ static bench8_status call_speed_of_counts(void)
     return bench8_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, bench8_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -525,9 +484,9 @@ static bench8_status call_accumulate(void)
     return bench8_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, bench8_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -536,12 +495,9 @@ static bench8_status call_forward_jacobian(void)
     return bench8_forward_jacobian(&bench8_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, bench8_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -550,12 +506,9 @@ static bench8_status call_coupled_jacobian(void)
     return bench8_coupled_jacobian(&bench8_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, bench8_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -564,12 +517,9 @@ static bench8_status call_inverse(void)
     return bench8_inverse(&bench8_default, &in.x, in.V_dot, &bench8_default_options, &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, bench8_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -579,12 +529,9 @@ static bench8_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, bench8_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, BENCH8_N);
 }
 
@@ -593,12 +540,9 @@ static bench8_status call_quaternion(void)
     return bench8_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, bench8_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -609,13 +553,10 @@ static bench8_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, bench8_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -624,12 +565,9 @@ static bench8_status call_generalized(void)
     return bench8_generalized(&bench8_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, bench8_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -639,9 +577,9 @@ static bench8_status call_prepare(void)
     return bench8_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, bench8_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -651,12 +589,9 @@ static bench8_status call_mounts(void)
         results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, bench8_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 48);
 }
 
@@ -665,12 +600,9 @@ static bench8_status call_prepare_mounts(void)
     return bench8_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, bench8_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -681,13 +613,10 @@ static bench8_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, bench8_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -698,13 +627,10 @@ static bench8_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, bench8_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -714,13 +640,9 @@ static bench8_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, bench8_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1217,8 +1139,9 @@ static const bench8_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     bench8_status (*call)(void);
-    void (*take)(tally *sum, bench8_status status);
+    void (*take)(tally *sum, int refused);
     const bench8_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1226,103 +1149,103 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0x21926755u, 6 }, { 0, 0x620e9925u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x132e0291u },
-    { "wrench", sizeof results.wrench,
+    { "wrench", sizeof results.wrench, 0u,
       call_wrench, take_wrench_results, numbers_wrench,
       { { 0, 0x010012dbu, 6 }, { 0, 0x47f3348du, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf2f3dff5u },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0x682bd07bu, 32 }, { 0, 0x490ca2c3u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x7bef5155u },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x98524fa5u, 16 }, { 0, 0xf98c35a4u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x9e92b592u },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x808ccee9u, 8 }, { 0, 0x9e210195u, 8 }, { -2, 0x8e5b0aa0u, 0 } },
       0x872a6fb7u },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xa7208c38u, 14 }, { 0, 0x2e1acc1du, 14 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6b1336f1u },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0x8c3f6baau, 29 }, { 32, 0x00dc15e3u, 29 }, { -2, 0x8e5b0aa0u, 0 } },
       0x4826dd03u },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0x4c620d50u, 29 }, { 32, 0x7423ab98u, 29 }, { -2, 0x8e5b0aa0u, 0 } },
       0xdf1c5c91u },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0xcb624462u, 1 }, { 0, 0xbfcd6ae0u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf093937eu },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0xb09c9837u, 1 }, { 0, 0x1e541208u, 1 }, { -5, 0x2107376du, 0 } },
       0xf4f2688eu },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0x3bf2b1bdu, 1 }, { 0, 0x249f2093u, 1 }, { -5, 0x2107376du, 0 } },
       0x2c3d9242u },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0x6a812c88u, 0 }, { 0, 0xfe7d46feu, 0 }, { -5, 0x25f64486u, 0 } },
       0x410f3977u },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0xdfe39b4bu, 32 }, { 0, 0xd0627c42u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x1215a894u },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0xe5dc403au, 32 }, { 0, 0x6408889bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc57da0fau },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 64, 0x2c2a7146u, 27 }, { 64, 0xd05366fau, 27 }, { -2, 0x8e5b0aa0u, 0 } },
       0xcbe698e4u },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 64, 0x670ee46bu, 8 }, { 64, 0xbc503ac9u, 8 }, { -2, 0x8e5b0aa0u, 0 } },
       0x297f57d9u },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0xd092c698u, 4 }, { 0, 0x2aba8d44u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6a4d98b1u },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x3ce9e1b0u, 32 }, { 0, 0xac5c6490u, 32 }, { -2, 0x2c28f268u, 29 } },
       0x5c782a24u },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x2a2529cau, 32 }, { 0, 0x33c224c6u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x396a9493u },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0x2a29fe19u, 32 }, { 0, 0xd6782d57u, 32 }, { -2, 0x665c825cu, 32 } },
-      0x60254a05u },
-    { "mounts", sizeof results.mounts,
+      { { 0, 0x2dfa22a2u, 32 }, { 0, 0xdd97e8f6u, 32 }, { -2, 0x4bd88445u, 32 } },
+      0xe1736d05u },
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xfd9cf69du, 32 }, { 0, 0x52594e39u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xfd0382bbu },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0xf88576f8u, 32 }, { 0, 0x2befc6f6u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x28d0ed60u },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0xe54b46d9u, 32 }, { 32, 0xbd5634d8u, 32 }, { -2, 0xee42b36bu, 29 } },
       0x650c4dd4u },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0xc5f35fb3u, 32 }, { 32, 0x5418a6dbu, 32 }, { -2, 0xee42b36bu, 29 } },
       0xc67a2d5eu },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0x57ad3805u, 3 }, { 0, 0xb2ca6b99u, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa35aa92bu },
@@ -1461,7 +1384,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];

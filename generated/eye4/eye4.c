@@ -583,7 +583,7 @@ static eye4_status eye4_factor3(const eye4_real S[6], eye4_factors3 *restrict L)
 
 /* Solves S y = b by S = L D L^T. */
 EYE4_CODE
-static void eye4_solve3(const eye4_factors3 *L, const eye4_real b[3], eye4_real y[restrict 3])
+static inline void eye4_solve3(const eye4_factors3 *L, const eye4_real b[3], eye4_real y[restrict 3])
 {
     /* L z = b, then L^T y = D^-1 z */
     const eye4_real z2 = b[1] - L->l21 * b[0];

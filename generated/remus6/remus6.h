@@ -29,7 +29,7 @@ extern "C" {
 
 #define REMUS6_STRUCTURE 0x3687deeeu  /* hash of the stand's names, counts and kinds of wrench */
 #define REMUS6_PHYSICS   0x5f25aea2u  /* hash of its structure and all numbers */
-#define REMUS6_TABLE_HASH 0x98d9cff9u /* FNV-1a of all numbers of the default table but its stream */
+#define REMUS6_TABLE_HASH 0x742e2d85u /* FNV-1a of all numbers of the default table but its stream */
 #define REMUS6_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define REMUS6_REAL_BYTES 8           /* bytes of a remus6_real */
 #define REMUS6_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -150,17 +150,18 @@ typedef struct remus6_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct remus6_row {
-    remus6_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    remus6_real mu_s[3];   /* kg m; sin phi */
-    remus6_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    remus6_real J_s[6];    /* kg m2; sin phi */
-    remus6_real J_2c[6];   /* kg m2; cos 2 phi */
-    remus6_real J_2s[6];   /* kg m2; sin 2 phi */
-    remus6_real t_0[3];    /* kg m2; moment part of I: constant */
-    remus6_real t_c[3];    /* kg m2; cos phi */
-    remus6_real t_s[3];    /* kg m2; sin phi */
-    remus6_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    remus6_real spin_inv;  /* 1/(kg m2) */
+    remus6_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    remus6_real mu_s[3];        /* kg m; sin phi */
+    remus6_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    remus6_real J_s[6];         /* kg m2; sin phi */
+    remus6_real J_2c[6];        /* kg m2; cos 2 phi */
+    remus6_real J_2s[6];        /* kg m2; sin 2 phi */
+    remus6_real t_0[3];         /* kg m2; moment part of I: constant */
+    remus6_real t_c[3];         /* kg m2; cos phi */
+    remus6_real t_s[3];         /* kg m2; sin phi */
+    remus6_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    remus6_real spin_inv;       /* 1/(kg m2) */
+    remus6_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } remus6_row;
 
 /* Pose of an instrument or a point. */
@@ -523,7 +524,7 @@ remus6_status remus6_coupled_jacobian(const remus6_table *table, const remus6_st
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 43709 operations on reals, 1205 of them divisions. Stack: at most 5136 bytes. */
+ * At most 43559 operations on reals, 1199 of them divisions. Stack: at most 5136 bytes. */
 remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, const remus6_real V_dot[6],
                              const remus6_inverse_options *options, remus6_inverse_result *out);
 
@@ -543,7 +544,7 @@ remus6_status remus6_inverse(const remus6_table *table, const remus6_state *x, c
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 3642 operations on reals, 79 of them divisions. Stack: at most 4640 bytes. */
+ * At most 3492 operations on reals, 73 of them divisions. Stack: at most 4656 bytes. */
 remus6_status remus6_inverse_fast(const remus6_table *table, const remus6_state *x,
                                   const remus6_real V_dot[6], const remus6_inverse_options *options,
                                   remus6_real phi_ddot[REMUS6_N]);
@@ -604,7 +605,7 @@ remus6_status remus6_generalized(const remus6_table *table, const remus6_state *
  * the largest element); a flywheel without spin inertia; no mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 12735 operations on reals, 110 of them divisions. Stack: at most 2448 bytes. */
+ * At most 12885 operations on reals, 116 of them divisions. Stack: at most 2448 bytes. */
 remus6_status remus6_prepare(const remus6_parameters *parameters, remus6_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

@@ -19,8 +19,8 @@
  * u32 check, the FNV-1a hash of its bytes before.
  *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
- *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
- *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream, carry; tau or phi_ddot;
+ *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state (and carry) after the step
  * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
  * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
@@ -36,9 +36,9 @@
 extern "C" {
 #endif
 
-#define REMUS6_RECORDER_FORMAT 2u           /* version of the log format */
-#define REMUS6_RECORDER_SOURCE 0x66ccd694u  /* FNV-1a hash of the texts of remus6.h and remus6.c */
-#define REMUS6_RECORD_BYTES    301  /* longest record of a step; most have 64 */
+#define REMUS6_RECORDER_FORMAT 3u           /* version of the log format */
+#define REMUS6_RECORDER_SOURCE 0x87e6f79au  /* FNV-1a hash of the texts of remus6.h and remus6.c */
+#define REMUS6_RECORD_BYTES    501  /* longest record of a step; most have 64 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -51,7 +51,9 @@ enum {
     REMUS6_RECORD_STREAM = 64,                /* the table's stream, when it changes */
     REMUS6_RECORD_DRIVEN = 128,               /* by step_driven: phi_ddot instead of tau */
     REMUS6_RECORD_LOCKS = 256,                /* any flywheel is locked: a bit each */
-    REMUS6_RECORD_WRENCH = 512                /* any run-time wrench is not zero */
+    REMUS6_RECORD_WRENCH = 512,               /* any run-time wrench is not zero */
+    REMUS6_RECORD_CARRIED = 1024,             /* by a step with a carry: the hash goes over the carry too */
+    REMUS6_RECORD_CARRY = 2048                /* the carry, when it is not as it was left */
 };
 
 /* A log in progress. The caller sets the first two members; the others begin as zero. */
@@ -63,6 +65,7 @@ typedef struct remus6_recorder {
     remus6_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
     uint64_t stream[3];     /* bits of the last stream */
+    remus6_step_carry carry;   /* the carry as it was left; all zero after a start */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
 } remus6_recorder;
@@ -72,7 +75,7 @@ typedef struct remus6_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 624 bytes, and that of write. */
+ * Stack: at most 832 bytes, and that of write. */
 remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -80,7 +83,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4912 bytes, and that of write. */
+ * Stack: at most 5120 bytes, and that of write. */
 remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order);
@@ -90,9 +93,29 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4032 bytes, and that of write. */
+ * Stack: at most 4240 bytes, and that of write. */
 remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order);
+
+/* recorder_step_carried: calls step_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_carried. A refused step is logged too.
+ * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 5392 bytes, and that of write. */
+remus6_status remus6_recorder_step_carried(remus6_recorder *log, const remus6_table *table, remus6_state *x,
+                                           const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
+                                           remus6_real dt, int order, remus6_step_carry *carry);
+
+/* recorder_step_driven_carried: calls step_driven_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_driven_carried. A refused step is logged too.
+ * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 4496 bytes, and that of write. */
+remus6_status remus6_recorder_step_driven_carried(remus6_recorder *log, const remus6_table *table,
+                                                  remus6_state *x, const remus6_real phi_ddot[REMUS6_N],
+                                                  remus6_real dt, int order, remus6_step_carry *carry);
 
 #ifdef __cplusplus
 }

@@ -174,14 +174,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const remus6_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -323,6 +315,7 @@ static void take_row(tally *sum, const remus6_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const remus6_sensor *value)
@@ -398,12 +391,9 @@ static remus6_status call_forward(void)
     return remus6_forward(&remus6_default, &in.x, in.phi_ddot, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, remus6_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -412,12 +402,9 @@ static remus6_status call_wrench(void)
     return remus6_wrench(&remus6_default, &in.x, results.wrench.F);
 }
 
-static void take_wrench_results(tally *sum, remus6_status status)
+static void take_wrench_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrench.F, sizeof results.wrench.F);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.wrench.F, 6);
 }
 
@@ -426,12 +413,9 @@ static remus6_status call_matrices(void)
     return remus6_matrices(&remus6_default, &in.x, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, remus6_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -440,12 +424,9 @@ static remus6_status call_momentum(void)
     return remus6_momentum(&remus6_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, remus6_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -454,12 +435,9 @@ static remus6_status call_torque(void)
     return remus6_torque(&remus6_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, remus6_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, REMUS6_N);
 }
 
@@ -469,13 +447,9 @@ static remus6_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, remus6_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, REMUS6_N);
 }
@@ -485,12 +459,9 @@ static remus6_status call_step(void)
     return remus6_step(&remus6_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, remus6_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -500,12 +471,9 @@ static remus6_status call_step_driven(void)
         &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, remus6_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -514,12 +482,9 @@ static remus6_status call_wrap(void)
     return remus6_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, remus6_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -528,12 +493,9 @@ static remus6_status call_phase_of_counts(void)
     return remus6_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, remus6_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -542,12 +504,9 @@ static remus6_status call_speed_of_counts(void)
     return remus6_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, remus6_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -557,9 +516,9 @@ static remus6_status call_accumulate(void)
     return remus6_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, remus6_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -568,12 +527,9 @@ static remus6_status call_forward_jacobian(void)
     return remus6_forward_jacobian(&remus6_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, remus6_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -582,12 +538,9 @@ static remus6_status call_coupled_jacobian(void)
     return remus6_coupled_jacobian(&remus6_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, remus6_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -596,12 +549,9 @@ static remus6_status call_inverse(void)
     return remus6_inverse(&remus6_default, &in.x, in.V_dot, &remus6_default_options, &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, remus6_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -611,12 +561,9 @@ static remus6_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, remus6_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, REMUS6_N);
 }
 
@@ -625,12 +572,9 @@ static remus6_status call_points(void)
     return remus6_points(&remus6_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_points_results(tally *sum, remus6_status status)
+static void take_points_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.points.out, sizeof results.points.out);
-        return;
-    }
+    if (refused != 0) { return; }
     for (int i = 0; i < REMUS6_SENSORS; ++i) {
         take_points_result(sum, &results.points.out[i]);
     }
@@ -641,12 +585,9 @@ static remus6_status call_quaternion(void)
     return remus6_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, remus6_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -657,13 +598,10 @@ static remus6_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, remus6_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -672,12 +610,9 @@ static remus6_status call_generalized(void)
     return remus6_generalized(&remus6_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, remus6_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -687,9 +622,9 @@ static remus6_status call_prepare(void)
     return remus6_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, remus6_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -699,12 +634,9 @@ static remus6_status call_mounts(void)
         results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, remus6_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 36);
 }
 
@@ -713,12 +645,9 @@ static remus6_status call_prepare_mounts(void)
     return remus6_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, remus6_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -729,13 +658,10 @@ static remus6_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, remus6_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -746,13 +672,10 @@ static remus6_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, remus6_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -762,13 +685,9 @@ static remus6_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, remus6_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1262,8 +1181,9 @@ static const remus6_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     remus6_status (*call)(void);
-    void (*take)(tally *sum, remus6_status status);
+    void (*take)(tally *sum, int refused);
     const remus6_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1271,107 +1191,107 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0x1c432034u, 6 }, { 0, 0xe20a71e3u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x47e0f5b1u },
-    { "wrench", sizeof results.wrench,
+    { "wrench", sizeof results.wrench, 0u,
       call_wrench, take_wrench_results, numbers_wrench,
       { { 0, 0x813cdd82u, 6 }, { 0, 0x513c3fc9u, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x52ceaa10u },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0xe2460fbfu, 32 }, { 0, 0x1628a993u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xeb3a9428u },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x4f6bd2c0u, 16 }, { 0, 0x5da77d40u, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x4914391du },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0xa33fdd42u, 6 }, { 0, 0x23da9ddcu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x4da12f02u },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xd7c991bbu, 12 }, { 0, 0xcac511c4u, 12 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa3863f39u },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0xb0c15179u, 25 }, { 32, 0xdf26e291u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x085f936eu },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0x4f70ddb5u, 25 }, { 32, 0x43b030f6u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x602b2015u },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0x3f5b19b4u, 1 }, { 0, 0x47688450u, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0xfb61958bu },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0x9a384185u, 1 }, { 0, 0x9e337ecdu, 1 }, { -5, 0x2107376du, 0 } },
       0x6a80af01u },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0x208714f1u, 1 }, { 0, 0x222d4c64u, 1 }, { -5, 0x2107376du, 0 } },
       0xfdc52a3du },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0xe9416429u, 0 }, { 0, 0x3cc1e79fu, 0 }, { -5, 0xce17516bu, 0 } },
       0x400cb891u },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0x272d9789u, 32 }, { 0, 0xf8aad72bu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x1c424b74u },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0xde793f08u, 32 }, { 0, 0x65862584u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa2a735b4u },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 64, 0x072e5b27u, 25 }, { 64, 0xf29dea30u, 25 }, { -2, 0x8e5b0aa0u, 0 } },
       0x2af18ceeu },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 64, 0x78c9f6beu, 6 }, { 64, 0x10d57d0fu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd3e5d074u },
-    { "points", sizeof results.points,
+    { "points", sizeof results.points, 0u,
       call_points, take_points_results, numbers_points,
       { { 0, 0x529ea787u, 32 }, { 0, 0x73557e8eu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x46d707d2u },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x13a20f40u, 4 }, { 0, 0x631a0e67u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xea132f50u },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x4ff18024u, 31 }, { 0, 0x7b5e9777u, 31 }, { -2, 0x249e3b21u, 25 } },
       0xe24ae2abu },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0x2e9f5fdcu, 32 }, { 0, 0x540287eau, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc01e18bfu },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0xf18254e8u, 32 }, { 0, 0xfe3ac9b6u, 32 }, { -2, 0x3fcf95c4u, 32 } },
-      0xd2ca316du },
-    { "mounts", sizeof results.mounts,
+      { { 0, 0xb071ddf8u, 32 }, { 0, 0x31f5733au, 32 }, { -2, 0xb77c2610u, 32 } },
+      0xfad9d9e9u },
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0xfcdfa476u, 32 }, { 0, 0xf0d20713u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x6800c1d0u },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0xd0c5eb5au, 32 }, { 0, 0x64b18ae0u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x5b6b7036u },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0x11493f28u, 32 }, { 32, 0xde78bf88u, 32 }, { -2, 0xd062397fu, 25 } },
       0x8d0dcbf4u },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0x11dfee7du, 32 }, { 32, 0xd8366f8au, 32 }, { -2, 0xd062397fu, 25 } },
       0x7f2c9b67u },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0x6c6b9003u, 3 }, { 0, 0xdd88a83fu, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x45bcba45u },
@@ -1516,7 +1436,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];

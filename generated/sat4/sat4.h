@@ -29,7 +29,7 @@ extern "C" {
 
 #define SAT4_STRUCTURE 0xf28a1ef8u  /* hash of the stand's names, counts and kinds of wrench */
 #define SAT4_PHYSICS   0xe77ec5a4u  /* hash of its structure and all numbers */
-#define SAT4_TABLE_HASH 0xca9f3637u /* FNV-1a of all numbers of the default table but its stream */
+#define SAT4_TABLE_HASH 0xc11ef45fu /* FNV-1a of all numbers of the default table but its stream */
 #define SAT4_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SAT4_REAL_BYTES 8           /* bytes of a sat4_real */
 #define SAT4_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -128,17 +128,18 @@ typedef struct sat4_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct sat4_row {
-    sat4_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    sat4_real mu_s[3];   /* kg m; sin phi */
-    sat4_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    sat4_real J_s[6];    /* kg m2; sin phi */
-    sat4_real J_2c[6];   /* kg m2; cos 2 phi */
-    sat4_real J_2s[6];   /* kg m2; sin 2 phi */
-    sat4_real t_0[3];    /* kg m2; moment part of I: constant */
-    sat4_real t_c[3];    /* kg m2; cos phi */
-    sat4_real t_s[3];    /* kg m2; sin phi */
-    sat4_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    sat4_real spin_inv;  /* 1/(kg m2) */
+    sat4_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    sat4_real mu_s[3];        /* kg m; sin phi */
+    sat4_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    sat4_real J_s[6];         /* kg m2; sin phi */
+    sat4_real J_2c[6];        /* kg m2; cos 2 phi */
+    sat4_real J_2s[6];        /* kg m2; sin 2 phi */
+    sat4_real t_0[3];         /* kg m2; moment part of I: constant */
+    sat4_real t_c[3];         /* kg m2; cos phi */
+    sat4_real t_s[3];         /* kg m2; sin phi */
+    sat4_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    sat4_real spin_inv;       /* 1/(kg m2) */
+    sat4_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } sat4_row;
 
 /* Pose of an instrument or a point. */
@@ -497,7 +498,7 @@ sat4_status sat4_coupled_jacobian(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 34334 operations on reals, 1015 of them divisions. Stack: at most 4720 bytes. */
+ * At most 34234 operations on reals, 1011 of them divisions. Stack: at most 4720 bytes. */
 sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                          const sat4_inverse_options *options, sat4_inverse_result *out);
 
@@ -517,7 +518,7 @@ sat4_status sat4_inverse(const sat4_table *table, const sat4_state *x, const sat
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2375 operations on reals, 51 of them divisions. Stack: at most 3776 bytes. */
+ * At most 2275 operations on reals, 47 of them divisions. Stack: at most 3776 bytes. */
 sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, const sat4_real V_dot[6],
                               const sat4_inverse_options *options, sat4_real phi_ddot[SAT4_N]);
 
@@ -533,7 +534,7 @@ sat4_status sat4_inverse_fast(const sat4_table *table, const sat4_state *x, cons
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 11854 operations on reals, 421 of them divisions. Stack: at most 4368 bytes. */
+ * At most 11754 operations on reals, 417 of them divisions. Stack: at most 4368 bytes. */
 sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                   const sat4_inverse_options *options, sat4_inverse_pointing_result *out);
 
@@ -554,7 +555,7 @@ sat4_status sat4_inverse_pointing(const sat4_table *table, const sat4_state *x, 
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 2298 operations on reals, 66 of them divisions. Stack: at most 4112 bytes. */
+ * At most 2195 operations on reals, 65 of them divisions. Stack: at most 4112 bytes. */
 sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state *x,
                                        const sat4_real demand[3], const sat4_inverse_options *options,
                                        sat4_real phi_ddot[SAT4_N]);
@@ -577,7 +578,7 @@ sat4_status sat4_inverse_fast_pointing(const sat4_table *table, const sat4_state
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, LIMITED, UNREACHABLE. Nothing is
  * written when the status is negative.
- * At most 48285 operations on reals, 6729 of them divisions. Stack: at most 5056 bytes. */
+ * At most 48085 operations on reals, 6721 of them divisions. Stack: at most 5056 bytes. */
 sat4_status sat4_torque_for_pointing(const sat4_table *table, const sat4_state *x, const sat4_real demand[3],
                                      const sat4_inverse_options *options, const int locked[SAT4_N],
                                      sat4_torque_for_pointing_result *out);
@@ -637,7 +638,7 @@ sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 5973 operations on reals, 40 of them divisions. Stack: at most 2032 bytes. */
+ * At most 6073 operations on reals, 44 of them divisions. Stack: at most 2032 bytes. */
 sat4_status sat4_prepare(const sat4_parameters *parameters, sat4_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

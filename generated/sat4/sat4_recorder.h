@@ -19,8 +19,8 @@
  * u32 check, the FNV-1a hash of its bytes before.
  *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
- *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
- *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream, carry; tau or phi_ddot;
+ *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state (and carry) after the step
  * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
  * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
@@ -36,9 +36,9 @@
 extern "C" {
 #endif
 
-#define SAT4_RECORDER_FORMAT 2u           /* version of the log format */
-#define SAT4_RECORDER_SOURCE 0x31cfcab1u  /* FNV-1a hash of the texts of sat4.h and sat4.c */
-#define SAT4_RECORD_BYTES    229  /* longest record of a step; most have 48 */
+#define SAT4_RECORDER_FORMAT 3u           /* version of the log format */
+#define SAT4_RECORDER_SOURCE 0x7dd4b40au  /* FNV-1a hash of the texts of sat4.h and sat4.c */
+#define SAT4_RECORD_BYTES    397  /* longest record of a step; most have 48 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -51,7 +51,9 @@ enum {
     SAT4_RECORD_STREAM = 64,                  /* the table's stream, when it changes */
     SAT4_RECORD_DRIVEN = 128,                 /* by step_driven: phi_ddot instead of tau */
     SAT4_RECORD_LOCKS = 256,                  /* any flywheel is locked: a bit each */
-    SAT4_RECORD_WRENCH = 512                  /* any run-time wrench is not zero */
+    SAT4_RECORD_WRENCH = 512,                 /* any run-time wrench is not zero */
+    SAT4_RECORD_CARRIED = 1024,               /* by a step with a carry: the hash goes over the carry too */
+    SAT4_RECORD_CARRY = 2048                  /* the carry, when it is not as it was left */
 };
 
 /* A log in progress. The caller sets the first two members; the others begin as zero. */
@@ -62,6 +64,7 @@ typedef struct sat4_recorder {
     uint32_t count;         /* number of the next step, modulo 2^32 */
     sat4_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
+    sat4_step_carry carry;   /* the carry as it was left; all zero after a start */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
 } sat4_recorder;
@@ -71,7 +74,7 @@ typedef struct sat4_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 560 bytes, and that of write. */
+ * Stack: at most 720 bytes, and that of write. */
 sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -79,7 +82,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4288 bytes, and that of write. */
+ * Stack: at most 4448 bytes, and that of write. */
 sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
@@ -89,9 +92,29 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3408 bytes, and that of write. */
+ * Stack: at most 3568 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
+
+/* recorder_step_carried: calls step_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_carried. A refused step is logged too.
+ * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 4672 bytes, and that of write. */
+sat4_status sat4_recorder_step_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
+                                       const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
+                                       int order, sat4_step_carry *carry);
+
+/* recorder_step_driven_carried: calls step_driven_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_driven_carried. A refused step is logged too.
+ * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 3792 bytes, and that of write. */
+sat4_status sat4_recorder_step_driven_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
+                                              const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
+                                              sat4_step_carry *carry);
 
 #ifdef __cplusplus
 }

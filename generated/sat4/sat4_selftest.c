@@ -177,14 +177,6 @@ static void take_ints(tally *sum, const int *values, int count)
     }
 }
 
-static void untouched(tally *sum, const void *place, size_t size)
-{
-    const unsigned char *bytes = place;
-    for (size_t i = 0; i < size; ++i) {
-        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
-    }
-}
-
 static void take_matrices_result(tally *sum, const sat4_matrices_result *value)
 {
     for (int i = 0; i < 6; ++i) {
@@ -348,6 +340,7 @@ static void take_row(tally *sum, const sat4_row *value)
     take_reals(sum, value->t_s, 3);
     take_reals(sum, &value->spin, 1);
     take_reals(sum, &value->spin_inv, 1);
+    take_reals(sum, &value->spin_root_inv, 1);
 }
 
 static void take_sensor(tally *sum, const sat4_sensor *value)
@@ -398,12 +391,9 @@ static sat4_status call_forward(void)
     return sat4_forward(&sat4_default, &in.x, in.phi_ddot, results.forward.V_dot);
 }
 
-static void take_forward_results(tally *sum, sat4_status status)
+static void take_forward_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward.V_dot, sizeof results.forward.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.forward.V_dot, 6);
 }
 
@@ -412,12 +402,9 @@ static sat4_status call_matrices(void)
     return sat4_matrices(&sat4_default, &in.x, &results.matrices.out);
 }
 
-static void take_matrices_results(tally *sum, sat4_status status)
+static void take_matrices_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.matrices.out, sizeof results.matrices.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_matrices_result(sum, &results.matrices.out);
 }
 
@@ -426,12 +413,9 @@ static sat4_status call_momentum(void)
     return sat4_momentum(&sat4_default, &in.x, &results.momentum.out);
 }
 
-static void take_momentum_results(tally *sum, sat4_status status)
+static void take_momentum_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.momentum.out, sizeof results.momentum.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_momentum_result(sum, &results.momentum.out);
 }
 
@@ -440,12 +424,9 @@ static sat4_status call_torque(void)
     return sat4_torque(&sat4_default, &in.x, in.V_dot, in.phi_ddot, results.torque.tau);
 }
 
-static void take_torque_results(tally *sum, sat4_status status)
+static void take_torque_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque.tau, sizeof results.torque.tau);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.torque.tau, SAT4_N);
 }
 
@@ -455,13 +436,9 @@ static sat4_status call_coupled(void)
         results.coupled.phi_ddot);
 }
 
-static void take_coupled_results(tally *sum, sat4_status status)
+static void take_coupled_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled.V_dot, sizeof results.coupled.V_dot);
-        untouched(sum, &results.coupled.phi_ddot, sizeof results.coupled.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.coupled.V_dot, 6);
     take_reals(sum, results.coupled.phi_ddot, SAT4_N);
 }
@@ -471,12 +448,9 @@ static sat4_status call_step(void)
     return sat4_step(&sat4_default, &in.x, in.tau, in.locked, in.dt, in.order, &results.step.next);
 }
 
-static void take_step_results(tally *sum, sat4_status status)
+static void take_step_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step.next, sizeof results.step.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step.next);
 }
 
@@ -485,12 +459,9 @@ static sat4_status call_step_driven(void)
     return sat4_step_driven(&sat4_default, &in.x, in.phi_ddot, in.dt, in.order, &results.step_driven.next);
 }
 
-static void take_step_driven_results(tally *sum, sat4_status status)
+static void take_step_driven_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.step_driven.next, sizeof results.step_driven.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven.next);
 }
 
@@ -499,12 +470,9 @@ static sat4_status call_wrap(void)
     return sat4_wrap(in.phi, &results.wrap.wrapped);
 }
 
-static void take_wrap_results(tally *sum, sat4_status status)
+static void take_wrap_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.wrap.wrapped, sizeof results.wrap.wrapped);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.wrap.wrapped, 1);
 }
 
@@ -513,12 +481,9 @@ static sat4_status call_phase_of_counts(void)
     return sat4_phase_of_counts(in.count, in.per_turn, in.zero, &results.phase_of_counts.phi);
 }
 
-static void take_phase_of_counts_results(tally *sum, sat4_status status)
+static void take_phase_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.phase_of_counts.phi, sizeof results.phase_of_counts.phi);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.phase_of_counts.phi, 1);
 }
 
@@ -527,12 +492,9 @@ static sat4_status call_speed_of_counts(void)
     return sat4_speed_of_counts(in.moved, in.per_turn, in.dt, &results.speed_of_counts.phi_dot);
 }
 
-static void take_speed_of_counts_results(tally *sum, sat4_status status)
+static void take_speed_of_counts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.speed_of_counts.phi_dot, sizeof results.speed_of_counts.phi_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, &results.speed_of_counts.phi_dot, 1);
 }
 
@@ -542,9 +504,9 @@ static sat4_status call_accumulate(void)
     return sat4_accumulate(&results.accumulate.encoder, in.counter, in.bits, in.per_turn);
 }
 
-static void take_accumulate_results(tally *sum, sat4_status status)
+static void take_accumulate_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_encoder(sum, &results.accumulate.encoder);
 }
 
@@ -553,12 +515,9 @@ static sat4_status call_forward_jacobian(void)
     return sat4_forward_jacobian(&sat4_default, &in.x, in.phi_ddot, &results.forward_jacobian.out);
 }
 
-static void take_forward_jacobian_results(tally *sum, sat4_status status)
+static void take_forward_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.forward_jacobian.out, sizeof results.forward_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_forward_jacobian_result(sum, &results.forward_jacobian.out);
 }
 
@@ -567,12 +526,9 @@ static sat4_status call_coupled_jacobian(void)
     return sat4_coupled_jacobian(&sat4_default, &in.x, in.tau, in.locked, &results.coupled_jacobian.out);
 }
 
-static void take_coupled_jacobian_results(tally *sum, sat4_status status)
+static void take_coupled_jacobian_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.coupled_jacobian.out, sizeof results.coupled_jacobian.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_coupled_jacobian_result(sum, &results.coupled_jacobian.out);
 }
 
@@ -581,12 +537,9 @@ static sat4_status call_inverse(void)
     return sat4_inverse(&sat4_default, &in.x, in.V_dot, &sat4_default_options, &results.inverse.out);
 }
 
-static void take_inverse_results(tally *sum, sat4_status status)
+static void take_inverse_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse.out, sizeof results.inverse.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_result(sum, &results.inverse.out);
 }
 
@@ -596,12 +549,9 @@ static sat4_status call_inverse_fast(void)
         results.inverse_fast.phi_ddot);
 }
 
-static void take_inverse_fast_results(tally *sum, sat4_status status)
+static void take_inverse_fast_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast.phi_ddot, sizeof results.inverse_fast.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast.phi_ddot, SAT4_N);
 }
 
@@ -611,12 +561,9 @@ static sat4_status call_inverse_pointing(void)
         &results.inverse_pointing.out);
 }
 
-static void take_inverse_pointing_results(tally *sum, sat4_status status)
+static void take_inverse_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_pointing.out, sizeof results.inverse_pointing.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_inverse_pointing_result(sum, &results.inverse_pointing.out);
 }
 
@@ -626,13 +573,9 @@ static sat4_status call_inverse_fast_pointing(void)
         results.inverse_fast_pointing.phi_ddot);
 }
 
-static void take_inverse_fast_pointing_results(tally *sum, sat4_status status)
+static void take_inverse_fast_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.inverse_fast_pointing.phi_ddot,
-            sizeof results.inverse_fast_pointing.phi_ddot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.inverse_fast_pointing.phi_ddot, SAT4_N);
 }
 
@@ -642,12 +585,9 @@ static sat4_status call_torque_for_pointing(void)
         &results.torque_for_pointing.out);
 }
 
-static void take_torque_for_pointing_results(tally *sum, sat4_status status)
+static void take_torque_for_pointing_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.torque_for_pointing.out, sizeof results.torque_for_pointing.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_torque_for_pointing_result(sum, &results.torque_for_pointing.out);
 }
 
@@ -656,12 +596,9 @@ static sat4_status call_points(void)
     return sat4_points(&sat4_default, &in.x, in.V_dot, results.points.out);
 }
 
-static void take_points_results(tally *sum, sat4_status status)
+static void take_points_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.points.out, sizeof results.points.out);
-        return;
-    }
+    if (refused != 0) { return; }
     for (int i = 0; i < SAT4_SENSORS; ++i) {
         take_points_result(sum, &results.points.out[i]);
     }
@@ -672,12 +609,9 @@ static sat4_status call_quaternion(void)
     return sat4_quaternion(in.angles, results.quaternion.attitude);
 }
 
-static void take_quaternion_results(tally *sum, sat4_status status)
+static void take_quaternion_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.quaternion.attitude, sizeof results.quaternion.attitude);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.quaternion.attitude, 4);
 }
 
@@ -688,13 +622,10 @@ static sat4_status call_state_from_coordinates(void)
         &results.state_from_coordinates.x, results.state_from_coordinates.V_dot);
 }
 
-static void take_state_from_coordinates_results(tally *sum, sat4_status status)
+static void take_state_from_coordinates_results(tally *sum, int refused)
 {
     take_state(sum, &results.state_from_coordinates.x);
-    if (status < 0) {
-        untouched(sum, &results.state_from_coordinates.V_dot, sizeof results.state_from_coordinates.V_dot);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.state_from_coordinates.V_dot, 6);
 }
 
@@ -703,12 +634,9 @@ static sat4_status call_generalized(void)
     return sat4_generalized(&sat4_default, &in.x, in.angles, in.phi_ddot, &results.generalized.out);
 }
 
-static void take_generalized_results(tally *sum, sat4_status status)
+static void take_generalized_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.generalized.out, sizeof results.generalized.out);
-        return;
-    }
+    if (refused != 0) { return; }
     take_generalized_result(sum, &results.generalized.out);
 }
 
@@ -718,9 +646,9 @@ static sat4_status call_prepare(void)
     return sat4_prepare(&parameters, &results.prepare.table);
 }
 
-static void take_prepare_results(tally *sum, sat4_status status)
+static void take_prepare_results(tally *sum, int refused)
 {
-    (void)status;
+    (void)refused;
     take_table(sum, &results.prepare.table);
 }
 
@@ -729,12 +657,9 @@ static sat4_status call_mounts(void)
     return sat4_mounts(&mounting, &in.x, in.V_dot, in.phi_ddot, results.mounts.mount_wrench);
 }
 
-static void take_mounts_results(tally *sum, sat4_status status)
+static void take_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.mounts.mount_wrench, sizeof results.mounts.mount_wrench);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.mounts.mount_wrench, 24);
 }
 
@@ -743,12 +668,9 @@ static sat4_status call_prepare_mounts(void)
     return sat4_prepare_mounts(&parameters, &results.prepare_mounts.mounting);
 }
 
-static void take_prepare_mounts_results(tally *sum, sat4_status status)
+static void take_prepare_mounts_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.prepare_mounts.mounting, sizeof results.prepare_mounts.mounting);
-        return;
-    }
+    if (refused != 0) { return; }
     take_mount_table(sum, &results.prepare_mounts.mounting);
 }
 
@@ -759,13 +681,10 @@ static sat4_status call_step_carried(void)
         &results.step_carried.carry, &results.step_carried.next);
 }
 
-static void take_step_carried_results(tally *sum, sat4_status status)
+static void take_step_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_carried.next, sizeof results.step_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_carried.next);
 }
 
@@ -776,13 +695,10 @@ static sat4_status call_step_driven_carried(void)
         &results.step_driven_carried.carry, &results.step_driven_carried.next);
 }
 
-static void take_step_driven_carried_results(tally *sum, sat4_status status)
+static void take_step_driven_carried_results(tally *sum, int refused)
 {
     take_step_carry(sum, &results.step_driven_carried.carry);
-    if (status < 0) {
-        untouched(sum, &results.step_driven_carried.next, sizeof results.step_driven_carried.next);
-        return;
-    }
+    if (refused != 0) { return; }
     take_state(sum, &results.step_driven_carried.next);
 }
 
@@ -792,13 +708,9 @@ static sat4_status call_center_of_mass_velocity(void)
         results.center_of_mass_velocity.center_of_mass_velocity);
 }
 
-static void take_center_of_mass_velocity_results(tally *sum, sat4_status status)
+static void take_center_of_mass_velocity_results(tally *sum, int refused)
 {
-    if (status < 0) {
-        untouched(sum, &results.center_of_mass_velocity.center_of_mass_velocity,
-            sizeof results.center_of_mass_velocity.center_of_mass_velocity);
-        return;
-    }
+    if (refused != 0) { return; }
     take_reals(sum, results.center_of_mass_velocity.center_of_mass_velocity, 3);
 }
 
@@ -1122,7 +1034,7 @@ static const sat4_real numbers_inverse_pointing[] =
 static const sat4_real numbers_inverse_fast_pointing[] =
 {
     -0x1.9680e3f33e16dp+10, 0x1.8eae34f46b2ep+6, 0x1.7ac14c73ff1bdp+9, -0x1.e411470a1fe88p+9,
-    0x1.1db06559458b5p+14, 0x1.a9b0f144d2b05p+13, 0x1.b4e1f3c628098p+10, 0x1.90929c29cd2c6p+12,
+    0x1.1db06559458b5p+14, 0x1.a9b0f144d2b05p+13, 0x1.b4e1f3c6280ap+10, 0x1.90929c29cd2c8p+12,
 };
 
 static const sat4_real numbers_torque_for_pointing[] =
@@ -1305,8 +1217,9 @@ static const sat4_real numbers_center_of_mass_velocity[] =
 typedef struct function {
     const char *name;
     size_t size;  /* bytes of its results */
+    size_t kept;  /* bytes of those that are also inputs: the first ones, the only ones that a refused call may have */
     sat4_status (*call)(void);
-    void (*take)(tally *sum, sat4_status status);
+    void (*take)(tally *sum, int refused);
     const sat4_real *numbers;
     answer answers[CASES];
     uint32_t swept;  /* hash of the first SWEPT states of a sweep */
@@ -1314,115 +1227,115 @@ typedef struct function {
 
 static const function functions[FUNCTIONS] =
 {
-    { "forward", sizeof results.forward,
+    { "forward", sizeof results.forward, 0u,
       call_forward, take_forward_results, numbers_forward,
       { { 0, 0x0c4c5adbu, 6 }, { 0, 0x61a743fbu, 6 }, { -2, 0x8e5b0aa0u, 0 } },
       0x011f6d54u },
-    { "matrices", sizeof results.matrices,
+    { "matrices", sizeof results.matrices, 0u,
       call_matrices, take_matrices_results, numbers_matrices,
       { { 0, 0x3d3535c3u, 32 }, { 0, 0x207b1ef9u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xc4e7e296u },
-    { "momentum", sizeof results.momentum,
+    { "momentum", sizeof results.momentum, 0u,
       call_momentum, take_momentum_results, numbers_momentum,
       { { 0, 0x69737d59u, 16 }, { 0, 0xdb9c767au, 16 }, { -2, 0x8e5b0aa0u, 0 } },
       0x8062f212u },
-    { "torque", sizeof results.torque,
+    { "torque", sizeof results.torque, 0u,
       call_torque, take_torque_results, numbers_torque,
       { { 0, 0x4a5512f2u, 4 }, { 0, 0xb8864d4du, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xda4dcef4u },
-    { "coupled", sizeof results.coupled,
+    { "coupled", sizeof results.coupled, 0u,
       call_coupled, take_coupled_results, numbers_coupled,
       { { 0, 0xf32c8989u, 10 }, { 0, 0xe98ae101u, 10 }, { -2, 0x8e5b0aa0u, 0 } },
       0xd93520cbu },
-    { "step", sizeof results.step,
+    { "step", sizeof results.step, 0u,
       call_step, take_step_results, numbers_step,
       { { 0, 0x4623e42bu, 21 }, { 32, 0xf084d3c5u, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0x226a3b26u },
-    { "step_driven", sizeof results.step_driven,
+    { "step_driven", sizeof results.step_driven, 0u,
       call_step_driven, take_step_driven_results, numbers_step_driven,
       { { 0, 0xe89b274bu, 21 }, { 32, 0xcf6a540au, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0x37bf39b9u },
-    { "wrap", sizeof results.wrap,
+    { "wrap", sizeof results.wrap, 0u,
       call_wrap, take_wrap_results, numbers_wrap,
       { { 0, 0x34ef7e98u, 1 }, { 0, 0x2145f37du, 1 }, { -2, 0x8e5b0aa0u, 0 } },
       0x13690883u },
-    { "phase_of_counts", sizeof results.phase_of_counts,
+    { "phase_of_counts", sizeof results.phase_of_counts, 0u,
       call_phase_of_counts, take_phase_of_counts_results, numbers_phase_of_counts,
       { { 0, 0x53ece381u, 1 }, { 0, 0x6e203dfbu, 1 }, { -5, 0x2107376du, 0 } },
       0x69e412fdu },
-    { "speed_of_counts", sizeof results.speed_of_counts,
+    { "speed_of_counts", sizeof results.speed_of_counts, 0u,
       call_speed_of_counts, take_speed_of_counts_results, numbers_speed_of_counts,
       { { 0, 0xd327e29au, 1 }, { 0, 0x01e69cafu, 1 }, { -5, 0x2107376du, 0 } },
       0xaf1b666eu },
-    { "accumulate", sizeof results.accumulate,
+    { "accumulate", sizeof results.accumulate, sizeof results.accumulate.encoder,
       call_accumulate, take_accumulate_results, numbers_accumulate,
       { { 0, 0xe445cbdbu, 0 }, { 0, 0xd486b65du, 0 }, { -5, 0xcfc644d8u, 0 } },
       0x77ab77cdu },
-    { "forward_jacobian", sizeof results.forward_jacobian,
+    { "forward_jacobian", sizeof results.forward_jacobian, 0u,
       call_forward_jacobian, take_forward_jacobian_results, numbers_forward_jacobian,
       { { 0, 0x95573716u, 32 }, { 0, 0x2ec651d8u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf842bf7fu },
-    { "coupled_jacobian", sizeof results.coupled_jacobian,
+    { "coupled_jacobian", sizeof results.coupled_jacobian, 0u,
       call_coupled_jacobian, take_coupled_jacobian_results, numbers_coupled_jacobian,
       { { 0, 0x648e393fu, 32 }, { 0, 0x732036dfu, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3a5f669fu },
-    { "inverse", sizeof results.inverse,
+    { "inverse", sizeof results.inverse, 0u,
       call_inverse, take_inverse_results, numbers_inverse,
       { { 72, 0x8e87fb5fu, 21 }, { 72, 0xec274769u, 21 }, { -2, 0x8e5b0aa0u, 0 } },
       0x60ad5918u },
-    { "inverse_fast", sizeof results.inverse_fast,
+    { "inverse_fast", sizeof results.inverse_fast, 0u,
       call_inverse_fast, take_inverse_fast_results, numbers_inverse_fast,
       { { 64, 0x794d7704u, 4 }, { 64, 0x78ca61d0u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0x99cd21c3u },
-    { "inverse_pointing", sizeof results.inverse_pointing,
+    { "inverse_pointing", sizeof results.inverse_pointing, 0u,
       call_inverse_pointing, take_inverse_pointing_results, numbers_inverse_pointing,
       { { 64, 0xe1da20cfu, 20 }, { 64, 0x62c5fc37u, 20 }, { -2, 0x8e5b0aa0u, 0 } },
       0x0f30c30cu },
-    { "inverse_fast_pointing", sizeof results.inverse_fast_pointing,
+    { "inverse_fast_pointing", sizeof results.inverse_fast_pointing, 0u,
       call_inverse_fast_pointing, take_inverse_fast_pointing_results, numbers_inverse_fast_pointing,
-      { { 64, 0xc072de23u, 4 }, { 64, 0x96476305u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
-      0x898f45b4u },
-    { "torque_for_pointing", sizeof results.torque_for_pointing,
+      { { 64, 0xc072de23u, 4 }, { 64, 0x6ce9a53fu, 4 }, { -2, 0x8e5b0aa0u, 0 } },
+      0x8077665fu },
+    { "torque_for_pointing", sizeof results.torque_for_pointing, 0u,
       call_torque_for_pointing, take_torque_for_pointing_results, numbers_torque_for_pointing,
       { { 12, 0xbe64a48fu, 18 }, { 12, 0x82562ac3u, 18 }, { -2, 0x8e5b0aa0u, 0 } },
       0x7093c04au },
-    { "points", sizeof results.points,
+    { "points", sizeof results.points, 0u,
       call_points, take_points_results, numbers_points,
       { { 0, 0xb822e313u, 24 }, { 0, 0x6b076a78u, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0xa21f165fu },
-    { "quaternion", sizeof results.quaternion,
+    { "quaternion", sizeof results.quaternion, 0u,
       call_quaternion, take_quaternion_results, numbers_quaternion,
       { { 0, 0x5967a34bu, 4 }, { 0, 0x4d28b149u, 4 }, { -2, 0x8e5b0aa0u, 0 } },
       0xed7e6c4bu },
-    { "state_from_coordinates", sizeof results.state_from_coordinates,
+    { "state_from_coordinates", sizeof results.state_from_coordinates, sizeof results.state_from_coordinates.x,
       call_state_from_coordinates, take_state_from_coordinates_results, numbers_state_from_coordinates,
       { { 0, 0x59680454u, 27 }, { 0, 0x46c89cd0u, 27 }, { -2, 0xa228810du, 21 } },
       0x13fef968u },
-    { "generalized", sizeof results.generalized,
+    { "generalized", sizeof results.generalized, 0u,
       call_generalized, take_generalized_results, numbers_generalized,
       { { 0, 0xc3092043u, 32 }, { 0, 0x52745c00u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xf7c01c6bu },
-    { "prepare", sizeof results.prepare,
+    { "prepare", sizeof results.prepare, sizeof results.prepare.table,
       call_prepare, take_prepare_results, numbers_prepare,
-      { { 0, 0x67307fe2u, 32 }, { 0, 0xb31d1de0u, 32 }, { -2, 0x01eae4eau, 32 } },
-      0xeb293e5fu },
-    { "mounts", sizeof results.mounts,
+      { { 0, 0xd344c8a6u, 32 }, { 0, 0x6e744914u, 32 }, { -2, 0xeb20abfau, 32 } },
+      0x0aa61a5fu },
+    { "mounts", sizeof results.mounts, 0u,
       call_mounts, take_mounts_results, numbers_mounts,
       { { 0, 0x9f3a3916u, 24 }, { 0, 0xdb5576b9u, 24 }, { -2, 0x8e5b0aa0u, 0 } },
       0x49091d40u },
-    { "prepare_mounts", sizeof results.prepare_mounts,
+    { "prepare_mounts", sizeof results.prepare_mounts, 0u,
       call_prepare_mounts, take_prepare_mounts_results, numbers_prepare_mounts,
       { { 0, 0x5ca8185fu, 32 }, { 0, 0xb2c2e434u, 32 }, { -2, 0x8e5b0aa0u, 0 } },
       0xe8ec5034u },
-    { "step_carried", sizeof results.step_carried,
+    { "step_carried", sizeof results.step_carried, sizeof results.step_carried.carry,
       call_step_carried, take_step_carried_results, numbers_step_carried,
       { { 0, 0xc4843273u, 32 }, { 32, 0x78375313u, 32 }, { -2, 0x6833bce9u, 21 } },
       0xba27543au },
-    { "step_driven_carried", sizeof results.step_driven_carried,
+    { "step_driven_carried", sizeof results.step_driven_carried, sizeof results.step_driven_carried.carry,
       call_step_driven_carried, take_step_driven_carried_results, numbers_step_driven_carried,
       { { 0, 0xcf318e47u, 32 }, { 32, 0xf207a99au, 32 }, { -2, 0x6833bce9u, 21 } },
       0xe8b24ed0u },
-    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity,
+    { "center_of_mass_velocity", sizeof results.center_of_mass_velocity, 0u,
       call_center_of_mass_velocity, take_center_of_mass_velocity_results, numbers_center_of_mass_velocity,
       { { 0, 0x2684d1adu, 3 }, { 0, 0x33a6332du, 3 }, { -2, 0x8e5b0aa0u, 0 } },
       0x3a73855au },
@@ -1562,7 +1475,10 @@ static void call(const function *f, tally *sum, int *status)
     found = f->call();
     *status = (int)found;
     take_word(sum, (real_bits)(uint32_t)*status, 4);
-    f->take(sum, found);
+    f->take(sum, *status < 0 ? 1 : 0);
+    for (size_t i = f->kept; *status < 0 && i < f->size; ++i) {
+        sum->touched += bytes[i] != (unsigned char)UNTOUCHED ? 1 : 0;
+    }
 }
 
 static char line[160];

@@ -29,7 +29,7 @@ extern "C" {
 
 #define SHAKER2_STRUCTURE 0x94a85f4au  /* hash of the stand's names, counts and kinds of wrench */
 #define SHAKER2_PHYSICS   0x2591b2a4u  /* hash of its structure and all numbers */
-#define SHAKER2_TABLE_HASH 0x787eab23u /* FNV-1a of all numbers of the default table but its stream */
+#define SHAKER2_TABLE_HASH 0x64959ccbu /* FNV-1a of all numbers of the default table but its stream */
 #define SHAKER2_LANES     1            /* flywheels side by side in the table; 1: one after the other */
 #define SHAKER2_REAL_BYTES 8           /* bytes of a shaker2_real */
 #define SHAKER2_VERSION_MAJOR 0        /* of the mahovik that wrote this */
@@ -119,17 +119,18 @@ typedef struct shaker2_parameters {
 
 /* Table of one flywheel: harmonics of its terms in (8), in E1 about O1. */
 typedef struct shaker2_row {
-    shaker2_real mu_c[3];   /* kg m; first moment about O1: cos phi */
-    shaker2_real mu_s[3];   /* kg m; sin phi */
-    shaker2_real J_c[6];    /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
-    shaker2_real J_s[6];    /* kg m2; sin phi */
-    shaker2_real J_2c[6];   /* kg m2; cos 2 phi */
-    shaker2_real J_2s[6];   /* kg m2; sin 2 phi */
-    shaker2_real t_0[3];    /* kg m2; moment part of I: constant */
-    shaker2_real t_c[3];    /* kg m2; cos phi */
-    shaker2_real t_s[3];    /* kg m2; sin phi */
-    shaker2_real spin;      /* kg m2; Theta_ff: inertia about the spin axis */
-    shaker2_real spin_inv;  /* 1/(kg m2) */
+    shaker2_real mu_c[3];        /* kg m; first moment about O1: cos phi */
+    shaker2_real mu_s[3];        /* kg m; sin phi */
+    shaker2_real J_c[6];         /* kg m2; inertia about O1, 11 22 33 12 13 23: cos phi */
+    shaker2_real J_s[6];         /* kg m2; sin phi */
+    shaker2_real J_2c[6];        /* kg m2; cos 2 phi */
+    shaker2_real J_2s[6];        /* kg m2; sin 2 phi */
+    shaker2_real t_0[3];         /* kg m2; moment part of I: constant */
+    shaker2_real t_c[3];         /* kg m2; cos phi */
+    shaker2_real t_s[3];         /* kg m2; sin phi */
+    shaker2_real spin;           /* kg m2; Theta_ff: inertia about the spin axis */
+    shaker2_real spin_inv;       /* 1/(kg m2) */
+    shaker2_real spin_root_inv;  /* 1/(kg m2)^0.5; 1/sqrt(spin): scales the unknowns of (12) */
 } shaker2_row;
 
 /* Suspension of the carrier to E0. */
@@ -465,7 +466,7 @@ shaker2_status shaker2_coupled_jacobian(const shaker2_table *table, const shaker
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, NEAR_SINGULAR, DAMPED, LIMITED,
  * UNREACHABLE, RANK_DEFICIENT, EXCESSIVE. Nothing is written when the status is negative.
- * At most 26852 operations on reals, 863 of them divisions. Stack: at most 4304 bytes. */
+ * At most 26802 operations on reals, 861 of them divisions. Stack: at most 4304 bytes. */
 shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *x,
                                const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                shaker2_inverse_result *out);
@@ -486,7 +487,7 @@ shaker2_status shaker2_inverse(const shaker2_table *table, const shaker2_state *
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.
- * At most 1831 operations on reals, 37 of them divisions. Stack: at most 3792 bytes. */
+ * At most 1781 operations on reals, 35 of them divisions. Stack: at most 3792 bytes. */
 shaker2_status shaker2_inverse_fast(const shaker2_table *table, const shaker2_state *x,
                                     const shaker2_real V_dot[6], const shaker2_inverse_options *options,
                                     shaker2_real phi_ddot[SHAKER2_N]);
@@ -537,7 +538,7 @@ shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_sta
  * mass at all.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
  * is negative.
- * At most 2999 operations on reals, 20 of them divisions. Stack: at most 2016 bytes. */
+ * At most 3049 operations on reals, 22 of them divisions. Stack: at most 2016 bytes. */
 shaker2_status shaker2_prepare(const shaker2_parameters *parameters, shaker2_table *table);
 
 /* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.

@@ -19,8 +19,8 @@
  * u32 check, the FNV-1a hash of its bytes before.
  *   start  89 4d 48 56 4b 0d 0a 1a, u8 format, u8 bytes of a real, u8 length of name, name, u32 structure, u32 physics,
  *          u32 source, u16 N, u16 wrenches, u32 table hash, u32 count, the state, u32 length of table, table if any
- *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream; tau or phi_ddot;
- *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state after the step
+ *   step   53, u16 flags, u32 count; if flagged: dt and i32 order, members of the state, stream, carry; tau or phi_ddot;
+ *          if flagged: bits of the locks, wrench; i8 status, u32 hash of the state (and carry) after the step
  * The hash of a state goes over its reals in 32-bit words, the low word first: h = (h turned left by 5 ^ word) * 16777619,
  * modulo 2^32, from 2166136261.
  * The table is written if it is not the default: member by member, a real or an i32 each, without the stream. */
@@ -36,9 +36,9 @@
 extern "C" {
 #endif
 
-#define SHAKER2_RECORDER_FORMAT 2u           /* version of the log format */
-#define SHAKER2_RECORDER_SOURCE 0x9d792491u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
-#define SHAKER2_RECORD_BYTES    181  /* longest record of a step; most have 32 */
+#define SHAKER2_RECORDER_FORMAT 3u           /* version of the log format */
+#define SHAKER2_RECORDER_SOURCE 0x4a100011u  /* FNV-1a hash of the texts of shaker2.h and shaker2.c */
+#define SHAKER2_RECORD_BYTES    317  /* longest record of a step; most have 32 */
 
 /* Flags of a step: members of the state that were written since the last step, and optional parts of its record. */
 enum {
@@ -51,7 +51,9 @@ enum {
     SHAKER2_RECORD_STREAM = 64,               /* the table's stream, when it changes */
     SHAKER2_RECORD_DRIVEN = 128,              /* by step_driven: phi_ddot instead of tau */
     SHAKER2_RECORD_LOCKS = 256,               /* any flywheel is locked: a bit each */
-    SHAKER2_RECORD_WRENCH = 512               /* any run-time wrench is not zero */
+    SHAKER2_RECORD_WRENCH = 512,              /* any run-time wrench is not zero */
+    SHAKER2_RECORD_CARRIED = 1024,            /* by a step with a carry: the hash goes over the carry too */
+    SHAKER2_RECORD_CARRY = 2048               /* the carry, when it is not as it was left */
 };
 
 /* A log in progress. The caller sets the first two members; the others begin as zero. */
@@ -62,6 +64,7 @@ typedef struct shaker2_recorder {
     uint32_t count;         /* number of the next step, modulo 2^32 */
     shaker2_state seen;  /* the state as it was left */
     uint64_t dt;            /* bits of the last time step */
+    shaker2_step_carry carry;   /* the carry as it was left; all zero after a start */
     int order;              /* the last order */
     int fresh;              /* not 0: no step since the last start */
 } shaker2_recorder;
@@ -71,7 +74,7 @@ typedef struct shaker2_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 512 bytes, and that of write. */
+ * Stack: at most 640 bytes, and that of write. */
 shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x);
 
@@ -80,7 +83,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4432 bytes, and that of write. */
+ * Stack: at most 4560 bytes, and that of write. */
 shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order);
@@ -90,10 +93,31 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3792 bytes, and that of write. */
+ * Stack: at most 3920 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order);
+
+/* recorder_step_carried: calls step_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_carried. A refused step is logged too.
+ * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 4736 bytes, and that of write. */
+shaker2_status shaker2_recorder_step_carried(shaker2_recorder *log, const shaker2_table *table,
+                                             shaker2_state *x, const shaker2_real tau[SHAKER2_N],
+                                             const int locked[SHAKER2_N], shaker2_real dt, int order,
+                                             shaker2_step_carry *carry);
+
+/* recorder_step_driven_carried: calls step_driven_carried and writes a record of it.
+ *   log  a log that was started
+ *   x    in and out: state, the step after it
+ *   The other arguments are those of step_driven_carried. A refused step is logged too.
+ * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
+ * Stack: at most 4096 bytes, and that of write. */
+shaker2_status shaker2_recorder_step_driven_carried(shaker2_recorder *log, const shaker2_table *table,
+                                                    shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
+                                                    shaker2_real dt, int order, shaker2_step_carry *carry);
 
 #ifdef __cplusplus
 }

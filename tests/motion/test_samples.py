@@ -11,7 +11,7 @@ from mahovik.core.motion.programme import Samples
 
 def test_it_is_the_quintic_hermite_polynomial_of_scipy() -> None:
     rng = np.random.default_rng(3)
-    t, rows = np.sort(rng.random(8)), rng.standard_normal((8, 3, 2))
+    t, rows = np.sort(rng.random(8)), rng.standard_normal((8, 3, 2), dtype=np.float64)
     other = BPoly.from_derivatives(t, rows)
     x = np.concatenate([t, np.linspace(t[0], t[-1], 300)])
     found = Samples(t, rows[:, 0], rows[:, 1], rows[:, 2]).at(x)
