@@ -115,7 +115,7 @@ def test_the_design_tells_how_fast_and_how_sure() -> None:
     assert 0.0 < own.margin < 1.0
 
 
-def test_a_programme_that_is_no_period_is_refused() -> None:
+def test_a_finite_programme_is_not_tabulated_again() -> None:
     stand, motion, programme = shaker()
     with pytest.raises(UsageError, match="finite"):
-        type(wanted()).of(stand, motion, replace(programme, periodic=False), None)
+        type(wanted()).of(stand, motion, replace(programme, periodic=False), 64)

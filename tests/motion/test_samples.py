@@ -22,7 +22,7 @@ def test_it_is_the_quintic_hermite_polynomial_of_scipy() -> None:
 
 def test_a_row_each_thousandth_of_a_second_keeps_the_acceleration_of_a_fast_wheel() -> None:
     """1,000 rad of turn: rounding of the rows alone is below 1e-6 rad/s2; polynomials of phi itself lose more."""
-    t = 2.0 + 1e-3 * np.arange(50)
+    t = np.asarray(2.0 + 1e-3 * np.arange(50), dtype=np.float64)
     samples = Samples(t, *(np.array(each)[:, None] for each in (500.0 * t + t**2, 500.0 + 2.0 * t, 2.0 + 0.0 * t)))
     x = t[:-1] + 0.4e-3
     assert samples.at(x).phi_ddot == pytest.approx(np.full((49, 1), 2.0), abs=1e-6)
