@@ -74,7 +74,7 @@ typedef struct bench8_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 880 bytes, and that of write. */
+ * Stack: at most 912 bytes, and that of write. */
 bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *table, const bench8_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -82,7 +82,7 @@ bench8_status bench8_recorder_start(bench8_recorder *log, const bench8_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 5760 bytes, and that of write. */
+ * Stack: at most 5792 bytes, and that of write. */
 bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                    const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                    bench8_real dt, int order);
@@ -92,7 +92,7 @@ bench8_status bench8_recorder_step(bench8_recorder *log, const bench8_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4640 bytes, and that of write. */
+ * Stack: at most 4672 bytes, and that of write. */
 bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                           const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order);
 
@@ -101,7 +101,7 @@ bench8_status bench8_recorder_step_driven(bench8_recorder *log, const bench8_tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 6064 bytes, and that of write. */
+ * Stack: at most 6096 bytes, and that of write. */
 bench8_status bench8_recorder_step_carried(bench8_recorder *log, const bench8_table *table, bench8_state *x,
                                            const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
                                            bench8_real dt, int order, bench8_step_carry *carry);
@@ -111,7 +111,7 @@ bench8_status bench8_recorder_step_carried(bench8_recorder *log, const bench8_ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4928 bytes, and that of write. */
+ * Stack: at most 4960 bytes, and that of write. */
 bench8_status bench8_recorder_step_driven_carried(bench8_recorder *log, const bench8_table *table,
                                                   bench8_state *x, const bench8_real phi_ddot[BENCH8_N],
                                                   bench8_real dt, int order, bench8_step_carry *carry);

@@ -74,7 +74,7 @@ typedef struct demo3_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 688 bytes, and that of write. */
+ * Stack: at most 720 bytes, and that of write. */
 demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table, const demo3_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -82,7 +82,7 @@ demo3_status demo3_recorder_start(demo3_recorder *log, const demo3_table *table,
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4256 bytes, and that of write. */
+ * Stack: at most 4288 bytes, and that of write. */
 demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                  const demo3_real tau[DEMO3_N], const int locked[DEMO3_N], demo3_real dt,
                                  int order);
@@ -92,7 +92,7 @@ demo3_status demo3_recorder_step(demo3_recorder *log, const demo3_table *table, 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3456 bytes, and that of write. */
+ * Stack: at most 3488 bytes, and that of write. */
 demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                         const demo3_real phi_ddot[DEMO3_N], demo3_real dt, int order);
 
@@ -101,7 +101,7 @@ demo3_status demo3_recorder_step_driven(demo3_recorder *log, const demo3_table *
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4464 bytes, and that of write. */
+ * Stack: at most 4496 bytes, and that of write. */
 demo3_status demo3_recorder_step_carried(demo3_recorder *log, const demo3_table *table, demo3_state *x,
                                          const demo3_real tau[DEMO3_N], const int locked[DEMO3_N],
                                          demo3_real dt, int order, demo3_step_carry *carry);
@@ -111,7 +111,7 @@ demo3_status demo3_recorder_step_carried(demo3_recorder *log, const demo3_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3664 bytes, and that of write. */
+ * Stack: at most 3696 bytes, and that of write. */
 demo3_status demo3_recorder_step_driven_carried(demo3_recorder *log, const demo3_table *table,
                                                 demo3_state *x, const demo3_real phi_ddot[DEMO3_N],
                                                 demo3_real dt, int order, demo3_step_carry *carry);

@@ -74,7 +74,7 @@ typedef struct eye4_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 768 bytes, and that of write. */
+ * Stack: at most 800 bytes, and that of write. */
 eye4_status eye4_recorder_start(eye4_recorder *log, const eye4_table *table, const eye4_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -82,7 +82,7 @@ eye4_status eye4_recorder_start(eye4_recorder *log, const eye4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4544 bytes, and that of write. */
+ * Stack: at most 4576 bytes, and that of write. */
 eye4_status eye4_recorder_step(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                const eye4_real tau[EYE4_N], const int locked[EYE4_N],
                                const eye4_real wrench[6], eye4_real dt, int order);
@@ -92,7 +92,7 @@ eye4_status eye4_recorder_step(eye4_recorder *log, const eye4_table *table, eye4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3664 bytes, and that of write. */
+ * Stack: at most 3696 bytes, and that of write. */
 eye4_status eye4_recorder_step_driven(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                       const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                       eye4_real dt, int order);
@@ -102,7 +102,7 @@ eye4_status eye4_recorder_step_driven(eye4_recorder *log, const eye4_table *tabl
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4768 bytes, and that of write. */
+ * Stack: at most 4800 bytes, and that of write. */
 eye4_status eye4_recorder_step_carried(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                        const eye4_real tau[EYE4_N], const int locked[EYE4_N],
                                        const eye4_real wrench[6], eye4_real dt, int order,
@@ -113,7 +113,7 @@ eye4_status eye4_recorder_step_carried(eye4_recorder *log, const eye4_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3888 bytes, and that of write. */
+ * Stack: at most 3920 bytes, and that of write. */
 eye4_status eye4_recorder_step_driven_carried(eye4_recorder *log, const eye4_table *table, eye4_state *x,
                                               const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                                               eye4_real dt, int order, eye4_step_carry *carry);

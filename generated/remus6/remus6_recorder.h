@@ -75,7 +75,7 @@ typedef struct remus6_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 832 bytes, and that of write. */
+ * Stack: at most 864 bytes, and that of write. */
 remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *table, const remus6_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -83,7 +83,7 @@ remus6_status remus6_recorder_start(remus6_recorder *log, const remus6_table *ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 5120 bytes, and that of write. */
+ * Stack: at most 5152 bytes, and that of write. */
 remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                    const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                    remus6_real dt, int order);
@@ -93,7 +93,7 @@ remus6_status remus6_recorder_step(remus6_recorder *log, const remus6_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4240 bytes, and that of write. */
+ * Stack: at most 4272 bytes, and that of write. */
 remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                           const remus6_real phi_ddot[REMUS6_N], remus6_real dt, int order);
 
@@ -102,7 +102,7 @@ remus6_status remus6_recorder_step_driven(remus6_recorder *log, const remus6_tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 5392 bytes, and that of write. */
+ * Stack: at most 5424 bytes, and that of write. */
 remus6_status remus6_recorder_step_carried(remus6_recorder *log, const remus6_table *table, remus6_state *x,
                                            const remus6_real tau[REMUS6_N], const int locked[REMUS6_N],
                                            remus6_real dt, int order, remus6_step_carry *carry);
@@ -112,7 +112,7 @@ remus6_status remus6_recorder_step_carried(remus6_recorder *log, const remus6_ta
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4496 bytes, and that of write. */
+ * Stack: at most 4528 bytes, and that of write. */
 remus6_status remus6_recorder_step_driven_carried(remus6_recorder *log, const remus6_table *table,
                                                   remus6_state *x, const remus6_real phi_ddot[REMUS6_N],
                                                   remus6_real dt, int order, remus6_step_carry *carry);

@@ -74,7 +74,7 @@ typedef struct sat4_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 720 bytes, and that of write. */
+ * Stack: at most 752 bytes, and that of write. */
 sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, const sat4_state *x);
 
 /* recorder_step: calls step and writes a record of it.
@@ -82,7 +82,7 @@ sat4_status sat4_recorder_start(sat4_recorder *log, const sat4_table *table, con
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4448 bytes, and that of write. */
+ * Stack: at most 4480 bytes, and that of write. */
 sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                int order);
@@ -92,7 +92,7 @@ sat4_status sat4_recorder_step(sat4_recorder *log, const sat4_table *table, sat4
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3568 bytes, and that of write. */
+ * Stack: at most 3600 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                       const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order);
 
@@ -101,7 +101,7 @@ sat4_status sat4_recorder_step_driven(sat4_recorder *log, const sat4_table *tabl
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4672 bytes, and that of write. */
+ * Stack: at most 4704 bytes, and that of write. */
 sat4_status sat4_recorder_step_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                        const sat4_real tau[SAT4_N], const int locked[SAT4_N], sat4_real dt,
                                        int order, sat4_step_carry *carry);
@@ -111,7 +111,7 @@ sat4_status sat4_recorder_step_carried(sat4_recorder *log, const sat4_table *tab
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3792 bytes, and that of write. */
+ * Stack: at most 3824 bytes, and that of write. */
 sat4_status sat4_recorder_step_driven_carried(sat4_recorder *log, const sat4_table *table, sat4_state *x,
                                               const sat4_real phi_ddot[SAT4_N], sat4_real dt, int order,
                                               sat4_step_carry *carry);

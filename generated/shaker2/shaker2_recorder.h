@@ -74,7 +74,7 @@ typedef struct shaker2_recorder {
  *   table  the prepared table
  *   x      state before the next step
  * Returns OK, even if a write was lost; BAD_ARGUMENT. Calls write several times and hashes the whole table once.
- * Stack: at most 640 bytes, and that of write. */
+ * Stack: at most 672 bytes, and that of write. */
 shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table *table,
                                       const shaker2_state *x);
 
@@ -83,7 +83,7 @@ shaker2_status shaker2_recorder_start(shaker2_recorder *log, const shaker2_table
  *   x    in and out: state, the step after it
  *   The other arguments are those of step. A refused step is logged too.
  * Returns what step returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4560 bytes, and that of write. */
+ * Stack: at most 4592 bytes, and that of write. */
 shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table *table, shaker2_state *x,
                                      const shaker2_real tau[SHAKER2_N], const int locked[SHAKER2_N],
                                      shaker2_real dt, int order);
@@ -93,7 +93,7 @@ shaker2_status shaker2_recorder_step(shaker2_recorder *log, const shaker2_table 
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven. A refused step is logged too.
  * Returns what step_driven returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 3920 bytes, and that of write. */
+ * Stack: at most 3952 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2_table *table,
                                             shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                             shaker2_real dt, int order);
@@ -103,7 +103,7 @@ shaker2_status shaker2_recorder_step_driven(shaker2_recorder *log, const shaker2
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_carried. A refused step is logged too.
  * Returns what step_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4736 bytes, and that of write. */
+ * Stack: at most 4768 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_carried(shaker2_recorder *log, const shaker2_table *table,
                                              shaker2_state *x, const shaker2_real tau[SHAKER2_N],
                                              const int locked[SHAKER2_N], shaker2_real dt, int order,
@@ -114,7 +114,7 @@ shaker2_status shaker2_recorder_step_carried(shaker2_recorder *log, const shaker
  *   x    in and out: state, the step after it
  *   The other arguments are those of step_driven_carried. A refused step is logged too.
  * Returns what step_driven_carried returns; BAD_ARGUMENT without a record if a pointer is null.
- * Stack: at most 4096 bytes, and that of write. */
+ * Stack: at most 4128 bytes, and that of write. */
 shaker2_status shaker2_recorder_step_driven_carried(shaker2_recorder *log, const shaker2_table *table,
                                                     shaker2_state *x, const shaker2_real phi_ddot[SHAKER2_N],
                                                     shaker2_real dt, int order, shaker2_step_carry *carry);

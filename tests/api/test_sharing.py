@@ -156,7 +156,7 @@ def test_numbers_of_a_further_stand_need_no_derivation(
 
     mahovik.build(one)
     build_heavier(1.25)
-    monkeypatch.setattr("mahovik.core.formula.derived._derived", lambda *_: pytest.fail("derived again"))
+    monkeypatch.setattr("mahovik.core.formula.derived._derive", lambda *_: pytest.fail("derived again"))
     build_heavier(1.5)
     assert made == ["bench8"]
 

@@ -33,6 +33,7 @@ WITHOUT = {
     "import mjcf": "writes a stand file",
     "completion": "prints a script of a shell",
     "export target": "prints the files that it wrote",
+    "export attitude": "prints the files that it wrote",
     "export fuzz": "prints the files that it wrote",
     "export programme": "prints the files that it wrote",
     "export servo": "prints the files that it wrote",

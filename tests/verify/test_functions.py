@@ -157,8 +157,8 @@ ILL_CONDITIONED = [
     ("inverse", r"out->rank = rank;", "out->rank = rank;\nif (damping > 0.0) { out->phi_ddot[1] *= 2.0; }"),
     (
         "inverse_fast",
-        r"answer\[s\] = y \* work.scale\[s\];",
-        "answer[s] = y * work.scale[s] * (options->damping > 0.0 ? 1.0 : 2.0);",
+        r"answer\[s\] = z\[s\] \* work.scale\[s\];",
+        "answer[s] = z[s] * work.scale[s] * (options->damping > 0.0 ? 1.0 : 2.0);",
     ),
     ("inverse_fast", r"> least\)", "> 1.0e30 * least)"),
 ]

@@ -117,7 +117,7 @@ def test_the_command_judges_the_matrix_by_the_programme(tmp_path: Path) -> None:
     done = run(*given, "--motion", required, "--programme", str(tmp_path / "P.json"))
     assert done.exit_code == 0, done.output
     assert [line for line in done.output.splitlines() if "matrix" in line and "ok" in line]
-    assert "without its motion: give --motion" in refused(*given, "--programme", str(tmp_path / "P.json"))
+    assert "needs --motion M.json, which is missing" in refused(*given, "--programme", str(tmp_path / "P.json"))
     save_programme(replace(spin(), motion="other"), tmp_path / "P.json")
     words = refused(*given, "--motion", required, "--programme", str(tmp_path / "P.json"))
     assert "programme of another motion" in words

@@ -46,7 +46,9 @@ def read_header(folder: Path, stand_name: str) -> Header | None:
 def spans(source: str, name: str) -> dict[str, tuple[int, int]]:
     """First and last line of every function defined in a stand's C, by its name without prefix."""
     found = {}
-    definition = re.compile(rf"^(?:static )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", re.DOTALL | re.MULTILINE)
+    definition = re.compile(
+        rf"^(?:static )?(?:inline )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", re.DOTALL | re.MULTILINE
+    )
     for match in definition.finditer(source):
         first = source.count("\n", 0, match.start()) + 1
         found[match[1]] = (first, first + match[0].count("\n") - 1)

@@ -37,7 +37,7 @@ def recorded(generated: Generated) -> bool:
 RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
 """Functions whose steps are logged."""
 
-_FRAMES = 320
+_FRAMES = 352
 """Stack of the recorder's own functions, bytes: an upper bound for the deepest chain of calls, without the record."""
 
 

@@ -48,7 +48,7 @@ def simulate(
     mounts: bool = flag("--mounts", "Write also the wrench of the mount on each flywheel."),
     real: str = REAL,
     carried: bool = flag(
-        "--carried", "Step by step_carried, which keeps what rounding takes; without it as firmware with step."
+        "--carried", "Keep what rounding takes, by step_carried; without it step as firmware with step."
     ),
     programme: str | None = file_option(
         "--programme", "P.json", "Follow this programme by servos, instead of a regime."
