@@ -238,7 +238,7 @@ def cmake(
 @command(group=export)
 def attitude(
     stand_file: str = STAND_FILE,
-    task: str | None = option("--task", "Demand by this task; default: the only one of the stand.", metavar="NAME"),
+    task: str | None = option("--task", "Turn by this task; default: the only one of the stand.", metavar="NAME"),
     target_name: str = option("--target", "Choose the processor or board, such as m7.", metavar="NAME", default="host"),
     output: str | None = file_option(
         "-o", "DIR", "Write into this folder; default ./NAME-attitude-TARGET of the stand."
