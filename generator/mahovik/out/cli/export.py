@@ -246,7 +246,7 @@ def attitude(
     real: str | None = choice(
         "--real", ["double", "float"], "Choose the element type; default: the widest of the target's FPU."
     ),
-    rate: float = option("--rate", "Sample at this rate, Hz.", metavar="HZ", type=float, default=50.0),
+    rate: float = option("--rate", "Run the loop at this rate, Hz.", metavar="HZ", type=float, default=50.0),
     bandwidth: float = option(
         "--bandwidth", "Set the bandwidth of the loop, Hz.", metavar="HZ", type=float, default=0.1
     ),
@@ -257,7 +257,7 @@ def attitude(
     failure: Literal["coasts", "held", "none"] = choice(
         "--failure",
         ["coasts", "held", "none"],
-        "Let the first flywheel of the example coast half-way, keep its speed, or work.",
+        "Choose whether the first flywheel of the example coasts from half-way on, is held, or works.",
         default="coasts",
     ),
 ) -> None:
