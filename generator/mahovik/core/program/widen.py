@@ -67,6 +67,7 @@ class _Widening:
         local |= {s.index.name for s in statements(narrow.body) if isinstance(s, Loop)}
         self._fresh = FreshNames(local | {a.name for a in narrow.arguments})
         self._unset: set[int] = set()
+        self._scopes: dict[int, Expr | None] = {}
 
     def function(self) -> Function:
         wide = self._widener.wide
@@ -91,7 +92,7 @@ class _Widening:
         found: list[Statement] = []
         for s in body:
             match s:
-                case Set(place, value) if where is not None and id(place.root) not in self._unset:
+                case Set(place, value) if where is not None and not self._is_own(place, where):
                     new = place + value if s.add else value
                     found.append(Set(place, select(where, new, place), s.comment))
                 case Set(place):
@@ -112,6 +113,7 @@ class _Widening:
                 case Declare(variable):
                     if variable.written:  # its first value is every state's: none reads it before its own
                         self._unset.add(id(variable))
+                    self._scopes[id(variable)] = where
                     found.append(s)
                 case Let() | Note():
                     found.append(s)
@@ -123,6 +125,11 @@ class _Widening:
                 case _:
                     raise TypeError(f"{self._narrow.name}: {type(s).__name__} under a condition that varies")
         return found
+
+    def _is_own(self, place: Place, where: Expr) -> bool:
+        """May all states set a variable where it has no value yet, or where only states under `where` ever read it?"""
+        root = id(place.root)
+        return root in self._unset or self._scopes.get(root) is where
 
     def _when(self, s: When, where: Expr | None) -> list[Statement]:
         """Both branches of a condition that varies."""
