@@ -2,7 +2,8 @@
  * mahovik 0.1.0; structure 59c20951, physics 7b9ac829. Generated: change the stand file instead.
  *
  * C99, no libm, no allocation, stack only, constant globals: any core may call any function at any time.
- * Compile with -ffp-contract=off (no fused multiply-add): then every processor gives the same bits.
+ * Compile with -ffp-contract=off (no fused multiply-add): then every processor with IEEE 754 arithmetic gives
+ * the same bits.
  * Also needed: for 32-bit x86 -msse2 -mfpmath=sse; with gcc 12 for x86-64 with FMA
  * and for a Cortex-M55 -fno-tree-vectorize. gcc may call memcpy, memmove and memset.
  * Never with -ffast-math, -Ofast, -funsafe-math-optimizations or parts of them: wrong results with status OK.
