@@ -141,8 +141,7 @@ class Batched:
         results: Arrays = {}
         for a in batch.narrow.arguments:
             if a.name == "table":
-                passed += [ctypes.c_char_p(table) if isinstance(table, bytes) else table]
-                passed += [ctypes.c_size_t(n)] if statuses is not None else []
+                passed.append(ctypes.c_char_p(table) if isinstance(table, bytes) else table)
             elif a.name == "mounting":
                 passed.append(mounting)
             elif a.name == "locked":
@@ -159,6 +158,7 @@ class Batched:
                 results[a.name] = np.full((rows, n), fill, dtype=self.real)
                 passed.append(results[a.name].ctypes.data_as(ctypes.c_void_p))
         if statuses is not None:
+            passed.insert(1, ctypes.c_size_t(n))
             passed.append(statuses.ctypes.data_as(ctypes.c_void_p))
         return self.function(name)(*passed), results
 
