@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from docutils import nodes
+from pygments.lexers.special import TextLexer
 from sphinx import addnodes
+from sphinx.highlighting import lexers
 from sphinx.util import osutil
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ html_math_renderer = "mathml"
 exclude_patterns: list[str] = []
 nitpicky = True
 
+lexers["csv"] = TextLexer()  # Pygments has none
 highlight_language = "text"  # of fences without a language
 smartquotes = False  # phi' is a derivative, not a quotation
 myst_heading_anchors = 6  # anchors of headings as in the repository
@@ -34,7 +37,7 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_copyright = False
 
-LISTS = {"index": "", "results/index": "", "python": "python/"}
+LISTS = {"index": "", "results/index": "", "python": "python/", "tutorial": "tutorial-"}
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
 

@@ -68,9 +68,9 @@ def test_the_sines_of_the_phases_give_the_bits_of_the_phases(name: str, function
     for seed in range(5):
         inputs = inputs_of(c, seed)
         status, want = run(c, function, inputs)
-        assert status == 0
-        status, got = run(c, f"{function}_at", without_phases(inputs))
-        assert (status, bits(got)) == (0, bits(want))
+        assert status in (0, STATUS_VALUES["EXCESSIVE"])
+        same, got = run(c, f"{function}_at", without_phases(inputs))
+        assert (same, bits(got)) == (status, bits(want))
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)
