@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes as ct
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
-from mahovik.use.control.attitude import LoopOptions
+from mahovik.use.control.attitude import LoopOptions, design_attitude
 from toolchain.quick import quick
 from toolchain.tools import compile_c, require, require_32_bit, run
 
@@ -130,7 +131,7 @@ def test_it_turns_from_any_attitude_to_any_other(c: Attitude, seed: int) -> None
         (('rows = ["wx", "wy", "wz"]', 'rows = ["vx", "vy", "vz"]'), LoopOptions(), "expected wx, wy, wz"),
         (("[task.pointing]", "[task.other]"), LoopOptions(task="pointing"), "has no such task"),
         ("", LoopOptions(rate=5.0, bandwidth=1.0), "too slow for a bandwidth of 1 Hz; expected 20.9 Hz or more"),
-        ("", LoopOptions(momentum=3.0), "above 70 % of its no-load speed; expected less momentum"),
+        ("", LoopOptions(momentum=3.0), r"above 70 % of its no-load speed; expected at most 1\.\d+ N m s"),
         ("", LoopOptions(momentum=float("nan")), "--momentum nan: expected"),
         ("", LoopOptions(bandwidth=0.0), "--bandwidth 0: expected a number above 0"),
     ],
@@ -155,7 +156,7 @@ def test_stands_without_a_task_or_enough_axes_are_refused(tmp_path: Path) -> Non
     text = path("eye4").read_text(encoding="utf-8")
     two = re.sub(r'\[\[flywheel\]\]\nname = "rw[34]".*?\n\n', "", text, flags=re.DOTALL)
     (tmp_path / "eye4.toml").write_text(two, encoding="utf-8")
-    with pytest.raises(UsageError, match="2 flywheels whose spin axes do not span space"):
+    with pytest.raises(UsageError, match="the spin axes of its flywheels do not span space"):
         attitude_sources(load(tmp_path / "eye4.toml"), LoopOptions(), "double")
 
 
@@ -182,3 +183,31 @@ def test_a_header_of_another_stand_is_refused(tmp_path: Path) -> None:
     header.write_text(re.sub(r"(PHYSICS +0x)[0-9a-f]{8}", r"\g<1>00000001", header.read_text()))
     with pytest.raises(AssertionError, match=r"eye4_attitude.h are of different stands"):
         compile_c(require("gcc", "gcc"), folder / "eye4_attitude.c", "-fsyntax-only")
+
+
+def test_three_wheels_of_which_one_fails_are_refused() -> None:
+    whole = load(path("eye4"))
+    three = replace(whole, flywheels=whole.flywheels[1:])
+    with pytest.raises(
+        UsageError, match=r'without its first flywheel "rw2" .* expected a fourth flywheel, or --failure none'
+    ):
+        design_attitude(three, LoopOptions(momentum=0.1))
+    assert design_attitude(three, LoopOptions(momentum=0.1, failure="none")).samples
+
+
+def test_the_momentum_that_is_told_is_accepted() -> None:
+    stand = load(path("eye4"))
+    with pytest.raises(UsageError, match="at most") as refused:
+        design_attitude(stand, LoopOptions(momentum=30.0))
+    most = float(str(refused.value).split("at most ")[1].split(" N m s")[0])
+    assert design_attitude(stand, LoopOptions(momentum=0.99 * most)).samples
+    with pytest.raises(UsageError, match="at most"):
+        design_attitude(stand, LoopOptions(momentum=1.02 * most))
+
+
+def test_motors_without_limits_are_told() -> None:
+    whole = load(path("eye4"))
+    free = replace(whole, flywheels=tuple(replace(wheel, motor=None) for wheel in whole.flywheels))
+    assert any(
+        "no torque of rw1, rw2, rw3, rw4 is bounded" in line for line in design_attitude(free, LoopOptions()).lines
+    )

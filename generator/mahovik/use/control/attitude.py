@@ -108,15 +108,21 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
     spins = np.array([float(inertia_about_origin(wheel)[0, 0]) for wheel in stand.flywheels])
     if np.linalg.matrix_rank(axes, tol=1e-6) < 3:
         raise UsageError(
-            f'stand "{stand.name}": {len(stand.flywheels)} flywheels whose spin axes do not span space cannot turn the '
+            f'stand "{stand.name}": the spin axes of its flywheels do not span space, so that they cannot turn the '
             "carrier in every direction; expected three at least, with axes that lie in no plane"
+        )
+    if options.failure != "none" and np.linalg.matrix_rank(axes[1:], tol=1e-6) < 3:
+        raise UsageError(
+            f'--failure {options.failure}: without its first flywheel "{stand.flywheels[0].name}" the stand '
+            f'"{stand.name}" cannot be turned in every direction; expected a fourth flywheel, or --failure none'
         )
     motors = [wheel.motor for wheel in stand.flywheels]
     preferred = _preferred(axes, spins, motors)
     capacity = momentum_capacity(stand).alone
     along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
-    speeds = preferred + np.linalg.pinv(axes.T * spins) @ (options.momentum * along)
-    _check_speeds(stand, speeds, options.momentum)
+    for_unit = np.linalg.pinv(axes.T * spins) @ along
+    speeds = preferred + options.momentum * for_unit
+    _check_speeds(stand, preferred, for_unit, options.momentum)
     fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
     dumps = stand.carrier.wrench_input
     torque = min((m.torque for m in motors if m is not None and m.torque is not None), default=0.1) / 2
@@ -238,14 +244,18 @@ def _no_load(motors: list[Motor | None]) -> float:
     return min((m.speed for m in motors if m is not None and m.speed is not None), default=SPEED / PREFERRED)
 
 
-def _check_speeds(stand: Stand, speeds: Array, momentum: float) -> None:
-    for wheel, speed in zip(stand.flywheels, speeds, strict=True):
-        most = math.inf if wheel.motor is None or wheel.motor.speed is None else 0.7 * wheel.motor.speed
-        if abs(speed) > most:
-            raise UsageError(
-                f'--momentum {momentum:g}: flywheel "{wheel.name}" would turn at {abs(speed):.4g} rad/s, above 70 % '
-                "of its no-load speed; expected less momentum"
-            )
+def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: float) -> None:
+    """UsageError where preferred + momentum * for_unit (N), rad/s, is above 70 % of a no-load speed."""
+    most, first = math.inf, ""
+    for wheel, speed, more in zip(stand.flywheels, preferred, for_unit, strict=True):
+        if wheel.motor is not None and wheel.motor.speed is not None and abs(more) > 0.0:
+            room = (0.7 * wheel.motor.speed - math.copysign(1.0, more) * speed) / abs(more)
+            most, first = min((most, first), (float(room), wheel.name))
+    if momentum > most:
+        raise UsageError(
+            f'--momentum {momentum:g}: flywheel "{first}" would turn above 70 % of its no-load speed; expected at '
+            f"most {0.999 * most:.3g} N m s"
+        )
 
 
 def _described(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
@@ -261,6 +271,11 @@ def _described(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
         lines.append(f"attitude loop: momentum is dumped by at most {_number(s['dump_torque']):.3g} N m")
     else:
         lines.append(f'attitude loop: the carrier of "{stand.name}" has no wrench_input: momentum is not dumped')
+    free = [w.name for w in stand.flywheels if w.motor is None or w.motor.torque is None]
+    if free:
+        lines.append(
+            f"attitude loop: no torque of {', '.join(free)} is bounded: the stand file gives none of the motor"
+        )
     return AttitudeDesign(**{**vars(made), "lines": tuple(lines)})
 
 

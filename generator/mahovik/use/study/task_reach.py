@@ -20,7 +20,7 @@ from mahovik.proof.reference.task import Demanded, demanded, task_demand, task_i
 from mahovik.use.study.excess import POSITIONS, SMALL
 
 _SEED = 20
-_NEGLIGIBLE = 1e-6
+_NEGLIGIBLE = 1e-3
 """Parts of a direction below this are not named."""
 
 
@@ -43,8 +43,7 @@ class Shortfall:
 
     def __str__(self) -> str:
         parts = [(x, row) for x, row in zip(self.direction, self.rows, strict=True) if abs(x) > _NEGLIGIBLE]
-        first = parts[0][0]
-        words = parts[0][1] if len(parts) == 1 else " ".join(f"{x / abs(first):+.3g} {row}" for x, row in parts)
+        words = parts[0][1] if len(parts) == 1 else " ".join(f"{x:+.3g} {row}" for x, row in parts)
         if not self.flywheel:
             return (
                 f"task {self.task}: no flywheel moves the carrier along {words} (UNREACHABLE); remove a row, "
@@ -52,7 +51,7 @@ class Shortfall:
             )
         return (
             f"task {self.task}: {SMALL:g} m/s2 or rad/s2 along {words} alone needs {self.share:.3g} times what "
-            f"{self.flywheel} has (EXCESSIVE); remove the row, or take stronger motors"
+            f"{self.flywheel} has (EXCESSIVE); remove the row, or add or turn a flywheel"
         )
 
 
