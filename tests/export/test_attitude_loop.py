@@ -211,3 +211,12 @@ def test_motors_without_limits_are_told() -> None:
     assert any(
         "no torque of rw1, rw2, rw3, rw4 is bounded" in line for line in design_attitude(free, LoopOptions()).lines
     )
+
+
+def test_a_failure_that_is_told_late_fails_after_the_slew(tmp_path: Path) -> None:
+    """The error is small again at the end; what is left of it right after the slew decides."""
+    written(exported(), tmp_path)
+    lines = example(tmp_path, "-DTOLD=2000")
+    after, end = re.findall(r"([0-9.]+) arcsec", lines["pointing"])[1:]
+    assert float(end) < 1.0 < float(after)
+    assert lines["failures"] == "failures 1"

@@ -91,7 +91,7 @@ def test_the_project_has_what_its_page_names(tmp_path: Path) -> None:
         (("--task", "pont"), 'stand "eye4" has no such task'),
         (("--rate", "-1"), "--rate -1: expected a number above 0"),
         (("--failure", "explodes"), "explodes"),
-        (("--momentum", "5"), "expected less momentum"),
+        (("--momentum", "5"), "expected at most 1.38 N m s"),
     ],
 )
 def test_what_cannot_be_exported_is_refused_and_nothing_is_written(

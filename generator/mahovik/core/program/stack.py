@@ -42,7 +42,7 @@ def stack_bound(function: Function, program: Program) -> int:
 
 @lru_cache(maxsize=8)
 def _depths(program: Program) -> dict[str, int]:
-    """Bytes along the deepest chain of calls from each function: a program has each after those that it calls."""
+    """Stack of the deepest chain of calls from each function, bytes. Functions come after those that they call."""
     found: dict[str, int] = {}
     for function in program.functions:
         found[function.name] = _deepest(function, program.precision.width // 8, found)

@@ -9,7 +9,7 @@ from mahovik.core.program.expression import Const, Expr, Place, Variable, intege
 from mahovik.core.program.types import Field, Kind, Precision, Struct
 
 BYTES = 64
-"""Bytes of one wide value: a line of the cache, a register of AVX-512, two of AVX2, four of SSE2 or NEON."""
+"""Size of one wide value, bytes: a line of the cache, a register of AVX-512, two of AVX2, four of SSE2 or NEON."""
 
 
 class Wide:

@@ -9,13 +9,13 @@ from pathlib import Path
 from mahovik.core.stand.units import show
 
 TEXT = 4 << 20
-"""Bytes of a stand file, a regime, a start: those of 64 flywheels have 30 kB."""
+"""Largest stand file, regime or start that is read, bytes. A stand file of 64 flywheels has 30 kB."""
 
 TABLE = 256 << 20
-"""Bytes of a table in time, or of a console's log."""
+"""Largest table in time, or log of a console, that is read, bytes."""
 
 FLIGHT = 1 << 30
-"""Bytes of a flight log: hours of a thousand steps a second."""
+"""Largest flight log that is read, bytes: hours of a thousand steps a second."""
 
 _PIECE = 1 << 20
 

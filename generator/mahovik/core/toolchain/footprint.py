@@ -50,7 +50,7 @@ class Footprint:
         return frozenset(found)
 
     def code_of(self, function: str) -> int:
-        """Bytes of code of a function with what it calls."""
+        """Size of the code of a function and of all that it calls, bytes."""
         return sum(self.code.get(name, 0) for name in self.reached(function))
 
     def routines(self, function: str) -> list[str]:
@@ -69,7 +69,7 @@ class Footprint:
         )
 
     def stack_of(self, function: str) -> int:
-        """Bytes of stack along the deepest chain of calls. Raises ToolchainError where a chain has no end."""
+        """Stack of the deepest chain of calls, bytes. Raises ToolchainError where a chain has no end."""
         return self._depths[function]
 
     @cached_property
