@@ -38,6 +38,9 @@ STEPS = 20
 SETTLED = 1e-11
 """Relative size of a last step of Newton's method."""
 
+SAME = 0.1
+"""The linear equations serve for further steps as long as each step is at most this part of the one before."""
+
 ROUNDING = 1e-15
 """m/s2, rad/s2: smaller amplitudes of V* count as zero."""
 
@@ -182,13 +185,15 @@ class _Search:
         push = self.scene.push(given)
         c, h = self._start(torus), np.zeros((len(torus.k), f), dtype=np.complex128)
         size = np.repeat([1.0, self.fastest], 6)
+        linear, before = None, np.inf
         for _ in range(STEPS):
             y = torus.values(c)
             if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > LARGEST:
                 break
             rate = self.scene.chart.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
-            J = self.scene.jacobian(given, y, rate[:, 6:])
-            linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
+            if linear is None:
+                J = self.scene.jacobian(given, y, rate[:, 6:])
+                linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
             step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c)
             if step is None:
                 break
@@ -197,6 +202,9 @@ class _Search:
             if change <= SETTLED * np.abs(c / size).max() + ROUNDING / self.fastest**2:
                 self.before = torus, c
                 return self._with_missing(self._result(order, torus, c, h), linear, h)
+            if change > SAME * before:  # the linear equations of an earlier step help little here
+                linear = None
+            before = change
         raise self._failure(order)
 
     def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
