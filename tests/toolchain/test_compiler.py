@@ -2,16 +2,20 @@
 
 import os
 import stat
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from emit.stands import generated, stand, write
+from mahovik.core.program.function import Function
+from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.toolchain import compiler
 from mahovik.core.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import ToolchainError
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.program_backend import public_names
 from toolchain import build_cache
 from toolchain.tools import require
 
@@ -192,3 +196,20 @@ def test_nothing_is_left_in_the_working_folder(tmp_path: Path, monkeypatch: pyte
     assert library.has("forward")
     assert os.listdir(here) == []
     assert sorted(os.listdir(folder)) == ["demo3.c", "demo3.h"]
+
+
+def test_arguments_and_members_that_differ_are_named(tmp_path: Path) -> None:
+    made = generated("demo3")
+    source = write(made.files, tmp_path)
+    library = Library(source.with_suffix(".h"), source, tmp_path, "demo3")
+    public = [made.program.function(name) for name in public_names(made.program)]
+    assert library.difference(public) is None
+    step: Function = made.program.function("step")
+    assert library.difference([replace(step, arguments=step.arguments[:-1])]) == (
+        f"demo3_step takes {len(step.arguments)} arguments, expected {len(step.arguments) - 1}"
+    )
+    state = next(a for a in step.arguments if a.name == "x")
+    assert isinstance(state.type, Struct)
+    longer = replace(state.type, fields=(*state.type.fields, Field("time", Kind.REAL)))
+    other = replace(step, arguments=tuple(replace(a, type=longer) if a is state else a for a in step.arguments))
+    assert library.difference([other]) == "demo3_state: member missing, expected time"

@@ -203,6 +203,12 @@ def test_c_of_another_stand_or_none_is_refused(tmp_path: Path) -> None:
         verify_c(heavier, against=tmp_path)
 
 
+def test_c_of_another_version_is_refused(tmp_path: Path) -> None:
+    """Another version of mahovik gave a struct of the same stand another member."""
+    with pytest.raises(CheckError, match=r"demo3\.h: demo3_row: member root, expected spin_root_inv: made by another"):
+        verify_c(DEMO, against=written(tmp_path, DEMO, lambda _, text: text.replace("spin_root_inv", "root")))
+
+
 def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
     def change(file: str, text: str) -> str:
         return text if file.endswith(".h") else text + "\nstatic int unused_function(int x) { return x; }\n"

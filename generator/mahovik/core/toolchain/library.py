@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,38 @@ class Library:
             return int(getattr(self._library, f"{self._prefix.upper()}_{name}"))
         except AttributeError as error:
             raise ToolchainError(f"the C has no constant {self._prefix.upper()}_{name}") from error
+
+    def difference(self, functions: Iterable[Function]) -> str | None:
+        """What first differs between the header's declarations and those of `functions`; None if nothing does.
+
+        C that another version of mahovik made of the same stand may have other members or arguments.
+        """
+        seen: set[str] = set()
+        for function in functions:
+            name = f"{self._prefix}_{function.name}"
+            there, expected = len(self._ffi.typeof(self.function(function.name)).args), len(function.arguments)
+            if there != expected:
+                return f"{name} takes {there} arguments, expected {expected}"
+            for struct in (s for a in function.arguments if isinstance(a.type, Struct) for s in a.type.inner_structs()):
+                if struct.name not in seen and (found := self._struct_difference(struct)):
+                    return found
+                seen.add(struct.name)
+        return None
+
+    def _struct_difference(self, struct: Struct) -> str | None:
+        name = self._c_type(struct)
+        try:
+            there = [(key, field.type) for key, field in self._ffi.typeof(name).fields or ()]
+        except self._ffi.error:
+            return f"{name} is not declared"
+        expected = [
+            (member(f.name), self._ffi.typeof(f"{self._c_type(f.type)}{''.join(f'[{int(n)}]' for n in f.shape)}"))
+            for f in struct.fields
+        ]
+        for have, want in zip_longest(there, expected, fillvalue=(None, None)):
+            if have != want:
+                return f"{name}: member {have[0] or 'missing'}, expected {want[0] or 'none'}"
+        return None
 
     @property
     def ffi(self) -> cffi.FFI:

@@ -82,6 +82,13 @@ class CBackend(ProgramBackend):
             paths = place / f"{stand.name}.h", place / f"{stand.name}.c"
             self.library = Library(*paths, Path(scratch), stand.name, self.fast)
         program = self.generated.program
+        if folder is not None:
+            public = [program.function(name) for name in public_names(program)]
+            if difference := self.library.difference(public):
+                raise CheckError(
+                    f"{folder / stand.name}.h: {difference}: made by another version of mahovik; "
+                    "generate it again, or use the version that made it"
+                )
 
         def run(function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
             return self.library.run(program.function(function), inputs)
