@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.problems import Problems

@@ -14,7 +14,7 @@ from mahovik.proof.diagnose.fault import Edit, Fault
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Placed
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.wrenches import body_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
 
 DAMPING = ("linear damping", "quadratic damping", "damping terms")
 """Kinds of wrench that depend on the twist relative to the fluid."""

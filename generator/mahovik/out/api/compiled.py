@@ -22,7 +22,8 @@ from mahovik.core.formula.derived import cached
 from mahovik.core.program.arrays import ArrayFunction, Member, filled
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import Structure, structure
+from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain.arrays import ArrayLibrary, build
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.errors import ToolchainError

@@ -17,7 +17,7 @@ from mahovik.proof.reference.mass import coupling, coupling_bias, mass_matrix_ra
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import Phi
-from mahovik.proof.reference.wrenches import body_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
 
 
 def body(change: Callable[[Any], Any]) -> Edit:

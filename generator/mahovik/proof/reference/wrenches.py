@@ -12,8 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
 from mahovik.proof.reference.pose import Pose
-
-Kinds = Mapping[str, Array]  # wrench (6) by its kind
+from mahovik.proof.reference.wrench_kinds import Kinds
 
 
 def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
@@ -56,11 +55,6 @@ def external_wrenches(
     for law in laws.parts("reference"):
         P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P
-
-
-def body_wrench(kinds: Kinds) -> Array:
-    """P_k (6; N, N m): the sum over the kinds of wrench on one body, in its frame about its origin."""
-    return np.asarray(sum(kinds.values(), np.zeros(6)))
 
 
 def total_wrench(P: Mapping[str, Array], fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:

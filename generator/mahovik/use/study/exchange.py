@@ -21,7 +21,8 @@ from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.reference.torque import mount_on_flywheel
-from mahovik.proof.reference.wrenches import body_wrench, body_wrenches, run_time_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
+from mahovik.proof.reference.wrenches import body_wrenches, run_time_wrench
 
 
 @dataclass(frozen=True, eq=False)
