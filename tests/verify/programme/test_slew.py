@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Slew, read_required
 from mahovik.core.motion.required.slew_read import resolved
@@ -62,7 +62,7 @@ def _tilted(normal: np.ndarray) -> np.ndarray:
 def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
     stand, wanted, programme = case()
     assert programme.carrier is not None
-    own: Followed = programme.carrier
+    own: PlannedCourse = programme.carrier
     grown = moved(programme, q=1.001 * own.q, q_dot=1.001 * own.q_dot, q_ddot=1.001 * own.q_ddot)
     assert {"residual", "simulation", "slew end"} <= failed(stand, wanted, grown)
     drifting = moved(programme, q_dot=own.q_dot + np.array([1e-3, 0, 0, 0, 0, 0]))

@@ -50,7 +50,7 @@ class Moments:
         exact = Decimal(repr(float(moment))) * size.denominator / size.numerator
         return exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), ROUND_HALF_EVEN) if exact else exact
 
-    def broken(self, a: float, b: float, c: float) -> str:
+    def broken_inequality(self, a: float, b: float, c: float) -> str:
         """The triangle inequality that principal moments break, a <= b <= c."""
         # as few digits as show that it is broken
         for digits in (_SHOWN, 9, _EXACT, _ALL):

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme.course import Angles, Array, Fourier, Samples
 from mahovik.core.stand.mean import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
@@ -57,7 +57,7 @@ class Programme:
     runup: RunUpTable | None = None
     rundown: RunUpTable | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
-    carrier: Followed | None = None
+    carrier: PlannedCourse | None = None
     unbalance: Unbalance = "resisted"
 
     def planned_for(self, stand: Stand) -> Stand:

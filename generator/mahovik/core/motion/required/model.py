@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from mahovik.core.motion.course import Array, Course, Followed
+from mahovik.core.motion.course import Array, Course, PlannedCourse
 from mahovik.core.motion.required.bounds import Bounds, Each
 from mahovik.core.motion.required.course import Harmonics, Sampled
 from mahovik.core.motion.required.slew import Slew
@@ -42,7 +42,7 @@ class RequiredMotion:
     periodic: bool
     span: float
     mean: Array
-    course: Harmonics | Sampled | Followed
+    course: Harmonics | Sampled | PlannedCourse
     free_mean: tuple[bool, ...]
     winding: Winding
     bounds: Bounds

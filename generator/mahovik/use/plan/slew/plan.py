@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
@@ -316,7 +316,7 @@ _INSIDE = np.array([0.25, 0.5, 0.75])
 def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[Used]]:
     """Relative residual of (12) in each interval, and what is taken of the limits at the rows and between."""
     t = (found.t[:-1, None] + np.diff(found.t)[:, None] * _INSIDE).ravel()
-    carrier, angles = Followed(found.t, *found.course), Samples(found.t, *found.angles).at(t)
+    carrier, angles = PlannedCourse(found.t, *found.course), Samples(found.t, *found.angles).at(t)
     at = prescribe(exact.mechanics, carrier.at(t))
     norm = Norm.of(prescribe(exact.mechanics, carrier.at(np.linspace(0.0, found.t[-1], 129))), found.t[-1])
     sizes = np.linalg.norm(norm.scaled(residual(at, *angles)), axis=1).reshape(-1, len(_INSIDE)).max(axis=1)
@@ -360,7 +360,7 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         winding=(0,) * len(stand.flywheels),
         course=Samples(found.t, *angles),
         report=report,
-        carrier=Followed(found.t, *found.course),
+        carrier=PlannedCourse(found.t, *found.course),
         unbalance=slew.unbalance,
     )
 
