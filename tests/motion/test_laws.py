@@ -18,7 +18,7 @@ from mahovik.core.motion.laws import (
     TorqueTable,
     WrenchTable,
 )
-from mahovik.core.motion.motor import available, drive, friction, needed
+from mahovik.core.motion.motor import available, drive, friction, required_torque
 from mahovik.core.stand.model import Motor
 
 TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
@@ -108,4 +108,4 @@ def test_friction_opposes_and_adds_to_the_limited_command() -> None:
     assert drive(MOTOR, -5.0, 50.0) == pytest.approx(-0.2 - 0.055, rel=1e-12)
     assert drive(MOTOR, 0.01, 50.0) == pytest.approx(0.01 - 0.055, rel=1e-12)
     assert drive(None, 5.0, 50.0) == 5.0
-    assert needed(MOTOR, drive(MOTOR, 0.03, 50.0), 50.0) == pytest.approx(0.03, rel=1e-12)
+    assert required_torque(MOTOR, drive(MOTOR, 0.03, 50.0), 50.0) == pytest.approx(0.03, rel=1e-12)

@@ -66,9 +66,9 @@ def test_phases_initial_speeds_and_defaults() -> None:
 
 def test_torque_beside_a_speed_that_varies_is_mixed() -> None:
     head, ramp = HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\n", "ramp = { to = 5, duration = 1 }"
-    assert loads(head + ramp, SHAKER, 1.0).mixed
-    assert not loads(head + "speed = 3", SHAKER, 1.0).mixed
-    assert not loads(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixed
+    assert loads(head + ramp, SHAKER, 1.0).mixes_speed_and_torque
+    assert not loads(head + "speed = 3", SHAKER, 1.0).mixes_speed_and_torque
+    assert not loads(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixes_speed_and_torque
 
 
 def test_json_is_the_same_as_toml(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 from mahovik import stands
 from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme, Samples, programme_text, read_programme
-from mahovik.core.motion.required import Slew, read_motion, read_required
+from mahovik.core.motion.required import Slew, read_motion, read_motion_or_slew
 from mahovik.core.stand import Stand, load
 from mahovik.errors import MotionError, ProgrammeError
 
@@ -23,7 +23,7 @@ def stand() -> Stand:
 
 
 def read(**keys: Any) -> Slew:
-    found = read_required(json.dumps({"schema": 1, "type": "slew"} | keys), stand(), "m.json")
+    found = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew"} | keys), stand(), "m.json")
     assert isinstance(found, Slew)
     return found
 

@@ -23,7 +23,7 @@ from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.lines import Amplitudes, groups
 from mahovik.use.study.quiet.options import Wheels
 from mahovik.use.study.quiet.result import as_object, regime_text
-from mahovik.use.study.quiet.search import Found, Search
+from mahovik.use.study.quiet.search import Search, SpeedChoice
 from mahovik.use.study.quiet.simulated import Sampling, expected_samples, simulate_point, steady_start
 from mahovik.use.study.response.periodic import periodic_response, rms
 from mahovik.use.study.rest import rest
@@ -229,7 +229,7 @@ def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.Mon
         quiet(sat4, SAT4, seconds=1e-9, backend=None)
     look = Search.evaluate
 
-    def third(self: Search, *given: Any) -> Found:
+    def third(self: Search, *given: Any) -> SpeedChoice:
         if self.looked_at == 2:
             raise KeyboardInterrupt
         return look(self, *given)

@@ -12,8 +12,8 @@ import pytest
 
 from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import Slew, read_required
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required import Slew, read_motion_or_slew
+from mahovik.core.motion.required.slew_read import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan.slew import plan_slew
@@ -28,7 +28,9 @@ def case() -> tuple[Stand, Slew, Programme]:
 
 
 def failed(stand: Stand, wanted: Slew, programme: Programme) -> set[str]:
-    return {each.name for each in verify_programme(stand, resolved(wanted, programme), programme) if not each.passed}
+    return {
+        each.name for each in verify_programme(stand, motion_of_slew(wanted, programme), programme) if not each.passed
+    }
 
 
 def moved(programme: Programme, **changed: Any) -> Programme:
@@ -91,7 +93,7 @@ def test_the_slew_is_that_of_the_file_again() -> None:
             "end": about((1, 2, 0), 0.4), "start": {"phi_dot": [20, 0, 5, 0]},
         }
     )  # fmt: skip
-    again = read_required(text, stand, "turn")
+    again = read_motion_or_slew(text, stand, "turn")
     assert isinstance(again, Slew)
     assert failed(stand, again, programme) == set()
     assert again.angle == pytest.approx(0.4)

@@ -45,6 +45,6 @@ def steepness(motor: Motor | None, command: float, low: float, high: float) -> f
     return max(command, line) + motor.viscous + slipping
 
 
-def needed(motor: Motor, tau: float, speed: float) -> float:
+def required_torque(motor: Motor, tau: float, speed: float) -> float:
     """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
     return tau - friction(motor, speed)

@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import LawData, Stand
 
-Given = Mapping[str, Sequence[Any]]
+TablesByKey = Mapping[str, Sequence[Any]]
 """The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
 
 
@@ -29,7 +29,7 @@ class LawSchema:
     """
 
     data: type[LawData]
-    read: Callable[[Any, Given], LawData | None]
+    read: Callable[[Any, TablesByKey], LawData | None]
     lines: Callable[[Any], tuple[list[str], list[str]]]
     content: Callable[[Any], dict[str, Any]]
     structure: Callable[[Any, Stand], dict[str, Any]]

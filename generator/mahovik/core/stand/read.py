@@ -229,7 +229,7 @@ def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
     return tuple(found)
 
 
-def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
+def _tables_with_names(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
     raw = document.get(key, [])
     tables = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
     return [(item["name"], item) for item in tables if isinstance(item.get("name"), str)]
@@ -240,15 +240,15 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     taken = {"carrier": "the carrier"}
     mounted = ("flywheel", "point", *(key for part in parts("schema") for key in part.SCHEMA.mounted))
     for key in ("instrument", *mounted):
-        for name, _ in _named(document, key):
+        for name, _ in _tables_with_names(document, key):
             if name in taken:
                 problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
             else:
                 taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
-    mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
-    flywheels = {name for name, _ in _named(document, "flywheel")}
+    mounts = ["carrier", *(name for name, _ in _tables_with_names(document, "instrument"))]
+    flywheels = {name for name, _ in _tables_with_names(document, "flywheel")}
     for key in mounted:
-        for name, item in _named(document, key):
+        for name, item in _tables_with_names(document, key):
             mount = item.get("mount", "carrier")
             if not isinstance(mount, str) or mount in mounts:
                 continue

@@ -23,7 +23,7 @@ Places = Mapping[str, tuple[Array, Array]]
 _DEPENDENT = 1e-9
 """Sine of the angle of a row to those before it, below which it says nothing new; lengths by the largest arm."""
 
-_TAKEN = frozenset(("fast", "options", "result", "work", "at", "batch"))
+_RESERVED_NAMES = frozenset(("fast", "options", "result", "work", "at", "batch"))
 _BEGINNINGS = ("fast_", "work_")
 _ENDINGS = ("_at", "_batch", "_result", "_options", "_work")
 """Beginnings and ends of names of functions and types that have the name of a task in them."""
@@ -96,7 +96,7 @@ def name_of_task_problem(name: str) -> str | None:
     problem = name_problem(name)
     if problem is not None:
         return problem
-    if name in _TAKEN or name.startswith(_BEGINNINGS) or name.endswith(_ENDINGS):
+    if name in _RESERVED_NAMES or name.startswith(_BEGINNINGS) or name.endswith(_ENDINGS):
         return (
             f"{show(name)} would make a name of the C that is taken, since a task's functions end in its name; "
             "expected another, such as pointing"

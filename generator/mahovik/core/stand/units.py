@@ -101,10 +101,10 @@ def _column(raw: Column, dimension: Dimension, unit: str | None) -> Column:
     if unit is None:
         return cast(Column, raw + 0.0)
     scale = factor(unit, dimension)
-    return raw.map(lambda values: np.array([_scaled(x, scale) for x in values.tolist()]))
+    return raw.map(lambda values: np.array([_scale(x, scale) for x in values.tolist()]))
 
 
-def _scaled(x: float, scale: Fraction) -> float:
+def _scale(x: float, scale: Fraction) -> float:
     return _round(Fraction(Decimal(repr(x))) * scale) if math.isfinite(x) else x
 
 

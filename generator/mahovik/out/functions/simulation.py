@@ -141,7 +141,7 @@ def _warn_of_steps(case: Case) -> None:
     if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
         warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
     if case.real == "float" and not case.carried:
-        free = [0.0 if given else float(speed) for given, speed in zip(case.regime.given, largest, strict=True)]
+        free = [0.0 if given else float(speed) for given, speed in zip(case.regime.has_speed_law, largest, strict=True)]
         line = lost_increments_line(lost_increments(case.stand, free, case.dt))
         if line:
             warn(f"{line.partition(': use')[0]}: use --carried, or --real double")

@@ -41,19 +41,19 @@ Suspect = tuple[Part, ...]
 EARLY: tuple[Stage, ...] = ("stand", "state", "attitude", "bodies")
 """Stages before the pieces."""
 
-Known = dict[int, tuple[State, Pieces]]
+PiecesByState = dict[int, tuple[State, Pieces]]
 """Pieces by the identity of their state, which is held so that the identity stays its own."""
 
 
 class FaultyProgram:
     """The literal reference with some faults at once, as a program that answers requests."""
 
-    def __init__(self, stand: Stand, suspect: Suspect = (), known: Known | None = None) -> None:
+    def __init__(self, stand: Stand, suspect: Suspect = (), known: PiecesByState | None = None) -> None:
         """`known`: pieces of states without a fault, for this and other programs of the stand."""
         self._stand = stand
         self._suspect = suspect
         early = any(edit.stage in EARLY for part in suspect for edit in part.fault.edits)
-        self._known: Known = {} if early or known is None else known
+        self._known: PiecesByState = {} if early or known is None else known
 
     def answer(self, request: Request) -> Values:
         """Values that are numbers; none if it has no answer at the state."""
@@ -114,7 +114,7 @@ class Predictions:
         """`first`: the number of requests that the search begins with."""
         self._stand = stand
         self._whole, self._first, self._rest = whole, whole.head(first), whole.tail(first)
-        self._pieces: Known = {}
+        self._pieces: PiecesByState = {}
         self._errors: dict[tuple[Suspect, bool], Array] = {}
 
     @cached_property

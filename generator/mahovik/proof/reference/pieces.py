@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Fixed, Spinning
+from mahovik.proof.reference.bodies import FixedBody, SpinningFlywheel
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.wrench_kinds import Kinds
 
@@ -37,8 +37,8 @@ class Pieces:
     L1: Array
     V: Array
     V_r: Array
-    fixed: tuple[Fixed, ...]
-    flywheels: tuple[Spinning, ...]
+    fixed: tuple[FixedBody, ...]
+    flywheels: tuple[SpinningFlywheel, ...]
     K_bodies: Array
     Lambda: Array
     K: Array

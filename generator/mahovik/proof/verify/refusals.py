@@ -128,10 +128,10 @@ def _bad(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple
             yield -math.inf, "NOT_FINITE"
         if limit is not None:
             yield limit * BEYOND, "RANGE"
-            if row is None or all(value >= 0 for value, _ in row.refused):
+            if row is None or all(value >= 0 for value, _ in row.refused_values):
                 yield -limit * BEYOND, "RANGE"
     if row is not None and (path[0] != "parameters" or a.name == "mass"):
-        yield from row.refused
+        yield from row.refused_values
 
 
 def with_value(good: Mapping[str, Any], wrong: Wrong) -> dict[str, Any]:
@@ -153,7 +153,7 @@ def _replace_at(value: Any, path: Path, new: Any) -> Any:
     return copy
 
 
-class Compiled(Protocol):
+class LoadedC(Protocol):
     """C that is loaded, with the program that it was printed from."""
 
     generated: Generated
@@ -164,7 +164,7 @@ class Compiled(Protocol):
         """A state as arguments by name."""
 
 
-def good_inputs(backend: Compiled, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
+def good_inputs(backend: LoadedC, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
     """Good arguments of every public function: an ordinary state, and what does not belong to one."""
     state = next((s for name, s in states if name.startswith("random")), states[0][1])
     others = {
@@ -188,7 +188,7 @@ def good_inputs(backend: Compiled, states: Sequence[tuple[str, State]]) -> dict[
     return {**backend.arguments(state), **others}
 
 
-def raw_call(backend: Compiled) -> Call:
+def raw_call(backend: LoadedC) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
 
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:

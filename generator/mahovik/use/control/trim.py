@@ -38,7 +38,7 @@ QUICK = 8.0
 BEYOND, SPILL = 2, 30.0
 """Number of harmonics above the corrected ones to protect, and weight of the effect on them in G^+, in G's norm."""
 
-REACHED = 1e-3
+REACH = 1e-3
 """Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
 
 
@@ -109,7 +109,7 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     norm = np.diag(np.tile(1.0 + k**2.0, mechanics.N)) + spill.T @ spill
     weight = np.linalg.inv(np.linalg.cholesky(norm)).T  # corrections weight z have the norm |z|
     U, sigma, Vt = np.linalg.svd(scaled @ weight, full_matrices=False)
-    kept = sigma > REACHED * sigma[0]
+    kept = sigma > REACH * sigma[0]
     basis = weight @ Vt[kept].T
     matrix = np.zeros((len(weight), len(unit)))
     matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]

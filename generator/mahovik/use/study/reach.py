@@ -33,7 +33,7 @@ class Reach:
         return np.array([row.speed for row in self.rows])
 
     @property
-    def driven(self) -> bool:
+    def has_torque_limits(self) -> bool:
         """Whether some motor has a torque limit."""
         return any(s.motor is not None and s.motor.torque is not None for s in self.stand.flywheels)
 
@@ -69,5 +69,7 @@ class Reach:
 def reach(stand: Stand) -> Reach:
     """The reach of a stand."""
     own = Mechanics.of(stand)
-    unbalance = np.hypot(own.spun[1, :6, 0], own.spun[2, :6, 0])  # of the first harmonic, the only one
+    unbalance = np.hypot(
+        own.coupling_slope[1, :6, 0], own.coupling_slope[2, :6, 0]
+    )  # of the first harmonic, the only one
     return Reach(stand, summarize(stand).unbalance, unbalance, own.tables.axis.T)

@@ -79,10 +79,10 @@ class Programme:
             return Angles(found.phi + (t / self.span)[:, None] * turn, found.phi_dot + turn / self.span, found.phi_ddot)
         first = float(self.course.t[0])
         periods = np.floor((t - first) / self.span)
-        found = self._closed.at(t - periods * self.span)
+        found = self._whole_period.at(t - periods * self.span)
         return Angles(found.phi + periods[:, None] * turn, found.phi_dot, found.phi_ddot)
 
     @cached_property
-    def _closed(self) -> Samples:
+    def _whole_period(self) -> Samples:
         assert isinstance(self.course, Samples)
-        return self.course.closed(self.span, 2 * np.pi * np.array(self.winding, dtype=np.float64))
+        return self.course.over_whole_period(self.span, 2 * np.pi * np.array(self.winding, dtype=np.float64))

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, Times, choice, context_validator, integers, listed, rows
+from mahovik.core.motion.fields import NOT_NULL, Times, any_list, choice, context_validator, integers, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
@@ -23,7 +23,7 @@ from mahovik.errors import ProgrammeError
 
 
 def _names(raw: Any) -> tuple[str, ...]:
-    if not all(isinstance(name, str) for name in listed(raw)):
+    if not all(isinstance(name, str) for name in any_list(raw)):
         raise QuantityError("expected names")
     if not raw:
         raise QuantityError("expected at least one name")

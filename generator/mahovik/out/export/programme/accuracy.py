@@ -25,7 +25,7 @@ STEP_ERROR = 1e-7
 
 
 @dataclass(frozen=True, eq=False)
-class Prescribed:
+class RequiredCourse:
     """A stand whose carrier makes the required motion of a programme, with the mean shifted by the programme's bias."""
 
     stand: Stand
@@ -102,12 +102,14 @@ class Errors:
     added: float | None = None
 
     @property
-    def judged(self) -> float:
+    def decisive(self) -> float:
         """The error that is compared with the limit."""
         return self.relative if self.added is None else self.added
 
 
-def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
+def errors(
+    player: Player, course: Course, table: Table, precision: Precision, prescribed: RequiredCourse | None
+) -> Errors:
     """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
     phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
     t = phases * table.span

@@ -29,7 +29,7 @@ from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_ta
 STATES = 16
 """Random and extreme, of three derivations; `mahovik verify` takes more."""
 
-JUDGED = 8
+JUDGED_STATES = 8
 """States of each outside judge."""
 
 
@@ -113,7 +113,7 @@ def _outside(stand: Stand, name: str) -> Report:
     bare = bare_stand(stand)
     judges = load_judges(bare, [name])
     return compare_with_judges(
-        bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
+        bare, judges, count=JUDGED_STATES, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
     )
 
 

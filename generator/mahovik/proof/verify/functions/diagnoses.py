@@ -41,7 +41,7 @@ class Diagnoses:
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.finished() for row in (self.status, self.members, self.hardest)]
+        return [row.with_verdict() for row in (self.status, self.members, self.hardest)]
 
     def note(
         self, state: State, options: Mapping[str, Any], status: int, found: Mapping[str, Any], asked: ScaledDemand,

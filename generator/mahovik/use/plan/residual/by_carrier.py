@@ -56,7 +56,7 @@ def _slopes_of_base(base: Base, at: Twists) -> tuple[Array, Array, Array]:
     """Derivatives for carrier and instruments, without ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
     momentum = at.V_r @ base.K
     by_V_r = -motor_cross(at.V_r) @ base.K - momentum_cross(momentum)
-    for L, damping in base.damped:
+    for L, damping in base.twist_laws:
         by_V_r += L @ damping.rate(at.V_r @ L) @ L.T
     M = len(at.V)
     return by_V_r, np.tile(-base.K, (M, 1, 1)), np.tile(base.heavy, (M, 1, 1))

@@ -17,7 +17,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 from mahovik.use.plan.residual.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
 from mahovik.use.plan.residual.kinematics import Twists, twists
-from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, harmonics_at
+from mahovik.use.plan.residual.prescribed import Mechanics, PrescribedMotion, harmonics_at
 from mahovik.use.plan.residual.spatial import (
     block_diagonal,
     flywheel_transfer,
@@ -122,7 +122,7 @@ class DesignRates:
 
 
 def by_design(
-    at: Prescribed, course: Course, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
+    at: PrescribedMotion, course: Course, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
 ) -> DesignRates:
     """Derivatives, exact, at a motion: `at` is `prescribe(mechanics, course, bias)`; angles (M, N each; rad, s)."""
     own = at.mechanics

@@ -21,7 +21,7 @@ from mahovik.use.plan.runup.newton import measure, nonzero, reduce_excess, share
 
 GOAL = 1e-8
 """Terminal error at the nodes, in amplitudes."""
-ACCEPTED = 1e-6
+ACCEPTED_ERROR = 1e-6
 """Accepted terminal error of the table, with nodes twice as dense."""
 
 _ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
@@ -37,7 +37,7 @@ DENSEST = 8 * NODES
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class RunUpSolution:
     """A solution of the boundary-value problem, and the terminal error of its table with nodes twice as dense.
 
     steps     Newton steps of the successful attempt
@@ -60,7 +60,7 @@ def solve(
     up: bool,
     seed: int = 0,
     budget: Budget | None = None,
-) -> Found:
+) -> RunUpSolution:
     """A run-up (`up`) into the programme, or a run-down from it, in `duration` s.
 
     It keeps the motion's bounds if possible. The same programme and seed give the same result, unless the time of
@@ -96,7 +96,7 @@ def solve(
             found = _refine_nodes(problem, *_reduce_excess(problem, coarse, flight, motion.bounds, budget))
         except StateError:
             continue
-        return Found(*found, steps, number + 1)
+        return RunUpSolution(*found, steps, number + 1)
     ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
@@ -153,7 +153,7 @@ def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[B
         nodes *= 2
         denser = problem(nodes, splines)
         error = denser.table_error(table_of(own, flight), interpolate_states(own, denser, flight.course.y))
-        if error <= ACCEPTED:
+        if error <= ACCEPTED_ERROR:
             return own, flight, error
         before, own = own, denser
     raise StateError("the motion is too rough for the densest nodes")
@@ -221,7 +221,7 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def runup_figures(found: Found, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
+def runup_figures(found: RunUpSolution, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
     """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
     values, t = measure(found.problem, found.flight), found.problem.family.t
     name = "run-up" if found.problem.up else "run-down"

@@ -76,7 +76,7 @@ def mount_wrenches(found: Balance, y: Array, V_dot: Array) -> Array:
     at = found.scene.chart.twists(y)
     given = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
     h, _ = waves(phi)
-    taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.spun[:, :6] * phi_dot**2
+    taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.coupling_slope[:, :6] * phi_dot**2
     wrench = -np.einsum("hms,hims->msi", h, taken)
     for s, damping in enumerate(mechanics.tables.damping):
         if damping is not None:

@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.motion.laws import Constant
-from mahovik.core.motion.regime import Driven, Regime
+from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -103,7 +103,7 @@ def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Arra
 def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
     """Constant speeds and phases at t = 0."""
     driven = zip(stand.flywheels, speeds.tolist(), phases.tolist(), strict=True)
-    return Regime("quiet", tuple(Driven(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
+    return Regime("quiet", tuple(FlywheelRegime(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
 
 
 def simulate_point(
