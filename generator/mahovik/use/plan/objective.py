@@ -192,7 +192,7 @@ class Cost:
         for kind, weight in self.weights.items():
             if weight.any():
                 rows = getattr(self, f"_{kind}")(angles, mean_speed, torque)
-                found[kind] = rows.scaled(np.sqrt(weight))
+                found[kind] = rows.scale(np.sqrt(weight))
         return found
 
     def value(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, float]:
