@@ -13,7 +13,7 @@ import pytest
 
 from cli.run import refused, run
 from mahovik.core.motion.programme import save_programme
-from mahovik.core.motion.required.slew_read import motion_of_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3
@@ -21,7 +21,7 @@ from mahovik.core.stand.write import dumps
 from mahovik.use.control.causes import contributions
 from mahovik.use.control.finite import ARCSEC, tracking
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.wanted import ReferenceMotion
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
 from plan.slew.stands import ATTITUDE, PYRAMID, about, inertia, satellite, slew
 

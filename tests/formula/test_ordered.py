@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.core.formula.ordered import to_formulas
+from mahovik.core.formula.ordering import to_formulas
 from mahovik.core.formula.tree import Formula
 
 a, b, c, s = sp.symbols("a b c s")

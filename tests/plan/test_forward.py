@@ -38,7 +38,7 @@ HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
 def chart_of(stand: Stand, rng: np.random.Generator) -> Chart:
     """About a random pose."""
     zero = np.zeros((1, 6))
-    return Chart.about(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
+    return Chart.at_pose(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
 
 
 def literal(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Programme, programme_text, read_programme
-from mahovik.core.motion.required.slew_read import motion_of_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.whole import mass_properties
 from mahovik.proof.verify.programme import verify_programme
@@ -18,7 +18,7 @@ from mahovik.proof.verify.programme.mechanics import residuals, scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.slew import plan_slew
-from mahovik.use.plan.unbalance import shaken, twist_at_rest
+from mahovik.use.plan.unbalance import twist_at_rest, unbalance_effect
 from plan.slew.stands import ATTITUDE, about, sat4, slew
 
 SLOW = pytest.mark.slow
@@ -74,7 +74,7 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     """The literal reference over the first turns of the wheels, by another method in other coordinates."""
     stand, programme = sat4(), quick()
     motion = motion_of_slew(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
-    found = shaken(stand, motion, programme)
+    found = unbalance_effect(stand, motion, programme)
     assert found is not None
     k = int(np.searchsorted(found.t, 0.05))
     start = programme.at(np.zeros(1))

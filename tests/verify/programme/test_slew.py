@@ -13,7 +13,7 @@ import pytest
 from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Slew, read_motion_or_slew
-from mahovik.core.motion.required.slew_read import motion_of_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan.slew import plan_slew

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS, row_of, task_of
-from mahovik.contract.quantities import shared
+from mahovik.contract.quantities import is_shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
@@ -86,7 +86,7 @@ def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentL
 
 
 def _order(a: Argument, generated: Generated, wide: bool) -> Order:
-    if shared(a.name):
+    if is_shared(a.name):
         return "alike"
     return "components" if wide or a.direction == "in" or a.type is generated.layout.state else "states"
 

@@ -113,6 +113,6 @@ def _recall(module: str, name: str, *arguments: str | bool) -> Any:
 
 
 def _derive(module: str, name: str, arguments: tuple[str | bool, ...]) -> Any:
-    from mahovik.core.formula.ordered import to_formulas
+    from mahovik.core.formula.ordering import to_formulas
 
     return to_formulas(getattr(import_module(f"mahovik.{module}"), name)(*arguments))

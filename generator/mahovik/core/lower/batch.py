@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from mahovik.contract.functions import BATCH_FUNCTIONS
-from mahovik.contract.quantities import shared
+from mahovik.contract.quantities import is_shared
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
@@ -60,7 +60,7 @@ def batches(program: Program) -> Batches:
     found = []
     for each in (False, True):
         for narrow in entries:
-            varying = [a.name for a in narrow.arguments if not shared(a.name) or (each and a.name in PREPARED)]
+            varying = [a.name for a in narrow.arguments if not is_shared(a.name) or (each and a.name in PREPARED)]
             found.append(batch(narrow, varying, each))
     made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)

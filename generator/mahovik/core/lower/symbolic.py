@@ -31,7 +31,7 @@ def translate(formula: Any, binding: Binding) -> Expr:
             return translate(left, binding) - translate(right, binding)
         case ("*", left, right):
             return translate(left, binding) * translate(right, binding)
-    from mahovik.core.formula.ordered import to_formulas  # an expression of SymPy itself, as tests give it
+    from mahovik.core.formula.ordering import to_formulas  # an expression of SymPy itself, as tests give it
 
     return translate(to_formulas(formula), binding)
 

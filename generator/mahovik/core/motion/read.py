@@ -46,7 +46,7 @@ class RegimeTable(Table):
     wrench: Annotated[dict[str, Any], _tables("bodies")] = Field(default_factory=dict)
 
 
-def steady(stand: Stand, speeds: Sequence[float]) -> Regime:
+def steady_regime(stand: Stand, speeds: Sequence[float]) -> Regime:
     """Every flywheel keeps the speed it has (rad/s); no wrench."""
     driven = (FlywheelRegime(s.name, Constant(speed)) for s, speed in zip(stand.flywheels, speeds, strict=True))
     return Regime("steady", tuple(driven), {})
@@ -56,10 +56,10 @@ def load(path: str | Path, stand: Stand, until: float) -> Regime:
     """Read and check the regime file at `path` for a run of `until` s. Raises RegimeError with every problem."""
     path = Path(path)
     text = text_of(path, TEXT, RegimeError)
-    return loads(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
+    return loads_regime(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
 
 
-def loads(
+def loads_regime(
     text: str, stand: Stand, until: float, source: str = "regime", folder: Path = Path(), is_json: bool = False
 ) -> Regime:
     """Read and check a regime given as text; its tables are in `folder`. Raises RegimeError."""

@@ -59,7 +59,7 @@ class Moments:
                 break
         return f"{self.number(a, digits)} + {self.number(b, digits)} < {self.number(c, digits)} {self.unit}"
 
-    def closing(self, a: float, c: float) -> str:
+    def condition(self, a: float, c: float) -> str:
         """The demand on the smaller two of three principal moments, the least of them `a`, the largest `c`."""
         least = max(a, 0.0)
         return (

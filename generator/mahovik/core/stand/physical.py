@@ -80,7 +80,7 @@ def check_body(body: Body, where: str, problems: Problems, moments: Moments | No
                 where,
                 shown.place,
                 "principal moments about the centre of mass break the triangle inequality, "
-                f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.closing(a, c)}'}",
+                f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.condition(a, c)}'}",
             )
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(

@@ -26,7 +26,7 @@ from mahovik.core.stand.task import TaskTable, check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
-from mahovik.nearest import alike, nearest, suggestion
+from mahovik.nearest import nearest, nearest_name, suggestion
 
 _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
@@ -44,7 +44,7 @@ def load(path: str | Path) -> Stand:
     path = Path(path)
 
     def neighbour() -> str:
-        best = alike(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
+        best = nearest_name(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
         return "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
 
     try:

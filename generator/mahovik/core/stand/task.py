@@ -127,7 +127,7 @@ def check_tasks(
         twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
         if twice is not None:
             problems.add(where, "rows", f"{twice} is given twice")
-        elif (found := dependent(task, places)) is not None:
+        elif (found := dependent_rows(task, places)) is not None:
             new, *others = found
             problems.add(
                 where,
@@ -160,7 +160,7 @@ def row_vector(row: TaskRow, places: Places) -> Array:
     return np.concatenate([direction, cross(origin) @ direction])
 
 
-def dependent(task: Task, places: Places) -> tuple[str, ...] | None:
+def dependent_rows(task: Task, places: Places) -> tuple[str, ...] | None:
     """Names of the first row that earlier ones give, and of those; None where the rows are independent."""
     rows = np.array([row_vector(row, places) for row in task.rows])
     arm = max(1e-9, *(float(np.linalg.norm(row[3:])) for row in rows))

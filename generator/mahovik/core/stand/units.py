@@ -20,7 +20,7 @@ import numpy as np
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
 from mahovik.core.stand.usual_units import usual
-from mahovik.nearest import alike
+from mahovik.nearest import nearest_name
 
 
 @dataclass(frozen=True)
@@ -162,7 +162,7 @@ def _advice(unit: str, dimension: Dimension, unknown: bool) -> str:
             return f', did you mean "{each}"?'
     if not unknown:
         return ""
-    near = alike(unit, [name for name in NAMES if _fits(name, dimension)])
+    near = nearest_name(unit, [name for name in NAMES if _fits(name, dimension)])
     return "" if near is None else f', did you mean "{near}"?'
 
 

@@ -64,7 +64,7 @@ def agreement(found: ImportedStand, original: Original, count: int = 20, seed: i
         if original.fixed_attitude is not None:
             w, x, y, z = Rotation.from_matrix(original.fixed_attitude).as_quat(scalar_first=True).tolist()
             state = replace(state, angles=None, quaternion=(w, x, y, z), V=_ZERO6, V_dot=_ZERO6)
-        ours = _ours(found.stand, state)
+        ours = _reference_quantities(found.stand, state)
         theirs = original.evaluate(_attitude(state), state)
         for name, value in theirs.items():
             if value.size:
@@ -74,7 +74,7 @@ def agreement(found: ImportedStand, original: Original, count: int = 20, seed: i
     return worst
 
 
-def _ours(stand: Stand, state: State) -> dict[str, Array]:
+def _reference_quantities(stand: Stand, state: State) -> dict[str, Array]:
     """QUANTITIES of the stand, by the literal reference."""
     at = evaluate(stand, state, ("matrices", "coupled", "torque"))
     bias = at["M"] @ np.array(state.V) + at["J"] @ np.array(state.phi_dot) - at["F"]

@@ -171,8 +171,8 @@ def _case(
     """The run to be made. Raises UsageError and what the files raise."""
     from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
     from mahovik.use.control.mismatch import with_mismatch
+    from mahovik.use.control.reference_motion import ReferenceMotion
     from mahovik.use.control.trim import design_trim
-    from mahovik.use.control.wanted import ReferenceMotion
 
     if not (math.isfinite(mismatch) and mismatch >= 0.0):
         raise UsageError(f"--mismatch {mismatch:g}: expected 0 or more")

@@ -35,7 +35,7 @@ def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) ->
     if isinstance(regime, str | Path):
         return motion.load(regime, stand, until)
     if isinstance(regime, Mapping):
-        return motion.loads(text_of_keys(regime), stand, until, is_json=True)
+        return motion.loads_regime(text_of_keys(regime), stand, until, is_json=True)
     return regime
 
 

@@ -100,7 +100,7 @@ def minus(right: Array, *_: object) -> Array:
 
 
 def place(change: Callable[[Any], Any]) -> Edit:
-    """Edit of the inertia and the place of a body: `Mounted` of a flywheel, else `Fixed`."""
+    """Edit of the inertia and the place of a body: `MountedFlywheel`, else `FixedBody`."""
 
     def edit(bodies: Bodies, case: Case) -> Bodies:
         def found(k: Any) -> Any:

@@ -30,7 +30,7 @@ class Part:
     fault: Fault
     wheel: str | None = None
 
-    def wrong(self, body: Body) -> bool:
+    def concerns(self, body: Body) -> bool:
         """Whether the program is wrong about a body."""
         return self.fault.concerns(body, self.wheel)
 
@@ -67,13 +67,13 @@ class FaultyProgram:
     def _values(self, given: State, want: str) -> Values:
         stand, state = self._stand, given
         for part in self._suspect:
-            case = Case(stand, state, want, part.wrong)
+            case = Case(stand, state, want, part.concerns)
             stand = _apply("stand", stand, part, case)
             state = _apply("state", state, part, replace(case, stand=stand))
         if id(given) not in self._known:
             self._known[id(given)] = given, self._pieces(stand, state, want)
         _, at = self._known[id(given)]
-        cases = [(part, Case(stand, state, want, part.wrong)) for part in self._suspect]
+        cases = [(part, Case(stand, state, want, part.concerns)) for part in self._suspect]
         for part, case in cases:
             at = _apply("pieces", at, part, case)
         values = reference.evaluate(stand, state, (want,), at)
@@ -85,7 +85,7 @@ class FaultyProgram:
         """Pieces of the state, before changes of the stage `pieces`."""
         bodies, C = bodies_of(stand), carrier_rotation(stand, state)
         for part in self._suspect:
-            case = Case(stand, state, want, part.wrong)
+            case = Case(stand, state, want, part.concerns)
             bodies = _apply("bodies", bodies, part, case)
             turned = _apply("attitude", C, part, case)
             if turned is not C:
@@ -113,7 +113,7 @@ class Predictions:
     def __init__(self, stand: Stand, whole: AnswerVector, first: int) -> None:
         """`first`: the number of requests that the search begins with."""
         self._stand = stand
-        self._whole, self._first, self._rest = whole, whole.head(first), whole.tail(first)
+        self._whole, self._first, self._rest = whole, whole.head(first), whole.without_first(first)
         self._pieces: PiecesByState = {}
         self._errors: dict[tuple[Suspect, bool], Array] = {}
 

@@ -166,11 +166,11 @@ class Search:
                 break
         return found
 
-    def unseen(self) -> list[Suspect]:
+    def invisible_faults(self) -> list[Suspect]:
         """Faults that change nothing at the requested states: with them a program looks correct."""
         return [each for each in single_faults(DICTIONARY) if not self._visible(each)]
 
-    def twins(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
+    def equal_findings(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
         """Findings as good as this one: each predicts the same at all states, or explains as much of what was found.
 
         Of a whole fault: all that were tried, whole, and the same in one flywheel; of a part of one, or of two: those

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import COMPONENTS, Stand, Task
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
-from mahovik.proof.reference.excess import shares, with_excess
+from mahovik.proof.reference.excess import motor_shares, with_excess
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import CUTS, Cuts, inverse_root, status_names
 from mahovik.proof.reference.pieces import Pieces
@@ -127,5 +127,5 @@ def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     if len(state.demand) != len(task.rows):
         raise StateError(f"demand: expected {len(task.rows)} numbers, found {len(state.demand)}")
     found = task_inverse(at, task_rows(at, stand, task), vector(state.demand), cuts)
-    needed = shares(stand, at, found.V_dot, found.phi_ddot)
+    needed = motor_shares(stand, at, found.V_dot, found.phi_ddot)
     return dict(vars(found)) | {"status": with_excess(found.status, needed)}

@@ -275,7 +275,7 @@ def _with_run_numbers(lines: list[str], number: int, runs: tuple[SelfTestLog, ..
 def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
     """Hashes of a sweep by function, and what computed them: nothing if no tool on this machine can."""
     real = made.program.precision.name
-    target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
+    target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing_commands()), None)
     if target is not None:
         sources = selftest_sources(stand, real, sweep, made.layout.lanes, made.only)
         printed = run_selftest(target, stand.name, sources, TIMEOUT)

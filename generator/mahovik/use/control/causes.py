@@ -10,7 +10,7 @@ from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.errors import MahovikError
 from mahovik.use.control.finite import errors_of
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.wanted import ReferenceMotion
+from mahovik.use.control.reference_motion import ReferenceMotion
 
 FASTER = 4
 """Sampling is switched off by this many samples in place of one, without latency."""

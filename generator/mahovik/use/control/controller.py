@@ -18,9 +18,9 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library, uniform_data
 from mahovik.errors import StateError
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import gains
 from mahovik.use.control.trim import TrimDesign, trim_members
-from mahovik.use.control.wanted import ReferenceMotion
 from mahovik.use.plan.array import Array
 
 

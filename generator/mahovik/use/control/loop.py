@@ -21,8 +21,8 @@ from mahovik.errors import StateError
 from mahovik.use.control.controller import Controller, Encoders
 from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
 from mahovik.use.control.record import Record
+from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign
-from mahovik.use.control.wanted import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart, equilibrium
 from mahovik.use.plan.residual import Mechanics
@@ -109,7 +109,7 @@ def starting_state(case: Case) -> State:
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if not wanted.programme.periodic:
         course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
-        chart = Chart.about(mechanics, course)
+        chart = Chart.at_pose(mechanics, course)
         y = chart.of(course)[0]
         if wanted.programme.unbalance == "averaged":
             y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])

@@ -27,7 +27,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.use.control.wanted import Orbit, nodes, required_orbit
+from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.problem import Basis
 from mahovik.use.plan.residual import Mechanics
@@ -82,7 +82,7 @@ class TrimDesign:
         share = (self.response / self.unit[:, None])[seen]
         return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
 
-    def unreachable(self, error: Array) -> Array:
+    def unreachable_part(self, error: Array) -> Array:
         """Part of an error (C T) that no correction reaches, by the nominal model."""
         return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
 

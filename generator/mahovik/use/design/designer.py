@@ -19,7 +19,7 @@ from mahovik.errors import DesignError, StateError
 from mahovik.use.design.freedom import Freedom
 from mahovik.use.design.outcome import Outcome, Status, changes
 from mahovik.use.design.refusal import binding_words, refuse, relax_each
-from mahovik.use.design.search import EXACT, STARTS, Candidate, OnProgress, Search, front, search
+from mahovik.use.design.search import EXACT, STARTS, Candidate, OnProgress, Search, pareto_front, search
 from mahovik.use.design.space import mounting_angles, nearest_two
 from mahovik.use.design.task import Task
 from mahovik.use.plan.array import Array
@@ -207,10 +207,10 @@ def _outcome(found: Search, options: DesignOptions, budget: Budget, effort: dict
         )
     if over:
         status, told = "OK_LIMIT", (*told, *over)
-    points = front(found.found, options.pareto, budget) if options.pareto else []
+    points = pareto_front(found.found, options.pareto, budget) if options.pareto else []
     return Outcome(
         status, told, residual, stand, programme, chosen.cost, tuple(changes(chosen)),
-        {"before": totals(chosen.task.space.stand), "after": totals(stand)}, tuple(points), effort, found.interrupted,
+        {"before": flywheel_totals(chosen.task.space.stand), "after": flywheel_totals(stand)}, tuple(points), effort, found.interrupted,
     )  # fmt: skip
 
 
@@ -233,7 +233,7 @@ def no_design(found: Search, budget: Budget, effort: dict[str, Any]) -> Outcome:
     return Outcome("NO_DESIGN", (first, *more), found.best, effort=effort, interrupted=found.interrupted)
 
 
-def totals(stand: Stand) -> dict[str, Any]:
+def flywheel_totals(stand: Stand) -> dict[str, Any]:
     """Totals of a stand's flywheels: number, mass (kg), unbalance (kg m), the two nearest and their distance (m)."""
     from math import hypot
 

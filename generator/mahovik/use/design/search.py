@@ -247,7 +247,7 @@ def random_start(task: Task, bias: Array, seed: int, k: int) -> Design:
     rng = np.random.default_rng([seed, task.N, k])
     y = task.space.random(rng)
     if k == 0:
-        y = task.space.current
+        y = task.space.start
     motion, N = task.motion, task.N
     if task.freedom.speeds is not None:
         turning = [n for n in task.freedom.speeds if n] if KINDS[k % len(KINDS)] == "spin" else []
@@ -288,7 +288,7 @@ class Point:
     residual: float
 
 
-def front(found: Sequence[Candidate], count: int, budget: Budget) -> list[Point]:
+def pareto_front(found: Sequence[Candidate], count: int, budget: Budget) -> list[Point]:
     """Points of the front by rising unbalance, from the designs of a search; fewer if some are beaten."""
     points = [Point(each.task.freedom.weights, each.cost, each.fit.residual) for each in found]
     ratios = np.geomspace(1.0 / STEEPEST, STEEPEST, count)

@@ -147,7 +147,7 @@ class Task:
         if differentiate:
             rates = by_design(at, grid.course, motion.bias, *angles)
             waves = grid.basis.chain(root @ found.by_phi, root @ found.by_phi_dot, root @ found.by_phi_ddot)
-            by_y = np.einsum("ij,mjk->mik", root, self.space.chain(y, rates.R)).reshape(6 * M, P)
+            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(6 * M, P)
             slopes.append(weight * np.hstack([by_y, waves, problem.by_bias(grid, motion)]))
             torque = Rows.torque(found, self._by_owner(y, rates.tau))
         kinds = self._kinds(problem, grid, motion, torque, weighing)
@@ -200,7 +200,7 @@ class Task:
         M, N, K = rates.shape
         spread = np.zeros((M, N, N, K))
         spread[:, np.arange(N), np.arange(N)] = rates
-        return self.space.chain(y, spread)
+        return self.space.by_unknowns(y, spread)
 
     def _unbalance(self, y: Array, weight: float) -> tuple[Array, Array]:
         """Rows (N) whose squares add up to the total unbalance over that of the start, and derivatives (N, P)."""

@@ -27,7 +27,7 @@ from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import motor_cross
 
 
@@ -151,7 +151,7 @@ class Chart:
     C: Array
 
     @staticmethod
-    def about(mechanics: Mechanics, course: Course) -> Chart:
+    def at_pose(mechanics: Mechanics, course: Course) -> Chart:
         """Chart about the single pose of `course` (M = 1)."""
         at = twists(mechanics.stand, course)
         return Chart(mechanics, at.O1[0], at.C[0])

@@ -246,7 +246,7 @@ class Improver:
             again = self.exact(beyond, beyond.motion, seconds)
         return again if again.exact else None
 
-    def nearer(self, beyond: Candidate, seconds: float | None) -> Candidate:
+    def bring_nearer(self, beyond: Candidate, seconds: float | None) -> Candidate:
         """The exact programme beyond the bounds, brought as near to them as a reserve of steps goes."""
         reserve = Budget(_RESERVE, seconds)
         return self.candidate(approach_bounds(self.problem, self.cost, beyond, reserve), beyond.kind, beyond.free)
@@ -271,7 +271,7 @@ def choose(improver: Improver, found: Search[Candidate], seconds: float | None =
     # bounds far below what the motion needs leave no exact motion near them: then from one that disregards them
     free = [improver.exact(each, each.free, seconds) for each in found.beyond if each.free is not None]
     best = sorted((each for each in free if each.exact), key=lambda each: each.utilisation)[:1]
-    return [improver.nearer(each, seconds) for each in best]
+    return [improver.bring_nearer(each, seconds) for each in best]
 
 
 def is_same_programme(a: Candidate, b: Candidate) -> bool:

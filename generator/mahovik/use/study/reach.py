@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.motor import available
+from mahovik.core.motion.motor import available_torque
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import UnbalanceRow, summarize
 from mahovik.use.plan.array import Array
@@ -62,7 +62,7 @@ class Reach:
         torque = np.zeros((len(speed), len(self.rows)))
         for k, s in enumerate(self.stand.flywheels):
             if s.motor is not None and s.motor.torque is not None:
-                torque[:, k] = [available(s.motor, s.motor.torque, x) for x in speed.tolist()]
+                torque[:, k] = [available_torque(s.motor, s.motor.torque, x) for x in speed.tolist()]
         return np.asarray(torque @ np.abs(self.axes).T)
 
 

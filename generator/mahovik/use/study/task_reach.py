@@ -12,7 +12,7 @@ from mahovik.core.stand.task import row_name
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import CUTS, inverse_root
 from mahovik.proof.reference.pieces import Pieces
@@ -102,4 +102,4 @@ def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
     m = len(rows.S)
     held = task_inverse(at, rows, rows.s).phi_ddot
     found = [task_inverse(at, rows, rows.s + SMALL * unit).phi_ddot - held for unit in np.eye(m)]
-    return np.array([shares(stand, at, forward(at, phi_ddot), phi_ddot) for phi_ddot in found])
+    return np.array([motor_shares(stand, at, forward(at, phi_ddot), phi_ddot) for phi_ddot in found])

@@ -22,7 +22,7 @@ from mahovik.core.motion.required import limits, reach, samples
 from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.motion.required.slew import Slew
-from mahovik.core.motion.required.slew_read import motion_of_slew, read_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew, read_slew
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator

@@ -17,8 +17,8 @@ from mahovik.out.export.programme.tables import Array, Table
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.programme.mechanics import Scale, instants, pieces_at, scale_of, twist
+from mahovik.proof.verify.programme.phase_spread import spread_phases
 from mahovik.proof.verify.programme.simulation import rest_near, simulate
-from mahovik.proof.verify.programme.spread import spread_phases
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""

@@ -90,7 +90,7 @@ def export_programme(
     prescribed = None if motion is None else RequiredCourse(programme.planned_for(stand), motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
-    while nodes is None and not programme.periodic and _rough(found[0][1], most) and count < MOST_NODES:
+    while nodes is None and not programme.periodic and _is_coarse(found[0][1], most) and count < MOST_NODES:
         count *= 2
         first = _course(programme, layout, prescribed, kind, count)
         found = [_measure_errors(layout, first, prescribed)]
@@ -117,7 +117,7 @@ def export_programme(
     return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tables, measured)
 
 
-def _rough(found: Errors, most: float) -> bool:
+def _is_coarse(found: Errors, most: float) -> bool:
     """Whether a finite table needs more nodes: for what it adds to the residual, for its torques, or for turns lost."""
     torque = found.tau is not None and found.tau_peak is not None and found.tau > most * found.tau_peak
     return found.decisive > most or torque or found.phi > ANGLE_LIMIT

@@ -149,7 +149,7 @@ def _target_figures(given: TargetCost) -> Figures:
 
 
 def _compile_sizes(stand: Stand, missing: list[str]) -> list[Figures]:
-    """Code and stack by the compilers of COMPILED; those that are not here are added to `missing`."""
+    """Code and stack by the compilers of COMPILED_TARGETS; those that are not here are added to `missing`."""
     found = []
     for name, real in COMPILED_TARGETS:
         target = TARGETS[name]

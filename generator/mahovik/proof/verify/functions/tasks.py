@@ -15,7 +15,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted_solution
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.task import TaskRows
@@ -175,7 +175,7 @@ class _Diagnoses:
             self.members.note(found["damped_by"], 0.0, None, name)
         if free:
             self.members.note(list(found["limited"]), [0] * case.count, None, name)
-        self._note_status(options, status, found, scaled, shares(case.stand, at, V_dot, phi_ddot), sigma, name)
+        self._note_status(options, status, found, scaled, motor_shares(case.stand, at, V_dot, phi_ddot), sigma, name)
         if rank and len(scaled.r):
             self._note_hardest(found, use, scaled, rank, name)
 

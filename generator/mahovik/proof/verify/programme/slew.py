@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.motor import available, required_torque
+from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.model import Stand
@@ -115,7 +115,7 @@ def motor_findings(stand: Stand, t: Array, angles: Angles, tau: Array) -> list[F
             continue
         for now, speed, drive in zip(t, angles.phi_dot[:, s], tau[:, s], strict=True):
             own = required_torque(wheel.motor, float(drive), float(speed))
-            most = available(wheel.motor, own, float(speed))
+            most = available_torque(wheel.motor, own, float(speed))
             share = abs(own) / most if most > 0.0 else np.inf * (own != 0.0)
             if share > worst["motor torque"][0]:
                 worst["motor torque"] = (share, f"{wheel.name} at t = {now:.5g} s: {abs(own):.6g} of {most:.6g} N m")

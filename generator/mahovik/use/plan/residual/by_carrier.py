@@ -15,7 +15,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.prescribed import Mechanics
+from mahovik.use.plan.residual.prescribed_motion import Mechanics
 from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
 

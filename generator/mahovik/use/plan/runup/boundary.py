@@ -32,14 +32,14 @@ from mahovik.use.plan.forward import (
     linearise_along,
 )
 from mahovik.use.plan.residual import Linear, Mechanics
-from mahovik.use.plan.residual.prescribed import able_at
+from mahovik.use.plan.residual.prescribed_motion import able_at
 
 SPLINES = 6
 """B-splines per flywheel."""
 
 
 @dataclass(frozen=True, eq=False)
-class Fade:
+class TransientFamily:
     """The family of motions at times t (M, s) of 0..duration: unknowns c (N, P; rad), P = 1 + splines.
 
     offset phi, phi', phi'' (M, N each) for c = 0
@@ -60,7 +60,9 @@ class Fade:
         return Angles(*(fixed + added @ c.T for fixed, added in zip(self.offset, self.basis, strict=True)))
 
 
-def fade(programme: Programme, duration: float, t: Array, *, up: bool, splines: int = SPLINES) -> Fade:
+def transient_family(
+    programme: Programme, duration: float, t: Array, *, up: bool, splines: int = SPLINES
+) -> TransientFamily:
     """The family that runs up into a periodic programme in `duration` s, or from it down to rest."""
     sign = 1.0 if up else -1.0
     x = t / duration if up else 1.0 - t / duration
@@ -82,7 +84,7 @@ def fade(programme: Programme, duration: float, t: Array, *, up: bool, splines: 
             for k, (start, inside) in enumerate(zip((1.0 - w, -w1, -w2), _splines(splines, x), strict=True))
         ]
     )
-    return Fade(t, fixed, basis)
+    return TransientFamily(t, fixed, basis)
 
 
 def _step(x: Array) -> tuple[Array, Array, Array]:
@@ -175,7 +177,7 @@ class Boundary:
 
     chart: Chart
     amplitude: Amplitude
-    family: Fade
+    family: TransientFamily
     joint: Array
     up: bool
 
@@ -255,11 +257,11 @@ def boundary(
     B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
     still = np.zeros((1, 6))
-    chart = Chart.about(mechanics, Course((motion.mean + programme.bias)[None], still, still))
+    chart = Chart.at_pose(mechanics, Course((motion.mean + programme.bias)[None], still, still))
     return Boundary(
         chart,
         amplitude_of(chart, motion, programme),
-        fade(programme, duration, t, up=up, splines=splines),
+        transient_family(programme, duration, t, up=up, splines=splines),
         chart.of(motion.at(np.zeros(1), programme.bias))[0],
         up,
     )

@@ -17,7 +17,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
-from mahovik.use.plan.runup.newton import measure, nonzero, reduce_excess, shares, shoot
+from mahovik.use.plan.runup.newton import measure, nonzero_mask, reduce_excess, shares, shoot
 
 GOAL = 1e-8
 """Terminal error at the nodes, in amplitudes."""
@@ -108,7 +108,7 @@ def is_out_of_reach(problem: Boundary, flight: Flight) -> bool:
     """Whether the remaining terminal error cannot be reduced by any flywheel motion, to first order."""
     J, _ = problem.sensitivity(problem.linearise_again(flight))
     U, sigma, _ = np.linalg.svd(J)
-    lost = U[:, ~nonzero(sigma)].T @ flight.error
+    lost = U[:, ~nonzero_mask(sigma)].T @ flight.error
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
@@ -121,7 +121,7 @@ def _reduce_excess(
         flight = reduce_excess(own, flight, bounds, budget)
         tried.append((own, flight))
     for splines in RICHER:
-        if shares(own, flight, bounds).most <= 1.0:
+        if shares(own, flight, bounds).largest <= 1.0:
             return own, flight
         if budget.is_spent():
             break
@@ -136,7 +136,7 @@ def _reduce_excess(
             break
         own, flight = richer, reduce_excess(richer, there, bounds, budget)
         tried.append((own, flight))
-    return min(tried, key=lambda each: shares(each[0], each[1], bounds).most)
+    return min(tried, key=lambda each: shares(each[0], each[1], bounds).largest)
 
 
 def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:

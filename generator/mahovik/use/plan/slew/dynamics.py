@@ -27,7 +27,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
 from mahovik.use.plan.residual.kinematics import in_E1, twists
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean
 

@@ -12,7 +12,7 @@ from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
-from mahovik.core.motion.required.slew_read import motion_of_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
@@ -27,7 +27,7 @@ from mahovik.use.plan.slew.path import Path, PathTable
 from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
-from mahovik.use.plan.unbalance import shaken
+from mahovik.use.plan.unbalance import unbalance_effect
 
 TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
@@ -244,14 +244,14 @@ def _rows(exact: Exact, law: Law) -> Array:
     bent = np.flatnonzero(np.diff(np.concatenate([[False], law.bends, [False]]).astype(int)))
     t = [0.0]
     for a, b in zip(bent[::2], bent[1::2], strict=True):  # intervals a to b bend
-        t += [*_even(t[-1], float(law.breaks[a]), COARSE * law.breaks[1])]
-        t += [*_even(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
-    t += [*_even(t[-1], law.duration, COARSE * law.breaks[1])]
+        t += [*_even_times(t[-1], float(law.breaks[a]), COARSE * law.breaks[1])]
+        t += [*_even_times(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
+    t += [*_even_times(t[-1], law.duration, COARSE * law.breaks[1])]
     t[-1] = law.duration
     return _turning(exact, law, np.array(t))
 
 
-def _even(begin: float, end: float, step: float) -> Array:
+def _even_times(begin: float, end: float, step: float) -> Array:
     """Times after `begin` up to `end`, no further apart than `step`; none where they are the same."""
     count = int(np.ceil((end - begin) / step - 1e-6))
     return np.linspace(begin, end, count + 1)[1:]
@@ -265,7 +265,7 @@ def _split(t: Array, counts: Array) -> Array:
 
 def _turning(exact: Exact, law: Law, t: Array) -> Array:
     """More rows where an uneven flywheel would turn further than TURN from one to the next."""
-    uneven = _uneven(exact)
+    uneven = _is_uneven(exact)
     if not uneven.any():
         return t
     share = np.abs(_least_share(exact))
@@ -276,7 +276,7 @@ def _turning(exact: Exact, law: Law, t: Array) -> Array:
     return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
 
 
-def _uneven(exact: Exact) -> Array:
+def _is_uneven(exact: Exact) -> Array:
     """Is a flywheel unevenly built (N)? Its wrench then changes as it turns."""
     tables = exact.mechanics.tables
     changing, mean = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)), np.abs(tables.Theta[0]).max(axis=(1, 2))
@@ -286,7 +286,7 @@ def _uneven(exact: Exact) -> Array:
 def _turn_between_rows(exact: Exact, found: SlewMotion) -> Array:
     """The furthest that an uneven flywheel turns in each interval between rows; rad."""
     angles = np.abs(np.diff(found.angles.phi, axis=0))
-    return np.asarray(angles[:, _uneven(exact)].max(axis=1, initial=0.0))
+    return np.asarray(angles[:, _is_uneven(exact)].max(axis=1, initial=0.0))
 
 
 def _least_share(exact: Exact) -> Array:
@@ -374,7 +374,7 @@ def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
 
 def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
     """The programme of the mean stand, whose report says what unbalance does besides."""
-    found = shaken(stand, motion_of_slew(slew, programme), programme)
+    found = unbalance_effect(stand, motion_of_slew(slew, programme), programme)
     sight = slew.axis if slew.kind == "sight" else None
     figures = None if found is None else found.figures(sight)
     return replace(programme, report={**programme.report, "unbalance": figures})

@@ -7,7 +7,7 @@ import numpy as np
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.study.jitter.balance import SLOW, Balance
 from mahovik.use.study.jitter.chain import Chain
 from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines

@@ -31,7 +31,7 @@ from mahovik.use.study.quiet.lines import (
 )
 from mahovik.use.study.quiet.options import MEASURES, QuietOptions, Wheels, check_options
 from mahovik.use.study.quiet.search import Search, broken_limits
-from mahovik.use.study.quiet.simulated import (
+from mahovik.use.study.quiet.simulation import (
     Sampling,
     band_rms,
     expected_samples,

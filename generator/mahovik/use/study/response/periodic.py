@@ -294,7 +294,7 @@ class _Search:
         M = odd_length(2 * H + 1)
         scene, base = self.scene, self.turning.base
         self.given = given = self._flywheel_sums(M)
-        y, h, push = resample(self.y, M), self.h, scene.push(given)
+        y, h, push = resample(self.y, M), self.h, scene.effect_of_wrench(given)
         fastest = base * max(map(abs, self.turning.turns))
         size = np.repeat([1.0, fastest], 6)
         for _ in range(STEPS):
@@ -327,7 +327,7 @@ class _Search:
     def V_dot(self) -> Array:
         """V* (M, 6)."""
         scene = self.scene
-        return scene.chart.acceleration(self.given, self.y) + (scene.push(self.given) @ self.h)[:, 6:]
+        return scene.chart.acceleration(self.given, self.y) + (scene.effect_of_wrench(self.given) @ self.h)[:, 6:]
 
     def result(self, seen: tuple[Place, ...]) -> Periodic:
         """The result of the course."""

@@ -22,7 +22,7 @@ from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.finding import Finding, check_limit, largest
 from mahovik.proof.verify.programme.mechanics import Scale, instants
-from mahovik.proof.verify.programme.spread import spread_phases
+from mahovik.proof.verify.programme.phase_spread import spread_phases
 
 POINTS = 400
 """Phases at which a table is compared."""

@@ -114,7 +114,7 @@ class ReferenceMotion:
         count = INTERVALS * max(1, round(NODES * turns * table.duration / self.motion.span / INTERVALS))
         t = np.linspace(0.0, table.duration, count + 1)
         still = np.zeros((1, 6))
-        chart = Chart.about(mechanics, Course((self.motion.mean + self.programme.bias)[None], still, still))
+        chart = Chart.at_pose(mechanics, Course((self.motion.mean + self.programme.bias)[None], still, still))
         angles = table.at(t)
         given = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
@@ -263,6 +263,6 @@ def _chart_and_sums(
 ) -> tuple[Chart, Drive, Array]:
     mean = (motion.mean + programme.bias)[None]
     still = np.zeros((1, 6))
-    chart = Chart.about(mechanics, Course(mean, still, still))
+    chart = Chart.at_pose(mechanics, Course(mean, still, still))
     angles = programme.at(t)
     return chart, drive(mechanics, *angles), angles.phi_ddot
