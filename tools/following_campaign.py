@@ -26,7 +26,7 @@ from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.record import following
 from mahovik.use.control.trim import TrimDesign, design_trim
-from mahovik.use.control.wanted import Wanted
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.planner import plan_motion
 
@@ -48,7 +48,7 @@ class Outcome:
     apart: float
 
 
-def outcome(wanted: Wanted, servo: Servo, design: TrimDesign, share: float, seed: int) -> Outcome:
+def outcome(wanted: ReferenceMotion, servo: Servo, design: TrimDesign, share: float, seed: int) -> Outcome:
     """Both runs of a seed."""
     real = with_mismatch(wanted.stand, share, seed)
     off = replace(servo, trim=None)
@@ -78,7 +78,7 @@ def line(name: str, found: Sequence[Outcome]) -> list[Any]:
     return [*cells, 1e3 * max(o.apart for o in found)]
 
 
-def cause_lines(name: str, wanted: Wanted, servo: Servo, share: float) -> Iterator[tuple[object, ...]]:
+def cause_lines(name: str, wanted: ReferenceMotion, servo: Servo, share: float) -> Iterator[tuple[object, ...]]:
     """Rows of the second table, seed 1: per cent."""
     case = Case(wanted, with_mismatch(wanted.stand, share, 1), servo, SETTLING + MEASURED)
     for each in contributions(case):
@@ -94,7 +94,7 @@ def figures(
     rows, designs = [], []
     causes: list[tuple[object, ...]] = []
     for name, programme in programmes.items():
-        wanted = Wanted.of(stand, motion, programme, ROWS)
+        wanted = ReferenceMotion.of(stand, motion, programme, ROWS)
         design = design_trim(stand, motion, wanted.programme, servo.trim)
         found = [outcome(wanted, servo, design, share, seed) for seed in range(1, seeds + 1)]
         rows.append(line(f"{name}, winding {', '.join(map(str, programme.winding))}", found))
@@ -143,7 +143,7 @@ def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     programme = programme_of(stand, motion, WINDINGS[name])
     winding = ", ".join(map(str, programme.winding))
     yield Measured("winding", True, f"{name}, winding {winding}" in [row["programme"] for row in found["rows"]])
-    wanted = Wanted.of(stand, motion, programme, found["nodes"])
+    wanted = ReferenceMotion.of(stand, motion, programme, found["nodes"])
     servo = load_servo(servos("bench8")[0], stand)
     assert servo.trim is not None
     design = design_trim(stand, motion, wanted.programme, servo.trim)

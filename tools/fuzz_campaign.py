@@ -29,7 +29,7 @@ from kept import Campaign, Columns, Figures
 from mahovik.core.stand import load
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
-from mahovik.core.toolchain.fuzzing import FLAGS, Run, compile_harness, fuzz, minimise
+from mahovik.core.toolchain.fuzzing import FLAGS, FuzzRun, compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
 from mahovik.stands import path
 
@@ -77,7 +77,7 @@ def fuzz_stand(stand: str, real: str, runs: int) -> FuzzResult:
     )
 
 
-def quick(stand: str, real: str, seconds: int) -> Run:
+def quick(stand: str, real: str, seconds: int) -> FuzzRun:
     """One stand at one precision for some seconds. Raises CheckError."""
     folder, program, _ = _build(stand, real)
     return fuzz(program, folder / "corpus", seconds=seconds)

@@ -147,7 +147,7 @@ def distance_from_course(stand: Stand, found: Periodic, until: float | None) -> 
         position = tuple((chart.O1 + chart.C @ found.y[0, :3]).tolist())
         start = replace(start, position=position, angles=None, quaternion=q, V=tuple(found.y[0, 6:].tolist()))
     hold = WrenchTable(np.zeros(1), found.hold[None])
-    regime = replace(motion.steady(stand, found.turning.speeds), wrenches={stand.carrier.name: hold})
+    regime = replace(motion.steady_regime(stand, found.turning.speeds), wrenches={stand.carrier.name: hold})
     step = 0.02 / max(map(abs, found.turning.speeds))
     run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
     last = run.data[-9:, [run.names.index(name) for name in POSE]]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Vec3
 from mahovik.laws.suspension.data import Suspension
 
@@ -133,4 +133,4 @@ def campaign_move(seed: int, N: int, duration: float = 0.3) -> RequiredMotion:
     size = np.array([2e-4] * 3 + [6e-4] * 3)
     there, round_way = (rng.uniform(-1, 1, 6) * size for _ in range(2))
     q = np.outer(x**3 * (10 - 15 * x + 6 * x * x), there) + np.outer(64 * x**3 * (1 - x) ** 3, round_way)
-    return replace(campaign_motion(seed, N), periodic=False, span=duration, course=Sampled(duration, False, t, q))
+    return replace(campaign_motion(seed, N), periodic=False, span=duration, course=SampledCourse(duration, False, t, q))

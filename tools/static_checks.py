@@ -22,11 +22,11 @@ from mahovik.core.stand import load
 from mahovik.core.toolchain.static_checks import (
     COMPILERS,
     DEVIATIONS,
-    KNOWN,
-    counted,
+    STANDING_FINDINGS,
+    count_by_rule,
     findings,
     version,
-    warned,
+    warnings_of,
 )
 from mahovik.stands import names, path
 
@@ -47,7 +47,7 @@ def figures(counts: dict[tuple[str, str], Counter[str]]) -> Figures:
     rows = [
         {"rule": rule, **{name: [counts[name, real][rule] for real in REALS] for name in _stands(counts)},
          "reason": reason}
-        for rule, reason in {**DEVIATIONS, **KNOWN}.items()
+        for rule, reason in {**DEVIATIONS, **STANDING_FINDINGS}.items()
     ]  # fmt: skip
     tools = ", ".join(version(tool) for tool in (*COMPILERS, "cppcheck"))
     return {"tools": tools, "stands": _stands(counts), "rows": rows}
@@ -61,11 +61,11 @@ def page(found: Figures) -> str:
 
 def sample(found: Figures, rng: Random) -> Iterator[Measured]:
     """A stand again, and the reasons."""
-    listed = {**DEVIATIONS, **KNOWN}
+    listed = {**DEVIATIONS, **STANDING_FINDINGS}
     yield Measured("rules and reasons", {row["rule"]: row["reason"] for row in found["rows"]}, listed)
     stand, number = rng.choice(found["stands"]), rng.randrange(len(REALS))
     folder, files = written(stand, REALS[number])
-    now = counted(findings(folder, files))
+    now = count_by_rule(findings(folder, files))
     for row in found["rows"]:
         yield Measured(f"{stand} {REALS[number]}, {row['rule']}", row[stand][number], now[row["rule"]])
 
@@ -86,14 +86,14 @@ def _stands(counts: dict[tuple[str, str], Counter[str]]) -> list[str]:
 def examined(stand: str, real: str) -> tuple[list[str], Counter[str]]:
     """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
     folder, files = written(stand, real)
-    complaints = warned(folder, [*files, f"{stand}_selftest.c"])
-    return [f"{stand} {real}: {line}" for line in complaints], counted(findings(folder, files))
+    complaints = warnings_of(folder, [*files, f"{stand}_selftest.c"])
+    return [f"{stand} {real}: {line}" for line in complaints], count_by_rule(findings(folder, files))
 
 
 def differences(counts: dict[tuple[str, str], Counter[str]], stands: Sequence[str]) -> list[str]:
     """A line for each rule that is not listed, and for each listed one that no example stand breaks."""
     seen = sum(counts.values(), Counter())
-    listed = {**DEVIATIONS, **KNOWN}
+    listed = {**DEVIATIONS, **STANDING_FINDINGS}
     wrong = [
         f"{rule}: {number} times, and not among the listed deviations"
         for rule, number in seen.items()

@@ -9,7 +9,7 @@ from typing import Any
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.proof.cost.check import Comparison, compare
 from mahovik.proof.cost.measure import Costs, measure
-from mahovik.proof.cost.page import as_json, read_accepted
+from mahovik.proof.cost.page import as_json, read_accepted_costs
 from mahovik_bench.build import ROOT
 from mahovik_bench.cases import case
 
@@ -33,7 +33,7 @@ def compared(found: dict[int, Costs], kept: str) -> dict[int, Comparison]:
     """Comparison of measured with accepted costs, by number of flywheels."""
     before: dict[str, Any] = json.loads(kept)
     return {
-        N: compare(each, read_accepted(json.dumps(before[str(N)]), str(ACCEPTED)))
+        N: compare(each, read_accepted_costs(json.dumps(before[str(N)]), str(ACCEPTED)))
         for N, each in found.items()
         if str(N) in before
     }

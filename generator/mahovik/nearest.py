@@ -16,7 +16,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return max(known, key=lambda candidate: _likeness(name, candidate))
 
 
-def alike(name: object, known: Iterable[str]) -> str | None:
+def nearest_name(name: object, known: Iterable[str]) -> str | None:
     """The known name that may be meant; None if none is similar."""
     names = list(known)
     if isinstance(name, str) and name and names:
@@ -34,7 +34,7 @@ def suggestion(name: object, known: Iterable[str], none: str = "there is none") 
     names = list(known)
     if not names:
         return f": {none}"
-    if (best := alike(name, names)) is not None:
+    if (best := nearest_name(name, names)) is not None:
         return f', did you mean "{best}"?'
     return f", expected one of {', '.join(names[:LISTED])}{', ...' if len(names) > LISTED else ''}"
 

@@ -246,7 +246,9 @@ def test_the_figures_as_json(folder: Path) -> None:
 
 def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(measuring, "require", require)
-    monkeypatch.setattr(Target, "missing", lambda target: ("qemu-system-arm",) if "cortex" in target.family else ())
+    monkeypatch.setattr(
+        Target, "missing_commands", lambda target: ("qemu-system-arm",) if "cortex" in target.family else ()
+    )
     result = run("cost", DEMO3, "-o", str(tmp_path))
     assert result.exit_code == 0
     lines = result.stderr.splitlines()
@@ -261,7 +263,7 @@ def test_targets_that_are_not_there_are_left_out_by_name(tmp_path: Path, monkeyp
 
 def test_where_no_target_is_there_it_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(measuring, "require", require)
-    monkeypatch.setattr(Target, "missing", lambda target: ("gcc",))
+    monkeypatch.setattr(Target, "missing_commands", lambda target: ("gcc",))
     said = refused("cost", DEMO3, "-o", str(tmp_path))
     assert said.startswith("error: m4: no gcc: ")
     assert said.count("\n") == 1

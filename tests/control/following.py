@@ -8,8 +8,8 @@ from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.record import Record
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.trim import TrimDesign, design_trim
-from mahovik.use.control.wanted import Wanted
 from verify.programme.programmes import shaker
 
 SERVO = """
@@ -30,9 +30,9 @@ averaging = 10
 ROUNDS = 6
 
 
-def wanted(rows: int | None = 64) -> Wanted:
+def wanted(rows: int | None = 64) -> ReferenceMotion:
     """The programme as a table with this many rows."""
-    return Wanted.of(*shaker(), rows)
+    return ReferenceMotion.of(*shaker(), rows)
 
 
 def servo(trim: bool = False, text: str = SERVO) -> Servo:

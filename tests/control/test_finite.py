@@ -13,7 +13,7 @@ import pytest
 
 from cli.run import refused, run
 from mahovik.core.motion.programme import save_programme
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3
@@ -21,7 +21,7 @@ from mahovik.core.stand.write import dumps
 from mahovik.use.control.causes import contributions
 from mahovik.use.control.finite import ARCSEC, tracking
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.wanted import Wanted
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
 from plan.slew.stands import ATTITUDE, PYRAMID, about, inertia, satellite, slew
 
@@ -51,10 +51,10 @@ def keys_of(kind: str) -> dict[str, Any]:
 
 
 @cache
-def planned(kind: str) -> Wanted:
+def planned(kind: str) -> ReferenceMotion:
     wanted = slew(stand(), **keys_of(kind))
     programme = plan_slew(stand(), wanted, verify=False).programmes[0]
-    return Wanted.of(stand(), resolved(wanted, programme), programme, None)
+    return ReferenceMotion.of(stand(), motion_of_slew(wanted, programme), programme, None)
 
 
 def case(kind: str, real: Stand | None = None) -> Case:
@@ -104,7 +104,7 @@ def test_before_and_after_it_the_wheels_turn_evenly_and_the_carrier_rests() -> N
     assert angles.phi[1] - angles.phi[0] == pytest.approx(2.0 * angles.phi_dot[1])
     assert angles.phi[3] - angles.phi[2] == pytest.approx(2.0 * angles.phi_dot[2])
     assert not angles.phi_ddot[[0, 3]].any()
-    q = wanted.required(np.array([-2.0, 0.0, span, span + 2.0]))
+    q = wanted.required_course(np.array([-2.0, 0.0, span, span + 2.0]))
     assert (q[0] == q[1]).all()
     assert (q[2] == q[3]).all()
 

@@ -10,8 +10,8 @@ import pytest
 from control.following import design, servo
 from mahovik.core.motion.programme import Fourier, Programme
 from mahovik.errors import UsageError
+from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
-from mahovik.use.control.wanted import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.plan.forward import course, drive
 from mahovik.use.plan.residual import Mechanics
 from verify.programme.programmes import shaker
@@ -79,7 +79,7 @@ def test_a_trim_that_does_not_converge_is_refused() -> None:
 def test_corrections_take_the_error_away_and_leave_the_mean() -> None:
     own = design()
     E = np.array([7.0, 1.0, -2.0, 0.5, 0.3]) * 1e-5
-    left = own.unreachable(E)
+    left = own.unreachable_part(E)
     assert np.abs(left[1:]).max() < 1e-12
     assert not np.any(own.matrix[:, 0])
 

@@ -19,7 +19,7 @@ from mahovik.use.design import DesignOptions, Outcome, design_stand
 from mahovik.use.design.freedom import Weights
 from mahovik.use.design.outcome import as_object, summary
 from mahovik.use.design.read import read_freedom
-from mahovik.use.design.search import Cost, Point, Search, not_dominated
+from mahovik.use.design.search import Cost, Point, Search, pareto_points
 from mahovik.use.plan.problem import uniform
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
 
@@ -166,4 +166,4 @@ def test_the_same_seed_gives_the_same_design() -> None:
 def test_designs_that_others_beat_are_no_front() -> None:
     """Kept: less torque for more unbalance."""
     points = [Point(Weights(), Cost(u, t, 0.0), 0.0) for u, t in ((1, 5), (2, 6), (3, 4), (3, 4), (2, 5), (9, 1))]
-    assert [(p.cost.unbalance, p.cost.torque) for p in not_dominated(points)] == [(1, 5), (3, 4), (9, 1)]
+    assert [(p.cost.unbalance, p.cost.torque) for p in pareto_points(points)] == [(1, 5), (3, 4), (9, 1)]

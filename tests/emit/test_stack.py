@@ -111,7 +111,7 @@ def test_headers_of_servos_and_programmes_state_bounds(real: str, tmp_path: Path
     write({**generated("shaker2", real).files, **made.servo, **tables.files}, tmp_path)
     for part, own, wrapped in (
         ("servo", made.program, {}),
-        ("programme", tables.made.program, {c.outer.name: c.inner.name for c in tables.made.courses}),
+        ("programme", tables.program.program, {c.outer.name: c.inner.name for c in tables.program.courses}),
     ):
         source = tmp_path / f"shaker2_{part}.c"
         bounds = stated(source.with_suffix(".h").read_text())

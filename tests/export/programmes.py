@@ -17,7 +17,7 @@ from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
 from mahovik.laws.suspension.data import Suspension
-from mahovik.out.export.programme import Exported, export_programme
+from mahovik.out.export.programme import ProgrammeExport, export_programme
 from toolchain.tools import compile_c
 
 PERIOD = 0.05
@@ -112,14 +112,14 @@ def stand_files(real: str) -> dict[str, str]:
 
 
 @cache
-def exported(name: str, kind: str = "quintic", real: str = "double") -> Exported:
+def exported(name: str, kind: str = "quintic", real: str = "double") -> ProgrammeExport:
     """One of the programmes above as C, by its name; `spin` with its motion."""
     given = {"spin": spin, "swaying": swaying, "sampled": sampled, "finite": finite, "started": started}[name]()
     limit = 1e-4 if name in ("sampled", "finite") and real == "double" else None
     return export_programme(stand(), given, motion() if name == "spin" else None, kind, real=real, limit=limit)
 
 
-def written(made: Exported, folder: Path, real: str = "double") -> Path:
+def written(made: ProgrammeExport, folder: Path, real: str = "double") -> Path:
     """Programme and stand in a folder; returns the programme's source."""
     for name, text in {**stand_files(real), **made.files}.items():
         (folder / name).write_text(text, encoding="ascii")

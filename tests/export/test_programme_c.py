@@ -169,6 +169,7 @@ def test_errors_and_cost_are_told() -> None:
     words = " ".join(source.replace("\n *", " ").split())
     assert all(" ".join(line.split()) in words for line in made.lines if not line.startswith("limit"))
     assert (
-        f"At most {cost(made.made.courses[0].inner, made.made.program.functions).total} operations on reals" in header
+        f"At most {cost(made.program.courses[0].inner, made.program.program.functions).total} operations on reals"
+        in header
     )
     assert f"{spin().span}  " in header

@@ -14,7 +14,7 @@ from toolchain.tools import compile_c, run
 
 def started(real: str, ticks: int, periods: int) -> tuple[Interpreter, dict[str, int]]:
     """Interpreter and a clock at phase 0."""
-    interpreter = Interpreter(exported("swaying", "fourier", real).made.program)
+    interpreter = Interpreter(exported("swaying", "fourier", real).program.program)
     status, found = interpreter.run("programme_start", {"ticks": ticks, "periods": periods})
     assert status == 0
     return interpreter, found["clock"]
@@ -63,7 +63,7 @@ int main(void)
     ("ticks", "periods"), [(1, 1), (3, 2), (0, 1), (-5, 1), (10, 0), (10, -1), (2147483647, 2147483647)]
 )
 def test_what_is_no_clock_is_refused(ticks: int, periods: int) -> None:
-    interpreter = Interpreter(exported("swaying", "fourier").made.program)
+    interpreter = Interpreter(exported("swaying", "fourier").program.program)
     assert interpreter.run("programme_start", {"ticks": ticks, "periods": periods})[0] == -5
 
 

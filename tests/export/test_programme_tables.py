@@ -12,19 +12,19 @@ from export.programmes import PERIOD, exported, motion, spin, stand, started, sw
 from mahovik.core.lower.programme.play import Player
 from mahovik.core.motion.programme import Fourier
 from mahovik.errors import CheckError, MahovikError, UsageError
-from mahovik.out.export.programme import Exported, export_programme
+from mahovik.out.export.programme import ProgrammeExport, export_programme
 
 OUTPUTS = ("phi", "phi_dot", "phi_ddot")
 
 
-def player(made: Exported) -> Player:
+def player(made: ProgrammeExport) -> Player:
     """The C's interpreter."""
-    return Player(made.made, {t.form.part: t.value for t in made.tables})
+    return Player(made.program, {t.form.part: t.value for t in made.tables})
 
 
-def outputs_at(made: Exported, phases: np.ndarray, number: int = 0) -> dict[str, np.ndarray]:
+def outputs_at(made: ProgrammeExport, phases: np.ndarray, number: int = 0) -> dict[str, np.ndarray]:
     """Outputs of one table at phases."""
-    return player(made).many(made.made.courses[number], [float(np.float32(x)) for x in phases])
+    return player(made).many(made.program.courses[number], [float(np.float32(x)) for x in phases])
 
 
 def mean() -> np.ndarray:
@@ -62,7 +62,7 @@ def test_speed_and_acceleration_are_the_derivatives() -> None:
         step = 2.0**-20
         middle = np.arange(1, 60) / 61.0
         made = exported("swaying", kind)
-        a, b, c = (player(made).many(made.made.courses[0], list(middle + k * step)) for k in (-1, 0, 1))
+        a, b, c = (player(made).many(made.program.courses[0], list(middle + k * step)) for k in (-1, 0, 1))
         h = step * PERIOD
         rise = c["phi"] - a["phi"]
         rise -= 2 * np.pi * np.round(rise / (2 * np.pi))
@@ -127,7 +127,7 @@ def test_a_residual_that_is_added_is_measured() -> None:
 def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
     made = exported("started")
     assert [t.form.part for t in made.tables] == ["", "runup", "rundown"]
-    course, up, down = made.made.courses
+    course, up, down = made.program.courses
     begin = player(made).at(course, 0.0)[1]
     for each, phase in ((up, 1.0), (down, 0.0)):
         status, joint = player(made).at(each, phase)
@@ -148,7 +148,7 @@ def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
 def test_torques_of_run_up_and_run_down_are_those_of_a_free_carrier() -> None:
     """From rest the weight of the unbalance; the run-down begins with the torques of the programme."""
     made = export_programme(stand(), started(), motion(), real="float")
-    course, up, down = made.made.courses
+    course, up, down = made.program.courses
     begin, leave, rest = (player(made).at(each, 0.0)[1] for each in (course, down, up))
     assert leave["tau"] == pytest.approx(begin["tau"], rel=1e-5)
     weight = [w.mass * 9.81 * w.center_of_mass[1] for w in stand().flywheels]

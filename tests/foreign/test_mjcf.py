@@ -12,7 +12,7 @@ import pytest
 from mahovik.core.stand import loads
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.agreement import MujocoOriginal, agreement
-from mahovik.out.foreign.merge import Imported, make_stand
+from mahovik.out.foreign.merge import ImportedStand, make_stand
 from mahovik.out.foreign.mjcf import compile_model, read_mjcf
 from mahovik.out.foreign.write import stand_file
 
@@ -21,12 +21,12 @@ TOLERANCE = 1e-12
 """MuJoCo's full inertias go by principal axes that are good to about this."""
 
 
-def imported(path: Path = SAT, **options: Any) -> Imported:
+def imported(path: Path = SAT, **options: Any) -> ImportedStand:
     """The stand of a file."""
     return make_stand(read_mjcf(path), "sat", path.name, **options)
 
 
-def errors_of(path: Path, found: Imported) -> dict[str, float]:
+def errors_of(path: Path, found: ImportedStand) -> dict[str, float]:
     """How far off MuJoCo on the file itself is."""
     return agreement(found, MujocoOriginal(compile_model(path), found, read_mjcf(path).free is not False))
 

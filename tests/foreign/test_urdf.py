@@ -14,7 +14,7 @@ from mahovik.core.stand.model import MountingAxes
 from mahovik.core.stand.state import State
 from mahovik.errors import ForeignError
 from mahovik.out.foreign.agreement import PinocchioOriginal, agreement, disagreement
-from mahovik.out.foreign.merge import Imported, make_stand
+from mahovik.out.foreign.merge import ImportedStand, make_stand
 from mahovik.out.foreign.model import Array
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
@@ -24,7 +24,7 @@ TOLERANCE = 1e-12
 """Tolerance of K, I, bias, tau, phi_ddot. V_dot is a small difference of large wheel torques: 1e-11."""
 
 
-def imported(path: Path = SAT, **options: Any) -> Imported:
+def imported(path: Path = SAT, **options: Any) -> ImportedStand:
     """The stand of a file."""
     return make_stand(read_urdf(path), "sat", path.name, **options)
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from mahovik.core.formula.ordered import ordered
+from mahovik.core.formula.ordering import to_formulas
 from mahovik.core.formula.tree import Formula
 
 a, b, c, s = sp.symbols("a b c s")
@@ -32,13 +32,13 @@ x2, x10 = sp.symbols("x[2] x[10]")
     ids=str,
 )
 def test_the_order(expression: sp.Expr, expected: Formula) -> None:
-    assert ordered(expression) == expected
+    assert to_formulas(expression) == expected
 
 
 @pytest.mark.parametrize("expression", [a / b, sp.sqrt(a), sp.sin(a)], ids=str)
 def test_what_no_program_can_do_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(TypeError, match="no form in a program"):
-        ordered(expression)
+        to_formulas(expression)
 
 
 def value(formula: Any, numbers: dict[str, sp.Integer]) -> sp.Expr:
@@ -57,4 +57,4 @@ def value(formula: Any, numbers: dict[str, sp.Integer]) -> sp.Expr:
 def test_a_formula_has_the_value_of_its_expression() -> None:
     expression = (a - 2 * b) * (c + x2**2) - sp.Rational(1, 4) * s * x10 + 3
     primes = dict(zip((a, b, c, s, x2, x10), map(sp.Integer, (2, 3, 5, 7, 11, 13)), strict=True))
-    assert value(ordered(expression), {x.name: n for x, n in primes.items()}) == expression.subs(primes)
+    assert value(to_formulas(expression), {x.name: n for x, n in primes.items()}) == expression.subs(primes)

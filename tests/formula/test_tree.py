@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 import sympy as sp
 
-from mahovik.core.formula.tree import Matrix, as_json, from_json, names_of, renamed
+from mahovik.core.formula.tree import Matrix, as_json, from_json, names_of, rename_symbols
 
 SUM = ("+", ("*", 2.0, "mu[0]"), ("-", "c"))
 VALUES = (
@@ -78,5 +78,5 @@ def test_a_block_is_taken_as_in_sympy(index: tuple[int | slice, slice]) -> None:
 
 
 def test_names_are_replaced_everywhere() -> None:
-    assert renamed(SUM, {"mu[0]": "mu[1]", "c": "s"}) == ("+", ("*", 2.0, "mu[1]"), ("-", "s"))
+    assert rename_symbols(SUM, {"mu[0]": "mu[1]", "c": "s"}) == ("+", ("*", 2.0, "mu[1]"), ("-", "s"))
     assert names_of(SUM) == {"mu[0]", "c"}

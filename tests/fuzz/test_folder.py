@@ -17,8 +17,15 @@ from mahovik.core.emit.generate import generate
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
-from mahovik.proof.cost.page import read_accepted
-from mahovik.proof.verify.delivery import COST, FIGURES, accepted_figures, deliver, differences, require_place_for_cost
+from mahovik.proof.cost.page import read_accepted_costs
+from mahovik.proof.verify.delivery import (
+    COST_PAGE,
+    FIGURES,
+    accepted_figures,
+    deliver,
+    differences,
+    require_place_for_cost,
+)
 from mahovik.stands import path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -76,7 +83,7 @@ def test_accepted_figures(text: str, folder: Path) -> None:
     (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
     found = read_or_refuse(lambda: accepted_figures(folder, DEMO3))
     if found is not None:
-        read_or_refuse(lambda: read_accepted(found, FIGURES))
+        read_or_refuse(lambda: read_accepted_costs(found, FIGURES))
     read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
 
 
@@ -89,8 +96,10 @@ def test_a_place_for_cost(text: str, folder: Path) -> None:
 
 @fuzzed(30)
 @given(
-    data=spoiled_bytes([(GENERATED / COST).read_bytes()] if (GENERATED / COST).is_file() else [b"# Cost of demo3\n"])
+    data=spoiled_bytes(
+        [(GENERATED / COST_PAGE).read_bytes()] if (GENERATED / COST_PAGE).is_file() else [b"# Cost of demo3\n"]
+    )
 )
 def test_cost_page(data: bytes, folder: Path) -> None:
-    (folder / COST).write_bytes(data)
+    (folder / COST_PAGE).write_bytes(data)
     visit(folder)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import NUMBERS, spoiled_bytes
 from fuzz.reading import READERS, fuzzed, read_or_refuse
-from mahovik.out.foreign.merge import Imported, make_stand
+from mahovik.out.foreign.merge import ImportedStand, make_stand
 from mahovik.out.foreign.mjcf import read_mjcf
 from mahovik.out.foreign.urdf import read_urdf
 from mahovik.out.foreign.write import stand_file
@@ -43,7 +43,7 @@ def spoiled_xml(draw: st.DrawFn, text: str) -> str:
 def into_a_stand(path: Path) -> None:
     """Every file gives a stand, or is refused."""
 
-    def whole() -> Imported:
+    def whole() -> ImportedStand:
         found = make_stand(read_urdf(path) if path.suffix == ".urdf" else read_mjcf(path), "x", path.name)
         stand_file(found, path.name, "x")
         return found

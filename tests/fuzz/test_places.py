@@ -10,7 +10,7 @@ import pytest
 
 from cli.run import DEMO3, run
 from fuzz.reading import READERS, check_message, soon
-from mahovik.core.motion.read import loads
+from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load
 from mahovik.errors import RegimeError
 from mahovik.proof.verify import states
@@ -77,5 +77,5 @@ def load_demo3() -> Stand:
 def test_a_table_that_is_no_file(table: str, tmp_path: Path) -> None:
     text = f'schema = 1\n[default]\ntable = "{table}"\n'.replace("\0", "\\u0000")
     with soon(), pytest.raises(RegimeError) as found:
-        loads(text, load_demo3(), 1.0, folder=tmp_path)
+        loads_regime(text, load_demo3(), 1.0, folder=tmp_path)
     check_message(str(found.value))

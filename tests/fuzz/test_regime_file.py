@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json, spoiled_toml
 from fuzz.reading import READERS, fuzzed, read_or_refuse
-from mahovik.core.motion.read import load, loads
+from mahovik.core.motion.read import load, loads_regime
 from mahovik.core.stand import load as load_stand
 from mahovik.stands import path
 
@@ -87,14 +87,14 @@ def place(folder: Path, motion: bytes = TABLES[0], wrench: bytes = TABLES[2]) ->
 
 @pytest.mark.parametrize("text", REGIMES)
 def test_the_examples_are_regimes(text: str, tmp_path: Path) -> None:
-    assert loads(text, DEMO3, 1.0, folder=place(tmp_path)).flywheels
+    assert loads_regime(text, DEMO3, 1.0, folder=place(tmp_path)).flywheels
 
 
 @fuzzed(200)
 @given(text=spoiled_toml(REGIMES), table=st.sampled_from(TABLES))
 def test_toml(text: str, table: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp(), table)
-    read_or_refuse(lambda: loads(text, DEMO3, 1.0, folder=folder))
+    read_or_refuse(lambda: loads_regime(text, DEMO3, 1.0, folder=folder))
 
 
 @fuzzed(200)
@@ -121,4 +121,4 @@ def spoiled_csv(draw: st.DrawFn) -> bytes:
 def test_tables(data: bytes, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = place(tmp_path_factory.getbasetemp(), data, data)
     for text in REGIMES:
-        read_or_refuse(partial(loads, text, DEMO3, 1.0, folder=folder))
+        read_or_refuse(partial(loads_regime, text, DEMO3, 1.0, folder=folder))

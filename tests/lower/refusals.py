@@ -7,7 +7,7 @@ from typing import Any
 
 from emit.compiled import Compiled, bits
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.toolchain.library import filled
+from mahovik.core.toolchain.library import uniform_data
 
 FILL = 4321.5
 """What outputs hold before a call."""
@@ -53,7 +53,7 @@ def refuses(c: Compiled, function: str, inputs: dict[str, Any], *expected: str) 
     assert status in {STATUS_VALUES[name] for name in expected}, (function, status)
     for a in c.program.function(function).arguments:
         if a.direction == "out":
-            assert outputs[a.name] == filled(a.type, a.shape, FILL), f"{function} wrote {a.name}"
+            assert outputs[a.name] == uniform_data(a.type, a.shape, FILL), f"{function} wrote {a.name}"
         elif a.direction == "inout":
             assert bits(outputs[a.name]) == bits(inputs[a.name]), f"{function} wrote {a.name}"
 

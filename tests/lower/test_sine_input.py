@@ -16,7 +16,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
-from mahovik.core.toolchain.library import filled
+from mahovik.core.toolchain.library import uniform_data
 from mahovik.proof.verify.c_backend import CBackend
 
 FUNCTIONS = ("forward", "torque", "coupled", "inverse_fast")
@@ -101,7 +101,7 @@ def refused(c: CBackend, function: str, inputs: dict[str, Any], due: str) -> Non
     assert status == STATUS_VALUES[due]
     for a in c.program.function(function).arguments:
         if a.direction == "out":
-            assert outputs[a.name] == filled(a.type, a.shape, FILL)
+            assert outputs[a.name] == uniform_data(a.type, a.shape, FILL)
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)

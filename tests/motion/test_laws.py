@@ -18,7 +18,7 @@ from mahovik.core.motion.laws import (
     TorqueTable,
     WrenchTable,
 )
-from mahovik.core.motion.motor import available, drive, friction, needed
+from mahovik.core.motion.motor import available_torque, drive, friction, required_torque
 from mahovik.core.stand.model import Motor
 
 TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
@@ -94,11 +94,11 @@ MOTOR = Motor(0.2, 100.0, None, None, None, 1e-3, 5e-3, 0.1)
 
 
 def test_available_torque_falls_linearly_to_the_no_load_speed_and_brakes_in_full() -> None:
-    assert [available(MOTOR, 1.0, w) for w in (0.0, 50.0, 100.0, 150.0)] == [0.2, 0.1, 0.0, 0.0]
-    assert [available(MOTOR, -1.0, w) for w in (0.0, -50.0, -100.0)] == [0.2, 0.1, 0.0]
-    assert available(MOTOR, -1.0, 90.0) == 0.2
-    assert available(Motor(None, 100.0, None, None, None, 0, 0, 0.1), 1.0, 500.0) == math.inf
-    assert available(Motor(0.2, None, None, None, None, 0, 0, 0.1), 1.0, 500.0) == 0.2
+    assert [available_torque(MOTOR, 1.0, w) for w in (0.0, 50.0, 100.0, 150.0)] == [0.2, 0.1, 0.0, 0.0]
+    assert [available_torque(MOTOR, -1.0, w) for w in (0.0, -50.0, -100.0)] == [0.2, 0.1, 0.0]
+    assert available_torque(MOTOR, -1.0, 90.0) == 0.2
+    assert available_torque(Motor(None, 100.0, None, None, None, 0, 0, 0.1), 1.0, 500.0) == math.inf
+    assert available_torque(Motor(0.2, None, None, None, None, 0, 0, 0.1), 1.0, 500.0) == 0.2
 
 
 def test_friction_opposes_and_adds_to_the_limited_command() -> None:
@@ -108,4 +108,4 @@ def test_friction_opposes_and_adds_to_the_limited_command() -> None:
     assert drive(MOTOR, -5.0, 50.0) == pytest.approx(-0.2 - 0.055, rel=1e-12)
     assert drive(MOTOR, 0.01, 50.0) == pytest.approx(0.01 - 0.055, rel=1e-12)
     assert drive(None, 5.0, 50.0) == 5.0
-    assert needed(MOTOR, drive(MOTOR, 0.03, 50.0), 50.0) == pytest.approx(0.03, rel=1e-12)
+    assert required_torque(MOTOR, drive(MOTOR, 0.03, 50.0), 50.0) == pytest.approx(0.03, rel=1e-12)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion import load, loads, steady
+from mahovik.core.motion import load, loads_regime, steady_regime
 from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import RegimeError
@@ -27,7 +27,7 @@ def regime_of_left(law: str) -> str:
 
 def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
     with pytest.raises(RegimeError) as caught:
-        loads(text, SHAKER, until, "r.toml", folder)
+        loads_regime(text, SHAKER, until, "r.toml", folder)
     assert all(line.startswith("r.toml: ") and "\n" not in line for line in caught.value.problems)
     return list(caught.value.problems)
 
@@ -49,26 +49,26 @@ def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
     ],
 )
 def test_laws_in_si(text: str, law: Law) -> None:
-    first, second = loads(regime_of_left(text), SHAKER, 1.0).flywheels
+    first, second = loads_regime(regime_of_left(text), SHAKER, 1.0).flywheels
     assert (first.name, first.law) == ("left", law)
     assert (second.name, second.law) == ("right", Constant(0.0))
 
 
 def test_phases_initial_speeds_and_defaults() -> None:
     text = HEAD + 'default = { torque = 0.1, initial_speed = 4 }\n[flywheel.right]\nphase = "90 deg"\n'
-    first, second = loads(text, SHAKER, 1.0).flywheels
+    first, second = loads_regime(text, SHAKER, 1.0).flywheels
     assert (first.law, first.phase, first.speed) == (Torque(0.1), None, 4.0)
     assert (second.law, second.phase, second.speed) == (Torque(0.1), math.pi / 2, 4.0)
-    kept = steady(SHAKER, [1.0, 2.0])
+    kept = steady_regime(SHAKER, [1.0, 2.0])
     assert [each.law for each in kept.flywheels] == [Constant(1.0), Constant(2.0)]
     assert not kept.by_torque
 
 
 def test_torque_beside_a_speed_that_varies_is_mixed() -> None:
     head, ramp = HEAD + "[flywheel.left]\ntorque = 1\n[flywheel.right]\n", "ramp = { to = 5, duration = 1 }"
-    assert loads(head + ramp, SHAKER, 1.0).mixed
-    assert not loads(head + "speed = 3", SHAKER, 1.0).mixed
-    assert not loads(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixed
+    assert loads_regime(head + ramp, SHAKER, 1.0).mixes_speed_and_torque
+    assert not loads_regime(head + "speed = 3", SHAKER, 1.0).mixes_speed_and_torque
+    assert not loads_regime(f"{HEAD}default = {{ {ramp} }}", SHAKER, 1.0).mixes_speed_and_torque
 
 
 def test_json_is_the_same_as_toml(tmp_path: Path) -> None:
@@ -86,12 +86,12 @@ def test_tables(tmp_path: Path) -> None:
     (tmp_path / "b.csv").write_text("torque,t\n1,0\n2,1\n")
     (tmp_path / "w.csv").write_text("t,Z [kN],M\n0,0,0\n2,1,4\n")
     text = HEAD + '[flywheel.left]\ntable = "a.csv"\n[flywheel.right]\nhold = true\n[wrench]\nleft = "w.csv"\n'
-    found = loads(text, SHAKER, 1.0, "r.toml", tmp_path)
+    found = loads_regime(text, SHAKER, 1.0, "r.toml", tmp_path)
     law = found.flywheels[0].law
     assert isinstance(law, SpeedTable)
     np.testing.assert_allclose(law.motion(np.array([0.25]))[1], 5 * math.pi, rtol=1e-12)
     assert found.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
-    torque = loads(regime_of_left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
+    torque = loads_regime(regime_of_left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
     assert isinstance(torque, TorqueTable)
     assert torque.command(0.5, 0.0) == 1.5
 
@@ -217,7 +217,7 @@ def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
     """Converted it may be a hair below; half a step of output less is not the same."""
     for end in (until, float(np.nextafter(until, 0.0))):
         (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{end * 1e3!r},3\n")
-        loads(regime_of_left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
+        loads_regime(regime_of_left('table = "a.csv"'), SHAKER, until, "r.toml", tmp_path)
     (tmp_path / "a.csv").write_text(f"t [ms],phi_dot\n0,1\n{until * 1e3 * (1 - 1e-9)!r},3\n")
     assert "but the simulation runs" in problems(regime_of_left('table = "a.csv"'), tmp_path, until)[0]
 
@@ -227,7 +227,7 @@ def test_a_last_time_in_ms_that_is_until(until: float, tmp_path: Path) -> None:
 )
 def test_a_key_of_json_that_is_there_twice(text: str) -> None:
     with pytest.raises(RegimeError, match=r'^r.json: not JSON: key "(schema|speed)" appears twice$'):
-        loads(text, SHAKER, 1.0, "r.json", is_json=True)
+        loads_regime(text, SHAKER, 1.0, "r.json", is_json=True)
 
 
 def test_missing_files(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from mahovik.core.motion.required.model import Winding
 from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import StartBatch, refine_periodic
-from mahovik.use.plan.optimise import Improved, evaluate, finish, improve
+from mahovik.use.plan.optimise import ImprovedMotion, evaluate, finish, improve
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, Improver, search
@@ -58,7 +58,7 @@ def plain(winding: Winding) -> Periodic:
     return search(problem, Plain(own), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
 
 
-def improved(own: Improver, winding: Winding) -> Improved:
+def improved(own: Improver, winding: Winding) -> ImprovedMotion:
     """The plain programme, improved and finished."""
     budget = Budget(UNTIL)
     return finish(own.problem, own.cost, improve(own.problem, own.cost, plain(winding), budget), budget)

@@ -10,7 +10,7 @@ import pytest
 
 from mahovik.core.motion.programme import Angles, load_programme, save_programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.motion.required.course import Sampled
+from mahovik.core.motion.required.course import SampledCourse
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan import PlanOptions, plan_motion
@@ -29,7 +29,7 @@ def move() -> tuple[Stand, RequiredMotion]:
     t = np.linspace(0.0, SPAN, 13)
     x = t / SPAN
     way = x**3 * (10 - 15 * x + 6 * x * x)
-    course = Sampled(SPAN, False, t, np.outer(way, [1.5e-4, 0.0, 0.0, 0.0, 3e-4, 0.0]))
+    course = SampledCourse(SPAN, False, t, np.outer(way, [1.5e-4, 0.0, 0.0, 0.0, 3e-4, 0.0]))
     return stand, replace(motion, periodic=False, span=SPAN, course=course)
 
 

@@ -18,8 +18,8 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.forward import forward
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (
+    BlockElimination,
     Chart,
-    Eliminated,
     acceleration_rates,
     course,
     drive,
@@ -38,7 +38,7 @@ HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
 def chart_of(stand: Stand, rng: np.random.Generator) -> Chart:
     """About a random pose."""
     zero = np.zeros((1, 6))
-    return Chart.about(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
+    return Chart.at_pose(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
 
 
 def literal(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
@@ -149,7 +149,7 @@ def test_collocation_is_of_order_six() -> None:
         t = np.linspace(0.0, 3.0, 4 * B + 1)
         A = np.tile(np.array([[0.0, 1.0], [-1.0, 0.0]]), (len(t), 1, 1))
         push = np.stack([np.zeros_like(t), 3.0 * np.sin(2.0 * t)], axis=1)[:, :, None]
-        x = Eliminated.of(A, t[1]).solve(integrate(push, t[1]), np.array([[0.0], [-2.0]]))
+        x = BlockElimination.of(A, t[1]).solve(integrate(push, t[1]), np.array([[0.0], [-2.0]]))
         errors.append(abs(x[:, 0, 0] + np.sin(2.0 * t)).max())
         assert split_blocks(t).shape == (B, 5)
     assert 40.0 < errors[0] / errors[1] < 90.0

@@ -58,6 +58,6 @@ def test_chain_rule_is_that_of_differences() -> None:
         step = np.zeros(motion.waves.size)
         step[column] = 1e-5
         none = np.zeros(6, dtype=bool)
-        ahead, behind = (residual(at, *motion.moved(d, none).at(basis)).ravel() for d in (step, -step))
+        ahead, behind = (residual(at, *motion.step(d, none).at(basis)).ravel() for d in (step, -step))
         difference = (ahead - behind) / 2e-5
         assert abs(exact[:, column] - difference).max() <= 1e-6 * abs(difference).max()

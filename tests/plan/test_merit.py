@@ -59,7 +59,7 @@ def test_derivatives_are_those_of_differences(free: tuple[bool, ...]) -> None:
     for column in range(unknowns):
         d = np.zeros(unknowns)
         d[column] = step
-        ahead, behind = (here.at(motion.moved(sign * d, here.problem.free)) for sign in (1.0, -1.0))
+        ahead, behind = (here.at(motion.step(sign * d, here.problem.free)) for sign in (1.0, -1.0))
         by_c = (ahead.c - behind.c) / (2 * step)
         assert abs(model.A[:, column] - by_c).max() <= 2e-5 * max(abs(by_c).max(), 1e-3 * abs(model.A).max())
         by_value = (ahead.value - behind.value) / (2 * step)
@@ -76,7 +76,7 @@ def test_curvature_is_positive_and_makes_the_quadratic_model() -> None:
     point = here.at(motion)
     model = point.model(here.problem.bias_perturbations(here.grid.course, motion.bias))
     d = np.random.default_rng(4).normal(size=len(model.gradient)) * 0.1
-    there = here.at(motion.moved(d, found.free))
+    there = here.at(motion.step(d, found.free))
     expected = point.value + model.gradient @ d + d @ model.curvature @ d / 2
     assert there.value == pytest.approx(expected, rel=1e-10)
     all_rows, wheel_motion = stage()

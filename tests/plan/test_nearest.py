@@ -6,7 +6,7 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.optimise import evaluate
-from mahovik.use.plan.planner import not_found
+from mahovik.use.plan.planner import not_found_message
 from mahovik.use.plan.search import Candidate, Improver, Search, choose
 from plan.improvable import N, plain, setting
 
@@ -26,12 +26,12 @@ def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(
     own, found = pushed()
     monkeypatch.setattr(Improver, "rescue", lambda *_: None)
     (nearest,) = choose(own, found)
-    assert nearest.exact and not nearest.accepted
+    assert nearest.exact and not nearest.is_programme
     attempt = found.beyond[0]
     assert attempt.free is not None
     disregards = own.exact(attempt, attempt.free, None)
-    assert nearest.used < 0.9 * disregards.used, "it is no nearer than one that disregards the bound"
-    worst = nearest.exceeded[0]
+    assert nearest.utilisation < 0.9 * disregards.utilisation, "it is no nearer than one that disregards the bound"
+    worst = nearest.exceeded_bounds[0]
     assert (worst.kind, worst.limit) == ("torque", 0.03)
     assert worst.value > 0.1
     assert f"torque of {worst.of}: {worst.value:.6g} N m" in worst.words and "bound is 0.03" in worst.words
@@ -39,7 +39,7 @@ def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(
 
 def test_a_search_without_a_programme_names_the_bound_that_its_nearest_attempt_exceeds() -> None:
     _, found = pushed()
-    words = not_found(found)
+    words = not_found_message(found)
     assert "the nearest attempt exceeds a bound, torque of w" in words
     assert "bound is 0.03" in words and "try wider bounds" in words
-    assert "bound" not in not_found(Search())
+    assert "bound" not in not_found_message(Search())

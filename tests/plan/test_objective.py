@@ -13,7 +13,7 @@ from mahovik.core.motion.required import Course
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
 from mahovik.use.plan.objective import KINDS, Cost, Rows
-from mahovik.use.plan.residual import Prescribed, linear, prescribe
+from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 from plan.courses import RandomCourse, random_course
 from plan.problems import required
 
@@ -22,7 +22,7 @@ N = 3
 WEIGHTS = (0.5, 2.0, 1.0)
 
 
-def setting(kind: str) -> tuple[Cost, RandomCourse, Prescribed]:
+def setting(kind: str) -> tuple[Cost, RandomCourse, PrescribedMotion]:
     """A cost with one kind weighted, on a stand with motors, and a drawn motion."""
     _, mechanics, motion = random_course(21, N, replace(EVERYTHING, motors=True))
     weights: dict[str, Any] = {kind: WEIGHTS}
@@ -30,7 +30,7 @@ def setting(kind: str) -> tuple[Cost, RandomCourse, Prescribed]:
     return cost, motion, prescribe(mechanics, Course(*motion[:3]))
 
 
-def rows_at(cost: Cost, at: Prescribed, angles: Angles) -> Rows:
+def rows_at(cost: Cost, at: PrescribedMotion, angles: Angles) -> Rows:
     """The one kind of rows, without derivatives by the bias."""
     mean_speed = np.array([OMEGA, -OMEGA, 0.0])
     (found,) = cost.rows(angles, mean_speed, Rows.torque(linear(at, *angles))).values()

@@ -13,7 +13,7 @@ from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp import partition as partition_module
 from mahovik.use.plan.ocp.partition import PartitionCourse, best_partition, order_of, partition_of
-from mahovik.use.plan.ocp.solve import Scaled
+from mahovik.use.plan.ocp.solve import ScaledProblem
 from mahovik.use.plan.ocp.structure import Formulation, Mesh, Structure
 from mahovik.use.plan.ocp.transcription import node_functions, transcription
 from mahovik.use.plan.residual import prescribe, residual, torques
@@ -25,13 +25,13 @@ PLUS = (0, 2, 3, 4, 6, 7)
 WEIGHTS = {"acceleration": 1.0, "torque": 0.5, "speed_variation": 0.3, "power": 0.0}
 
 
-def scaled() -> Scaled:
+def scaled() -> ScaledProblem:
     """bench8 with several kinds of objective."""
     problem = example_problem("bench8")
     weights = {kind: tuple([value] * N) for kind, value in WEIGHTS.items()}
     problem = replace(problem, motion=replace(problem.motion, objective=replace(problem.motion.objective, **weights)))
     Omega = 2.0 * np.pi / problem.motion.span
-    return Scaled(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega), order_of(PLUS, N))
+    return ScaledProblem(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega), order_of(PLUS, N))
 
 
 def test_collocation_is_exact_for_polynomials_of_its_degree() -> None:
@@ -66,7 +66,7 @@ def test_a_node_is_what_the_residual_says(partition: bool) -> None:
         full[:, 2:] = y[:, :6]
     angles = Angles(phi, v * Omega, full[:, np.argsort(order)] * Omega**2)
     at = prescribe(problem.mechanics, problem.motion.at(t), bias)
-    R, tau = problem.norm.scaled(residual(at, *angles)), torques(at, *angles)
+    R, tau = problem.norm.dimensionless(residual(at, *angles)), torques(at, *angles)
     if partition:
         assert np.abs(R).max() < 1e-10 * np.abs(full).max()
         assert np.all(y[:, 6] > 0.0)

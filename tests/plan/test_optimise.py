@@ -10,7 +10,7 @@ import pytest
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
-from mahovik.use.plan.optimise import Improved, evaluate, exceeded_by, improve
+from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by, improve
 from mahovik.use.plan.optimise.merit import Model, Point
 from mahovik.use.plan.problem import BiasPerturbations
 from plan.improvable import UNTIL, N, improved, plain, setting
@@ -28,7 +28,7 @@ def tight() -> Bounds:
 
 
 @cache
-def inside() -> Improved:
+def inside() -> ImprovedMotion:
     """The plain programme, improved inside these bounds."""
     return improved(setting(tight()), "rock")
 
@@ -40,7 +40,7 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
     assert broken == {"acceleration", "torque", "speed", "angle"}
     found = inside()
     assert exceeded_by(own.problem, own.cost, found.motion) == ()
-    assert found.used < 1.0
+    assert found.utilisation < 1.0
     assert found.residual < own.problem.tolerance
 
 
@@ -92,10 +92,10 @@ def test_what_cannot_be_kept_is_told() -> None:
     own = setting(Bounds(acceleration=(60.0,) * N))
     budget = Budget(UNTIL)
     found = own.rescue(own.candidate(improve(own.problem, own.cost, plain("rock"), budget), "rock"), None)
-    assert found is not None and found.exact and not found.accepted
-    worst = found.exceeded[0]
+    assert found is not None and found.exact and not found.is_programme
+    worst = found.exceeded_bounds[0]
     peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
     assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
     assert worst.ratio == pytest.approx(worst.value / 60.0)
-    assert {each.of for each in found.exceeded} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
-    assert found.used == pytest.approx(worst.ratio, rel=1e-6)
+    assert {each.of for each in found.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
+    assert found.utilisation == pytest.approx(worst.ratio, rel=1e-6)

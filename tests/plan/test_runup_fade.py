@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.use.plan.runup.boundary import fade
+from mahovik.use.plan.runup.boundary import transient_family
 
 T, LASTS = 0.2, 0.73
 
@@ -27,7 +27,7 @@ def unknowns(splines: int = 6) -> np.ndarray:
 @pytest.mark.parametrize("up", [True, False])
 def test_whatever_is_added_it_joins_the_programme_with_two_derivatives(up: bool) -> None:
     """At t = 0 of the programme, without whole turns between; at rest at the other end."""
-    family = fade(programme(), LASTS, np.array([0.0, LASTS]), up=up)
+    family = transient_family(programme(), LASTS, np.array([0.0, LASTS]), up=up)
     found, joint = family.angles(unknowns()), programme().at(np.zeros(1))
     ends = (-1, 0) if up else (0, -1)
     for values, expected in zip(found, joint, strict=True):
@@ -40,7 +40,9 @@ def test_whatever_is_added_it_joins_the_programme_with_two_derivatives(up: bool)
 def test_derivatives_are_those_of_differences(up: bool) -> None:
     """phi' of phi, phi'' of phi', of the fixed part and of all that may be added."""
     t, step = np.linspace(0.01, LASTS - 0.01, 9), 1e-6
-    at, ahead, behind = (fade(programme(), LASTS, t + d, up=up).angles(unknowns()) for d in (0.0, step, -step))
+    at, ahead, behind = (
+        transient_family(programme(), LASTS, t + d, up=up).angles(unknowns()) for d in (0.0, step, -step)
+    )
     for lower, exact in ((0, at.phi_dot), (1, at.phi_ddot)):
         difference = (ahead[lower] - behind[lower]) / (2 * step)
         assert exact == pytest.approx(difference, rel=1e-5, abs=1e-5 * abs(difference).max())
@@ -55,7 +57,7 @@ def test_down_is_up_of_the_programme_reversed_in_time() -> None:
         Fourier(forth.course.mean, forth.course.cos, -forth.course.sin),
     )  # fmt: skip
     t = np.linspace(0.0, LASTS, 11)
-    down, up = (fade(p, LASTS, t, up=u).angles(unknowns()) for p, u in ((forth, False), (back, True)))
+    down, up = (transient_family(p, LASTS, t, up=u).angles(unknowns()) for p, u in ((forth, False), (back, True)))
     for sign, one, other in zip((1.0, -1.0, 1.0), down, up, strict=True):
         assert one == pytest.approx(sign * other[::-1], rel=1e-9, abs=1e-9 * abs(one).max())
 
@@ -63,6 +65,6 @@ def test_down_is_up_of_the_programme_reversed_in_time() -> None:
 def test_every_unknown_does_something_of_its_own() -> None:
     """The basis has full rank, also with more splines; only the first moves the angle of rest."""
     for splines in (6, 10):
-        basis = fade(programme(), LASTS, np.linspace(0.0, LASTS, 60), up=True, splines=splines).basis
+        basis = transient_family(programme(), LASTS, np.linspace(0.0, LASTS, 60), up=True, splines=splines).basis
         assert np.linalg.matrix_rank(basis[0]) == splines + 1
         assert basis[0, 0] == pytest.approx(np.eye(splines + 1)[0], abs=1e-14)

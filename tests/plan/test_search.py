@@ -7,7 +7,7 @@ import pytest
 
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import EXACT, KINKED
+from mahovik.use.plan.problem import EXACT, EXACT_WITH_KINKS
 from mahovik.use.plan.search import Candidate, Improver, Search, search
 from plan.examples import problem
 from plan.improvable import Plain
@@ -50,7 +50,7 @@ def test_shaker2_rocks_and_spins_at_one_amplitude() -> None:
 def test_auv6_with_kinks_in_its_drag() -> None:
     """V|V|: 1e-5."""
     result, tolerance = search_result("auv6", winding="rock")
-    assert tolerance == KINKED
+    assert tolerance == EXACT_WITH_KINKS
     assert result.found[0].residual < 1e-5
 
 

@@ -14,7 +14,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.reference.task import demanded, task_demand, task_inverse
+from mahovik.proof.reference.task import task_demand, task_inverse, task_rows
 from mahovik.proof.second import Second
 
 SIX = Task("six", tuple(TaskRow("", name) for name in COMPONENTS))
@@ -73,7 +73,7 @@ def test_the_answer_is_the_least_in_both_norms(seed: int) -> None:
     """The residual is normal to all that can be reached, and phi'' to all that changes nothing."""
     stand, state = case(20 + seed, 1 + seed)
     at = pieces(stand, state)
-    asked = task_demand(at, demanded(at, stand, stand.tasks[0]), np.array(state.demand))
+    asked = task_demand(at, task_rows(at, stand, stand.tasks[0]), np.array(state.demand))
     found = task_inverse(at, asked.rows, np.array(state.demand))
     root = inverse_root((asked.G + asked.G.T) / 2)
     left, matrix = root @ found.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))

@@ -20,7 +20,7 @@ from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import wrench_to_parent
-from mahovik.proof.reference.wrenches import body_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
 from physics.general import draw, isolated, placed, rows, suspension_of, without_wrench
 from physics.motions import motion, rate, rotation, vec
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from mahovik.core.stand import load
 from mahovik.errors import MahovikError
 from mahovik.proof.evidence.collect import collect
-from mahovik.proof.evidence.piece import Collected, Need, Outcome, Piece, Subject, Table, Tell, Verdict
+from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Table, Tell, Verdict
 from mahovik.stands import path
 
 DEMO3 = str(path("demo3"))
@@ -42,6 +42,6 @@ def refusing(error: MahovikError) -> Piece:
     return piece("refusing", error)
 
 
-def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[Collected]:
+def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[PieceResult]:
     """The evidence of demo3."""
     return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

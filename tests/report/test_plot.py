@@ -116,7 +116,7 @@ def test_a_run_that_follows_is_shown_at_its_end_and_its_error_all_along() -> Non
         columns |= {f"{name} [{unit}]": 1.1 * wave, f"required_{name} [{unit}]": wave}
     shown = run.panels(columns)
     for word in ("O1", "attitude", "carrier", "drive torque"):
-        assert by_quantity(shown, word).lines[0].x[0] == t[-run.SHOWN]
+        assert by_quantity(shown, word).lines[0].x[0] == t[-run.LAST_SAMPLES]
     error = by_quantity(shown, "error of O1").lines[0]
     assert len(error.x) == 1000 and np.abs(error.y).max() == pytest.approx(0.1, rel=0.01)
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion import loads, steady
+from mahovik.core.motion import loads_regime, steady_regime
 from mahovik.core.stand import load, rest_state
 from mahovik.core.stand.model import Motor, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
@@ -77,7 +77,7 @@ def start(stand: Stand) -> State:
 
 
 def case(stand: Stand, text: str, until: float = 0.05, **more: Any) -> Case:
-    return Case(stand, loads(text, stand, until), start(stand), until, **{"every": 0.01, **more})
+    return Case(stand, loads_regime(text, stand, until), start(stand), until, **{"every": 0.01, **more})
 
 
 def worst(a: Run, b: Run) -> float:
@@ -181,7 +181,7 @@ def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
     """0.05 (1 - w/100) = 1e-4 w + 2e-3: in balance."""
     stand = with_motors(Motor(0.05, 100.0, None, None, None, 1e-4, 2e-3, 0.1))
     stand = replace(stand, gravity=(0.0, 0.0, 0.0))
-    regime = loads("schema = 1\ndefault = { torque = 5 }\n", stand, 12.0)
+    regime = loads_regime("schema = 1\ndefault = { torque = 5 }\n", stand, 12.0)
     found = simulate(Case(stand, regime, rest_state(stand), 12.0, every=0.1, dt=1e-3, order=2))
     expected = (0.05 - 2e-3) / (0.05 / 100 + 1e-4)
     assert found["phi_dot left [rad/s]"][-20:].mean() == pytest.approx(expected, rel=1e-2)  # it shakes about it
@@ -193,7 +193,7 @@ def test_a_motor_ends_at_the_speed_where_the_line_meets_friction() -> None:
 def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
     stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
     text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
-    found = simulate(Case(stand, loads(text, stand, 0.05), rest_state(stand), 0.05))
+    found = simulate(Case(stand, loads_regime(text, stand, 0.05), rest_state(stand), 0.05))
     t, missing = found.weak_motors["left"]
     assert 0.0 <= t <= 0.05
     assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
@@ -221,7 +221,7 @@ def test_interruption_keeps_what_was_computed() -> None:
 def test_a_rigid_body_can_be_simulated() -> None:
     stand = random_stand(np.random.default_rng(1), 0, BARE, name="brick")
     moving = replace(rest_state(stand), V=(1.0, 0, 0, 0.5, 2.0, -1.0))
-    cases = Case(stand, steady(stand, []), moving, 0.1, every=0.05)
+    cases = Case(stand, steady_regime(stand, []), moving, 0.1, every=0.05)
     assert worst(simulate(cases), simulate(cases, "scipy")) < 1e-9
 
 
@@ -237,7 +237,7 @@ def test_times_end_at_until() -> None:
 def test_bad_numbers_are_refused(wrong: dict[str, Any]) -> None:
     given = {"until": 0.1, "every": 0.01, **wrong}
     with pytest.raises(UsageError, match="expected"):
-        Case(free(), steady(free(), [0.0] * 3), rest_state(free()), **given)
+        Case(free(), steady_regime(free(), [0.0] * 3), rest_state(free()), **given)
 
 
 def test_an_unknown_backend_is_refused() -> None:

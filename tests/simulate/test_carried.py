@@ -10,7 +10,7 @@ import pytest
 
 import mahovik
 from mahovik import stands
-from mahovik.core.motion import loads
+from mahovik.core.motion import loads_regime
 from mahovik.core.stand import load, rest_state
 from mahovik.errors import UsageError
 from mahovik.use.simulate import Case, Run, simulate
@@ -23,7 +23,7 @@ def pushed(**more: Any) -> Run:
     """sat4 from 200 rad/s under 10 mN m for 0.2 s."""
     stand = load(stands.path("sat4"))
     start = replace(rest_state(stand), position=(200.0, 0.0, 0.0), V=(5e-3, 0.0, 0.0, 0.0, 0.0, 0.0))
-    return simulate(Case(stand, loads(PUSHED, stand, 0.2), start, 0.2, every=0.1, **more))
+    return simulate(Case(stand, loads_regime(PUSHED, stand, 0.2), start, 0.2, every=0.1, **more))
 
 
 def error(found: Run, name: str) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion import loads
+from mahovik.core.motion import loads_regime
 from mahovik.core.motion.laws import RunUp
 from mahovik.core.motion.motor import drive, steepness
 from mahovik.core.stand import Stand, load, rest_state
@@ -22,7 +22,7 @@ SHAKER = load(stands.path("shaker2"))
 
 
 def case(text: str, stand: Stand = SHAKER, dt: float = 1e-4) -> Case:
-    return Case(stand, loads(f"schema = 1\n{text}\n", stand, 0.05), rest(stand).state, 0.05, every=0.01, dt=dt)
+    return Case(stand, loads_regime(f"schema = 1\n{text}\n", stand, 0.05), rest(stand).state, 0.05, every=0.01, dt=dt)
 
 
 def run_up(torque: float, **more: float) -> str:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand import dumps, identities, load, loads, structure
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.damping.data import Factor

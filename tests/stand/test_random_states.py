@@ -58,8 +58,8 @@ def check_normal(values: Array, spread: Array) -> None:
 
 def spread_of(symbol: str, count: int) -> Array:
     row = QUANTITIES[symbol]
-    assert 0 < max(row.spread) <= row.ordinary
-    return np.array(np.repeat(row.spread, count // len(row.spread)), dtype=np.float64)
+    assert 0 < max(row.deviation) <= row.ordinary
+    return np.array(np.repeat(row.deviation, count // len(row.deviation)), dtype=np.float64)
 
 
 @pytest.mark.parametrize("symbol", NORMAL)

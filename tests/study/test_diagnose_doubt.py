@@ -43,8 +43,8 @@ def test_what_explains_less_than_nine_tenths_is_no_fault_found(name: str, monkey
 def test_nine_tenths_are_asked_of_one_fault_of_a_part_and_of_two() -> None:
     one, other = Part(DICTIONARY[0]), Part(DICTIONARY[1])
     for suspect, share in (((one,), 1.0), ((one,), 0.5), ((one, other), 1.0)):
-        assert Finding(suspect, share, Match(0.099, 0.099, ())).named
-        assert not Finding(suspect, share, Match(0.101, 0.101, ())).named
+        assert Finding(suspect, share, Match(0.099, 0.099, ())).can_be_named
+        assert not Finding(suspect, share, Match(0.101, 0.101, ())).can_be_named
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ def begin(found: Periodic) -> State:
 def returned(found: Periodic, periods: int) -> float:
     """Distance of the carrier from where it began after some periods, relative to its amplitude."""
     until = periods * found.turning.period
-    regime = motion.steady(found.scene.stand, found.turning.speeds)
+    regime = motion.steady_regime(found.scene.stand, found.turning.speeds)
     run = simulate(Case(found.scene.stand, regime, begin(found), until, until), "scipy")
     data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
@@ -76,7 +76,7 @@ def resting_case(stand: Stand, speeds: list[float], until: float, every: float) 
     """From rest, flywheels at speed at once."""
     from mahovik.use.study.rest import rest
 
-    return Case(stand, motion.steady(stand, speeds), rest(stand).state, until, every, 1e-4)
+    return Case(stand, motion.steady_regime(stand, speeds), rest(stand).state, until, every, 1e-4)
 
 
 @pytest.mark.slow

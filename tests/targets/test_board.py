@@ -138,8 +138,8 @@ def test_a_missing_tool_says_what_installs_it(name: str, tmp_path: Path, monkeyp
 
 def test_a_processor_without_the_instructions_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(targets_module, "_processor_flags", lambda: frozenset({"avx2", "fma"}))
-    assert "avx512f" in TARGETS["host-gcc-v4"].unable()
-    assert TARGETS["host"].unable() == ""
+    assert "avx512f" in TARGETS["host-gcc-v4"].obstacle()
+    assert TARGETS["host"].obstacle() == ""
 
 
 def test_version_is_name_and_number() -> None:

@@ -14,7 +14,7 @@ from mahovik.core.stand import load
 from mahovik.errors import UsageError
 from mahovik.proof.cost.check import compare
 from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
-from mahovik.proof.cost.page import as_json, page, read_accepted
+from mahovik.proof.cost.page import as_json, page, read_accepted_costs
 from targets.boards import target
 from toolchain.tools import require
 
@@ -120,7 +120,7 @@ def costs(**changes: Any) -> Costs:
 
 
 def rises(**changes: object) -> tuple[str, ...]:
-    return compare(costs(**changes), read_accepted(as_json(costs()), "cost.json")).rises
+    return compare(costs(**changes), read_accepted_costs(as_json(costs()), "cost.json")).rises
 
 
 @pytest.mark.parametrize(("what", "old"), [("instructions", 1000), ("stack", 500), ("code", 3000)])
@@ -140,7 +140,7 @@ def test_whole_file_and_tables_are_compared_too() -> None:
 
 
 def test_another_compiler_is_not_compared() -> None:
-    found = compare(costs(compiler="gcc 9.9.9", text=9999), read_accepted(as_json(costs()), "cost.json"))
+    found = compare(costs(compiler="gcc 9.9.9", text=9999), read_accepted_costs(as_json(costs()), "cost.json"))
     assert (found.rises, found.compared) == ((), ())
     assert found.other == ("m7, double: accepted figures are of gcc 1.2.3, this is gcc 9.9.9",)
 

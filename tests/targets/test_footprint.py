@@ -43,7 +43,7 @@ def measured_footprint(text: str, folder: Path, name: str = "m7") -> Footprint:
 def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
     found = measured_footprint(CHAIN, tmp_path, name)
     assert found.constants["table"] == 100
-    assert found.reached("middle") == {"leaf", "middle"}
+    assert found.with_calls("middle") == {"leaf", "middle"}
     red_zone = 128 if name == "host" else 0  # of x86-64: below the stack pointer, in no frame
     assert 400 - red_zone <= found.stack_of("leaf") < 450
     assert found.stack_of("top") == found.frames["top"] + found.frames["middle"] + found.frames["leaf"]

@@ -11,7 +11,7 @@ from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.toolchain.eva import Proof, parsed, prove
+from mahovik.core.toolchain.eva import Proof, parse_proof, prove
 from mahovik.errors import ToolchainError
 from toolchain.quick import quick
 from toolchain.tools import require, run
@@ -39,11 +39,13 @@ FAULTS = {
 
 
 def test_a_line_of_the_script_is_read() -> None:
-    assert parsed("any_forward alarms 0 unproved 2 seconds 7\n") == Proof("forward", "any", 0, 2, 7)
-    assert parsed("bits_step_driven alarms failed unproved 0 seconds 1") == Proof("step_driven", "bits", None, 0, 1)
-    assert not parsed("any_forward alarms 0 unproved 2 seconds 7").holds
+    assert parse_proof("any_forward alarms 0 unproved 2 seconds 7\n") == Proof("forward", "any", 0, 2, 7)
+    assert parse_proof("bits_step_driven alarms failed unproved 0 seconds 1") == Proof(
+        "step_driven", "bits", None, 0, 1
+    )
+    assert not parse_proof("any_forward alarms 0 unproved 2 seconds 7").holds
     with pytest.raises(ToolchainError, match="expected `SET_FUNCTION"):
-        parsed("[kernel] Parsing")
+        parse_proof("[kernel] Parsing")
 
 
 @pytest.mark.parametrize("name", quick(1, ["everything6", "demo3", "bare0"]))

@@ -175,7 +175,7 @@ def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str,
 
 
 def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Comparison("wrap", "nothing", 1.0).finished()])
+    monkeypatch.setitem(JUDGES, "wrap", lambda case: [Comparison("wrap", "nothing", 1.0).with_verdict()])
     assert [row.verdict for row in rows_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
 
 

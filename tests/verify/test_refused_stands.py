@@ -60,7 +60,7 @@ def test_a_judge_that_refuses_some_cases_only_fails() -> None:
     row = Comparison("mounts", "something", 1e-12)
     row.note(np.ones(2), np.ones(2), np.ones(2), "random 1")
     row.note_absence(StateError("no such sum"), "random 2")
-    assert (row.finished().verdict, row.row.state) == ("FAILED", "random 2")
+    assert (row.with_verdict().verdict, row.row.state) == ("FAILED", "random 2")
     assert row.row.reason == "its judge refused: no such sum"
 
 

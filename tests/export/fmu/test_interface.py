@@ -9,7 +9,7 @@ import pytest
 
 from export.fmu import fmus
 from export.fmu.fmus import Instance
-from mahovik.core.motion import loads
+from mahovik.core.motion import loads_regime
 from mahovik.core.stand.state import rest_state
 from mahovik.use.simulate import Case, simulate
 
@@ -135,7 +135,7 @@ def tuned(version: str) -> None:
         one.step(0.0, 0.05)
         carrier = one.get(*(f"carrier.position[{i}]" for i in (1, 2, 3)), *(f"carrier.V[{i}]" for i in range(1, 7)))
     start = rest_state(found)
-    free = loads("schema = 1\ndefault = { torque = 0 }", heavy, 0.05)
+    free = loads_regime("schema = 1\ndefault = { torque = 0 }", heavy, 0.05)
     run = simulate(Case(heavy, free, start, 0.05, 0.05, 1e-3))
     assert carrier[:3] == pytest.approx([run[f"{a} [m]"][-1] for a in "xyz"], rel=1e-9, abs=1e-12)
     expected = [run[f"v_{a} [m/s]"][-1] for a in "xyz"] + [run[f"omega_{a} [rad/s]"][-1] for a in "xyz"]

@@ -11,7 +11,7 @@ import pytest
 
 from export.fmu import fmus
 from mahovik.core.lower.fmu.variables import Inputs
-from mahovik.core.motion import loads
+from mahovik.core.motion import loads_regime
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.use.simulate import Case, simulate
@@ -54,7 +54,7 @@ def regime(stand: Stand, state: State, values: dict[str, float], inputs: Inputs)
             wrenches.append(f"{body.name} = {list(WRENCH)}")
     if wrenches:
         lines += ["[wrench]", *wrenches]
-    return loads("\n".join(lines), stand, UNTIL)
+    return loads_regime("\n".join(lines), stand, UNTIL)
 
 
 def pairs(stand: Stand, inputs: Inputs) -> dict[str, str]:

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, SampledCourse
 
 AMPLITUDES = arrays(np.float64, (3, 6), elements=st.floats(-1.0, 1.0))
 
@@ -40,7 +40,7 @@ def test_a_spline_of_samples_is_the_motion_it_samples() -> None:
     rng = np.random.default_rng(1)
     course = harmonics(rng.normal(size=(3, 6)), rng.normal(size=(3, 6)))
     t = 0.1 * np.arange(160) / 160
-    sampled = Sampled(0.1, True, t, course.at(t).q)
+    sampled = SampledCourse(0.1, True, t, course.at(t).q)
     fine = np.linspace(-0.25, 0.35, 777)
     for (ours, theirs), off in zip(
         zip(sampled.at(fine), course.at(fine), strict=True), (1e-6, 1e-5, 1e-3), strict=True
@@ -51,7 +51,7 @@ def test_a_spline_of_samples_is_the_motion_it_samples() -> None:
 
 def test_splines_are_smooth_across_the_period() -> None:
     x = 2 * np.pi * np.arange(16) / 16
-    sampled = Sampled(0.1, True, 0.02 + 0.1 * np.arange(16) / 16, np.outer(np.cos(x), np.ones(6)))
+    sampled = SampledCourse(0.1, True, 0.02 + 0.1 * np.arange(16) / 16, np.outer(np.cos(x), np.ones(6)))
     for joint in (0.02, 0.12):
         before, after = sampled.at(np.array([joint - 1e-12])), sampled.at(np.array([joint + 1e-12]))
         for left, right, scale in zip(before, after, (1.0, 60.0, 4e3), strict=True):

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme, Samples, programme_text, read_programme
-from mahovik.core.motion.required import Slew, read_motion, read_required
+from mahovik.core.motion.required import Slew, read_motion, read_motion_or_slew
 from mahovik.core.stand import Stand, load
 from mahovik.errors import MotionError, ProgrammeError
 
@@ -23,7 +23,7 @@ def stand() -> Stand:
 
 
 def read(**keys: Any) -> Slew:
-    found = read_required(json.dumps({"schema": 1, "type": "slew"} | keys), stand(), "m.json")
+    found = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew"} | keys), stand(), "m.json")
     assert isinstance(found, Slew)
     return found
 
@@ -87,7 +87,7 @@ def test_a_slew_has_a_course_only_with_its_programme() -> None:
     t = np.array([0.0, 0.7, 2.0])
     rng = np.random.default_rng(0)
     rows = [rng.normal(size=(3, 4)) for _ in range(3)]
-    carrier = Followed(t, *(0.1 * rng.normal(size=(3, 6)) for _ in range(3)))
+    carrier = PlannedCourse(t, *(0.1 * rng.normal(size=(3, 6)) for _ in range(3)))
     names = tuple(s.name for s in load(stands.path("sat4")).flywheels)
     programme = Programme(
         "sat4", "a", "b", "s", names, False, 2.0, np.zeros(6), (0,) * 4, Samples(t, *rows), carrier=carrier

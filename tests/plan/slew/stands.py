@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik import stands
-from mahovik.core.motion.required import Slew, read_required
+from mahovik.core.motion.required import Slew, read_motion_or_slew
 from mahovik.core.stand import Stand, load, loads
 
 PYRAMID = ((1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
@@ -39,7 +39,7 @@ def sat4() -> Stand:
 
 
 def slew(stand: Stand, **keys: Any) -> Slew:
-    found = read_required(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys), stand, "turn")
+    found = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys), stand, "turn")
     assert isinstance(found, Slew)
     return found
 

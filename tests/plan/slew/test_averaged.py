@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.motion.programme import Programme, programme_text, read_programme
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.whole import mass_properties
 from mahovik.proof.verify.programme import verify_programme
@@ -18,7 +18,7 @@ from mahovik.proof.verify.programme.mechanics import residuals, scale_of
 from mahovik.proof.verify.programme.simulation import simulate
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.slew import plan_slew
-from mahovik.use.plan.unbalance import shaken, twist_at_rest
+from mahovik.use.plan.unbalance import twist_at_rest, unbalance_effect
 from plan.slew.stands import ATTITUDE, about, sat4, slew
 
 SLOW = pytest.mark.slow
@@ -73,8 +73,8 @@ def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
 def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     """The literal reference over the first turns of the wheels, by another method in other coordinates."""
     stand, programme = sat4(), quick()
-    motion = resolved(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
-    found = shaken(stand, motion, programme)
+    motion = motion_of_slew(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
+    found = unbalance_effect(stand, motion, programme)
     assert found is not None
     k = int(np.searchsorted(found.t, 0.05))
     start = programme.at(np.zeros(1))
@@ -110,9 +110,9 @@ def test_the_programme_says_so_and_is_not_taken_for_a_resisted_one() -> None:
     assert programme_text(again) == programme_text(programme)
     keys: dict[str, Any] = {"end": about_z(5), "duration": 10, "start": against(314)}
     other = slew(stand, unbalance="resisted", **keys)
-    findings = verify_programme(stand, resolved(other, replace(programme, unbalance="resisted")), programme)
+    findings = verify_programme(stand, motion_of_slew(other, replace(programme, unbalance="resisted")), programme)
     assert {each.name for each in findings if not each.passed} == {"motion"}
-    motion = resolved(other, replace(programme, unbalance="resisted"))
+    motion = motion_of_slew(other, replace(programme, unbalance="resisted"))
     for held, error in ((mean_stand(stand), (0.0, 1e-6)), (stand, (1e-2, np.inf))):
         found = residuals(held, motion, programme, scale_of(held, motion, programme), times=50).residual.max()
         assert error[0] <= found <= error[1]

@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from mahovik.core.motion.motor import available, needed
+from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
@@ -123,8 +123,8 @@ def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits
     for s, wheel in enumerate(stand.flywheels):
         assert wheel.motor is not None
         for speed, drive in zip(angles.phi_dot[:, s], tau[:, s], strict=True):
-            own = needed(wheel.motor, drive, speed)
-            assert abs(own) <= available(wheel.motor, own, speed) * (1 + 1e-9)
+            own = required_torque(wheel.motor, drive, speed)
+            assert abs(own) <= available_torque(wheel.motor, own, speed) * (1 + 1e-9)
     assert np.abs(tau).max() > 0.97 * 0.2  # and they are used
 
 

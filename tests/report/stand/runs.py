@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik import stands
-from mahovik.core.motion.read import loads
+from mahovik.core.motion.read import loads_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State, rest_state
@@ -65,6 +65,6 @@ def run_through(stand: Stand, states: Sequence[State]) -> Run:
 
 def spun_up(stand: Stand, torque: float = 0.05, until: float = 0.02) -> Run:
     """A run under constant torques, by SciPy on the reference."""
-    regime = loads(f"schema = 1\ndefault = {{ torque = {torque} }}\n", stand, until)
+    regime = loads_regime(f"schema = 1\ndefault = {{ torque = {torque} }}\n", stand, until)
     found = simulate(Case(stand, regime, rest_state(stand), until, every=until / 20), "scipy")
     return run_of(stand, {name: found[name] for name in found.names})

@@ -18,7 +18,7 @@ from mahovik.out.report.plot.inline import charts, figure
 from mahovik.out.report.plot.panel import (
     BINS,
     MOST,
-    NAMED,
+    NAMED_LINES,
     Line,
     Mark,
     Panel,
@@ -151,11 +151,11 @@ def test_many_lines_are_a_band_with_the_furthest_by_name() -> None:
     values[50, 17], values[30, 40] = 30.0, -20.0
     lines = family([f"w{i}" for i in range(64)], x, values)
     band, kept = condense_lines(lines)
-    assert band is not None and band.count == 64 and len(kept) == NAMED
+    assert band is not None and band.count == 64 and len(kept) == NAMED_LINES
     assert {"w17", "w40"} <= {line.name for line in kept}
     assert np.array_equal(band.high, values.max(axis=1)) and np.array_equal(band.low, values.min(axis=1))
     html = figure(Panel("speed, rpm", lines))
-    assert html.count("<li>") == NAMED + 1 and "all 64" in html
+    assert html.count("<li>") == NAMED_LINES + 1 and "all 64" in html
     assert condense_lines(lines[:MOST]) == (None, lines[:MOST])
 
 

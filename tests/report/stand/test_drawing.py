@@ -110,7 +110,7 @@ def test_names_do_not_cover_one_another() -> None:
                 boxes.append((x - half, y - 9.0, x + half, y + 2.0))
         assert len(boxes) + left_out >= 64 + 2 + 2
         for i, (x0, y0, x1, y1) in enumerate(boxes):
-            assert Box(x0, y0, x1, y1).shared(np.array(boxes[:i]).reshape(-1, 4)) < 1.0
+            assert Box(x0, y0, x1, y1).overlap(np.array(boxes[:i]).reshape(-1, 4)) < 1.0
 
 
 def test_places_run_out() -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion import loads
+from mahovik.core.motion import loads_regime
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
@@ -23,8 +23,8 @@ from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
 from mahovik.use.study.quiet.lines import Amplitudes, groups
 from mahovik.use.study.quiet.options import Wheels
 from mahovik.use.study.quiet.result import as_object, regime_text
-from mahovik.use.study.quiet.search import Found, Search
-from mahovik.use.study.quiet.simulated import Sampling, expected_samples, simulate_point, steady_start
+from mahovik.use.study.quiet.search import Search, SpeedChoice
+from mahovik.use.study.quiet.simulation import Sampling, expected_samples, simulate_point, steady_start
 from mahovik.use.study.response.periodic import periodic_response, rms
 from mahovik.use.study.rest import rest
 
@@ -181,7 +181,7 @@ def test_the_exact_steady_state_is_ten_times_quieter(sat4: Stand, chosen: QuietR
 def test_the_files_are_read_back(sat4: Stand, chosen: QuietResult) -> None:
     """The regime by `simulate`'s reader, the result as strict JSON."""
     got = chosen
-    regime = loads(regime_text(got), sat4, 1.0)
+    regime = loads_regime(regime_text(got), sat4, 1.0)
     _, phi_dot, _ = regime.motion(np.zeros(1))
     assert phi_dot[0].tolist() == got.after.speeds.tolist()
     assert [each.phase for each in regime.flywheels] == got.after.phases.tolist()
@@ -229,7 +229,7 @@ def test_time_and_interrupts_cut_the_search(sat4: Stand, monkeypatch: pytest.Mon
         quiet(sat4, SAT4, seconds=1e-9, backend=None)
     look = Search.evaluate
 
-    def third(self: Search, *given: Any) -> Found:
+    def third(self: Search, *given: Any) -> SpeedChoice:
         if self.looked_at == 2:
             raise KeyboardInterrupt
         return look(self, *given)

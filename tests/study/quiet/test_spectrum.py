@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mahovik.use.study.quiet.simulated import band_rms, line_amplitude
+from mahovik.use.study.quiet.simulation import band_rms, line_amplitude
 
 EVERY = 1e-3
 T = EVERY * np.arange(4000)

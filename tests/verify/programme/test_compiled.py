@@ -17,8 +17,8 @@ from mahovik.core.motion.programme import save_programme
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.out.cli import main
 from mahovik.proof.verify.programme import Finding
-from mahovik.proof.verify.programme.compiled import compiled_findings
 from mahovik.proof.verify.programme.mechanics import scale_of
+from mahovik.proof.verify.programme.programme_c import compiled_findings
 from mahovik.stands import path
 from toolchain.quick import quick
 

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import Slew, read_required
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required import Slew, read_motion_or_slew
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.proof.verify.programme import verify_programme
 from mahovik.use.plan.slew import plan_slew
@@ -28,7 +28,9 @@ def case() -> tuple[Stand, Slew, Programme]:
 
 
 def failed(stand: Stand, wanted: Slew, programme: Programme) -> set[str]:
-    return {each.name for each in verify_programme(stand, resolved(wanted, programme), programme) if not each.passed}
+    return {
+        each.name for each in verify_programme(stand, motion_of_slew(wanted, programme), programme) if not each.passed
+    }
 
 
 def moved(programme: Programme, **changed: Any) -> Programme:
@@ -62,7 +64,7 @@ def _tilted(normal: np.ndarray) -> np.ndarray:
 def test_a_course_that_the_wheels_do_not_make_is_seen() -> None:
     stand, wanted, programme = case()
     assert programme.carrier is not None
-    own: Followed = programme.carrier
+    own: PlannedCourse = programme.carrier
     grown = moved(programme, q=1.001 * own.q, q_dot=1.001 * own.q_dot, q_ddot=1.001 * own.q_ddot)
     assert {"residual", "simulation", "slew end"} <= failed(stand, wanted, grown)
     drifting = moved(programme, q_dot=own.q_dot + np.array([1e-3, 0, 0, 0, 0, 0]))
@@ -91,7 +93,7 @@ def test_the_slew_is_that_of_the_file_again() -> None:
             "end": about((1, 2, 0), 0.4), "start": {"phi_dot": [20, 0, 5, 0]},
         }
     )  # fmt: skip
-    again = read_required(text, stand, "turn")
+    again = read_motion_or_slew(text, stand, "turn")
     assert isinstance(again, Slew)
     assert failed(stand, again, programme) == set()
     assert again.angle == pytest.approx(0.4)

@@ -41,8 +41,8 @@ def attitude(sequence: str) -> Attitude:
         C = C * turn.subs({sp.cos(angle): sp.Symbol(f"c_{name}"), sp.sin(angle): sp.Symbol(f"s_{name}")})
     spin = (C.T * _rate(C)).applyfunc(sp.expand)
     omega = sp.Matrix([spin[2, 1], spin[0, 2], spin[1, 0]])
-    B = sp.Matrix(3, 3, lambda i, j: _reduced(omega[i].coeff(rates[j])))
-    determinant = _reduced(B.det())
+    B = sp.Matrix(3, 3, lambda i, j: _reduce(omega[i].coeff(rates[j])))
+    determinant = _reduce(B.det())
     singular = sp.Symbol("c_theta" if axes[0] != axes[2] else "s_theta")
     sign = sp.cancel(determinant / singular)  # +1 or -1
 
@@ -50,7 +50,7 @@ def attitude(sequence: str) -> Attitude:
         quotient = sp.cancel(x / singular)
         return quotient if sp.denom(quotient) == 1 else x * sp.Symbol("singular_inv")
 
-    return Attitude(C, B, _rate(B), (B.adjugate() / sign).applyfunc(_reduced).applyfunc(divided), singular)
+    return Attitude(C, B, _rate(B), (B.adjugate() / sign).applyfunc(_reduce).applyfunc(divided), singular)
 
 
 def _rate(matrix_of_angles: sp.Matrix) -> sp.Matrix:
@@ -62,7 +62,7 @@ def _rate(matrix_of_angles: sp.Matrix) -> sp.Matrix:
     return total
 
 
-def _reduced(expression: sp.Expr) -> sp.Expr:
+def _reduce(expression: sp.Expr) -> sp.Expr:
     """The expression modulo c^2 + s^2 = 1 of each angle."""
     for name in ANGLES:
         c, s = sp.Symbol(f"c_{name}"), sp.Symbol(f"s_{name}")
@@ -120,10 +120,10 @@ def rotation_of_quaternion() -> sp.Matrix:
     """C = E + k (w <u> + <u><u>), k = 2 / (q . q): right for a quaternion of any length, so that it needs no root."""
     q, k = vector("q", 4), sp.Symbol("k")
     u = q[1:, :]
-    return (sp.eye(3) + k * (q[0] * cross(u) + cross(u) * cross(u))).applyfunc(_gathered(k))
+    return (sp.eye(3) + k * (q[0] * cross(u) + cross(u) * cross(u))).applyfunc(_gather(k))
 
 
-def _gathered(k: sp.Symbol) -> sp.Lambda:
+def _gather(k: sp.Symbol) -> sp.Lambda:
     """1 - k (...) and k (...): the bracket is not multiplied out."""
 
     def gather(x: sp.Expr) -> sp.Expr:

@@ -32,23 +32,23 @@ class Matrix:
     def __getitem__(self, index: Any) -> Any:
         if not isinstance(index, tuple):
             return self.elements[index]
-        rows = _chosen(index[0], self.rows)
-        columns = _chosen(index[1], self.columns)
+        rows = _selection(index[0], self.rows)
+        columns = _selection(index[1], self.columns)
         return Matrix(
             len(rows), len(columns), tuple(self.elements[self.columns * i + j] for i in rows for j in columns)
         )
 
 
-def _chosen(index: int | slice, count: int) -> range:
+def _selection(index: int | slice, count: int) -> range:
     return range(count)[index] if isinstance(index, slice) else range(count)[index : index + 1]
 
 
-def renamed(formula: Formula, names: Mapping[str, str]) -> Formula:
+def rename_symbols(formula: Formula, names: Mapping[str, str]) -> Formula:
     """A copy of the formula with its symbols renamed."""
     if isinstance(formula, str):
         return names.get(formula, formula)
     if isinstance(formula, tuple):
-        return (formula[0], *(renamed(part, names) for part in formula[1:]))
+        return (formula[0], *(rename_symbols(part, names) for part in formula[1:]))
     return formula
 
 

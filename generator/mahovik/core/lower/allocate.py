@@ -19,7 +19,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, and_, equal, integer, magnitude, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
-from mahovik.core.routines.jacobi import numbered
+from mahovik.core.routines.jacobi import name_for_rows
 
 
 def passes(count: int) -> int:
@@ -55,7 +55,7 @@ def solve_gram(lib: Library, rows: int = 6) -> Function:
             body.add(b[i_], -(A[k][i_] * b[k]))
         body.set(b[i_], b[i_] / A[i_][i_])
     return body.function(
-        numbered("solve_gram", rows),
+        name_for_rows("solve_gram", rows),
         "Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place.",
         (gram, z, least),
     )
@@ -96,7 +96,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         _rows(body, w, rank.place, turn, row, rows)
         _left_over(lib, body, w, y, row, z, rows)
         _gram(lib, body, w, row, give, gram, least, rows)
-        body.call(lib[numbered("solve_gram", rows)], gram, z, least)
+        body.call(lib[name_for_rows("solve_gram", rows)], gram, z, least)
         with body.loop("i", rows) as i:
             body.set(z[i], row[i] * z[i])
         with body.loop("s", layout.count) as s:
@@ -118,7 +118,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         with body.when(or_(held[s] > 0, beyond)):
             body.set(y[s], select(found < 0, -p.limit[s], p.limit[s]))
     return body.function(
-        numbered("allocate", rows),
+        name_for_rows("allocate", rows),
         "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share.",
         (work, options, rank, phi_ddot, limited),
         equation="(12)",

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from mahovik.contract.laws import of_bodies, parts
-from mahovik.core.lower.law_table import LawTable
+from mahovik.core.lower.law import LawLowering
 from mahovik.core.program.types import NamedCount, Precision
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 
 
 @dataclass(frozen=True)
@@ -84,9 +84,9 @@ class Features:
         return self.structure.stream
 
     @cached_property
-    def law_tables(self) -> tuple[LawTable, ...]:
+    def law_tables(self) -> tuple[LawLowering, ...]:
         """The laws of `laws/` that the stand has."""
-        found: Iterable[LawTable] = (part.LOWERING for part in parts("lower"))
+        found: Iterable[LawLowering] = (part.LOWERING for part in parts("lower"))
         return tuple(law for law in found if law.present(self.structure))
 
     @cached_property

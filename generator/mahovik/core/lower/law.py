@@ -1,42 +1,65 @@
-"""Functions that a law of `laws/` adds to a stand's program."""
+"""The lowering of a law of `laws/`: members of structs, and functions, that it adds to a stand's program."""
 
 from __future__ import annotations
 
-from typing import cast
+from collections.abc import Iterator
+from typing import Any
 
-from mahovik.core.lower.law_table import LawTable
-from mahovik.core.lower.library import Library
+from mahovik.core.lower.function_set import FunctionSet
+from mahovik.core.lower.member import Member
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Place
+from mahovik.core.program.types import Field
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure_facts import Structure
 
 
-class LawLowering(LawTable):
+class LawLowering:
     """A law between E0 and the carrier: LOWERING of the module `lower` of its folder.
 
-    refuses    may its function refuse a state? Its status is RANGE then
-    per_twist  does `slope` add what a change of twist makes?
+    words        the law in the list of kinds of wrench
+    placed       does its wrench depend on the place of O1?
+    invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing
+    quaternions  places in the table that must have unit length
+    refuses      may its function refuse a state? Its status is RANGE then
+    per_twist    does `slope` add what a change of twist makes?
     """
 
+    words: str
+    placed = True
+    invalid = ""
+    quaternions: tuple[str, ...] = ()
     refuses = False
     per_twist = False
 
-    def add_functions(self, lib: Library) -> None:
+    def present(self, structure: Structure) -> bool:
+        """Whether a stand has the law."""
+        raise NotImplementedError
+
+    def fields(self, structure: Structure) -> list[Field]:
+        """Members that the law adds to the table."""
+        raise NotImplementedError
+
+    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+        """The numbers of its members, by name; `run` runs a function of the program."""
+        raise NotImplementedError
+
+    def members(self, field: Field, value: Any) -> Iterator[Member]:
+        """Every real of one of its members, depth first, for simulators."""
+        raise NotImplementedError
+
+    def add_functions(self, lib: FunctionSet) -> None:
         """Adds the functions that `act` calls."""
 
-    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds its wrench, in E1 about O1, to F. `table`: the table; `x`: the state; `C`: the attitude (9)."""
         raise NotImplementedError
 
-    def add_slopes(self, lib: Library) -> None:
+    def add_slopes(self, lib: FunctionSet) -> None:
         """Adds the functions that `slope` calls."""
 
-    def constant_slope(self, lib: Library, body: Body, table: Place, out: Place) -> None:
+    def constant_slope(self, lib: FunctionSet, body: Body, table: Place, out: Place) -> None:
         """Adds the derivative by the twist, where it is a constant, to `out` (36, row by row)."""
 
-    def slope(self, lib: Library, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of its wrench with a change of twist to F."""
-
-
-def laws_of(lib: Library) -> tuple[LawLowering, ...]:
-    """The laws of `laws/` that the stand has."""
-    return cast(tuple[LawLowering, ...], lib.layout.law_tables)

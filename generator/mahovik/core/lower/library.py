@@ -2,53 +2,25 @@
 
 from __future__ import annotations
 
+from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
-from mahovik.core.lower.thresholds import Thresholds, thresholds
 from mahovik.core.program.build import Body, call
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, Status, and_, real, unequal
-from mahovik.core.program.function import Function
-from mahovik.core.program.prune import prune
+from mahovik.core.program.expression import Expr, Not, Operand, Status, and_, real, unequal
 from mahovik.core.program.types import Kind
 
 
-class Library:
-    """Layout, limits, thresholds, and the functions built so far by name."""
+class Library(FunctionSet):
+    """The functions of a stand's program; beside those of its layout, the limits of numbers."""
+
+    layout: Layout
 
     def __init__(self, layout: Layout) -> None:
-        self.layout = layout
+        super().__init__(layout)
         self.limits: dict[str, Limit] = limits(layout.precision)
-        self.thresholds: Thresholds = thresholds(layout.precision)
-        self._functions: dict[str, Function] = {}
-        self._status: Place
-
-    def add(self, function: Function) -> Function:
-        """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""
-        assert function.name not in self._functions
-        function = prune(function)
-        self._functions[function.name] = function
-        return function
-
-    def __getitem__(self, name: str) -> Function:
-        return self._functions[name]
-
-    def __contains__(self, name: str) -> bool:
-        return name in self._functions
-
-    @property
-    def functions(self) -> tuple[Function, ...]:
-        return tuple(self._functions.values())
 
     # -- what many functions share -----------------------------------------------------------------------------------
-
-    def table_argument(self) -> Argument:
-        """The prepared stand."""
-        return Argument("table", self.layout.table, purpose="the prepared table")
-
-    def state_argument(self) -> Argument:
-        """The state."""
-        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
 
     def phi_ddot_arguments(self) -> tuple[Argument, ...]:
         """phi_ddot, where there are flywheels."""
@@ -98,17 +70,6 @@ class Library:
         with body.when(condition):
             body.ret(Status(status))
 
-    def passed(self, function: str, **named: Operand | None) -> list[Operand]:
-        """The arguments of a function in its order, by name; unused ones are left out."""
-        found = [named[a.name] for a in self[function].arguments]
-        if any(value is None for value in found):
-            raise TypeError(f"{function} needs an argument that the caller does not give")
-        return [value for value in found if value is not None]
-
-    def begin(self, body: Body) -> None:
-        """Declares the local `status`, for `check`."""
-        self._status = body.local("status", (), Kind.STATUS)
-
     def check_number(self, body: Body, value: Expr, limit: Expr) -> None:
         """Returns NOT_FINITE or RANGE where a number is not within a limit."""
         largest = self.limits["LARGEST"].expression
@@ -119,12 +80,6 @@ class Library:
     def check_unit(self, body: Body, square: Expr) -> None:
         """Returns RANGE where a length, given as its square, is not within 1e-3 of 1."""
         self.guard(body, Not(unit_square(square)), "RANGE")
-
-    def check(self, body: Body, function: str, *arguments: Operand) -> None:
-        """Calls a function that returns a status, and returns that status where it is not OK."""
-        body.set(self._status, call(self[function], *arguments))
-        with body.when(unequal(self._status, Status("OK"))):
-            body.ret(self._status)
 
     def check_as(self, body: Body, status: str, function: str, *arguments: Operand) -> None:
         """Calls a function that returns a status, and returns `status` in its place where it is not OK."""

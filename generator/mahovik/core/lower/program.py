@@ -38,7 +38,6 @@ from mahovik.core.lower import (
     step_carried,
     wrenches,
 )
-from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.functions import add_tasks
@@ -234,7 +233,7 @@ def _add_wrenches(lib: Library) -> None:
             lib.add(damp(lib))
     if layout.own:
         lib.add(wrenches.own_wrench(lib))
-    for law in laws_of(lib):
+    for law in lib.layout.law_tables:
         law.add_functions(lib)
     lib.add(wrenches.external(lib))
 
@@ -247,7 +246,7 @@ def _add_jacobians(lib: Library) -> None:
             lib.add(damp_slope(lib))
     if layout.own:
         lib.add(sensitivity.own_slope(lib))
-    for law in laws_of(lib):
+    for law in lib.layout.law_tables:
         law.add_slopes(lib)
     lib.add(sensitivity.twist_slope(lib))
     if layout.flywheels:

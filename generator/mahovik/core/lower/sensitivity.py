@@ -9,7 +9,6 @@ from mahovik.core.formula.derived import accumulate as derived_rows
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.flywheels import columns_of, sine_and_cosine
-from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
@@ -166,9 +165,9 @@ def twist_slope(lib: Library) -> Function:
     if layout.own_turning:
         with body.loop("i", 6 * int(layout.count)) as i:
             body.set(axial.place[i], real(0))
-    for law in laws_of(lib):
+    for law in lib.layout.law_tables:
         law.constant_slope(lib, body, table.place, out.place)
-    if layout.carrier_damped or layout.own_damped or any(law.per_twist for law in laws_of(lib)):
+    if layout.carrier_damped or layout.own_damped or any(law.per_twist for law in lib.layout.law_tables):
         with body.loop("j", 6) as j:
             change = body.local("change", (6,), comment="unit twist")
             F = body.local("F", (6,), comment="change of the wrench")
@@ -207,5 +206,5 @@ def _add_slopes(lib: Library, body: Body, everything: dict[str, Any], axial: Pla
             if layout.own_turning:
                 with body.when(table.frame[k].flywheel >= 0):
                     body.set(axial[table.frame[k].flywheel * integer(6) + j], about[0])
-    for law in laws_of(lib):
+    for law in lib.layout.law_tables:
         law.slope(lib, body, table, everything["x"], everything["C"], everything["change"], F)

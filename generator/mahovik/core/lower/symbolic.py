@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from mahovik.core.formula.tree import names_of, renamed
+from mahovik.core.formula.tree import names_of, rename_symbols
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Negate, Place, real
 
@@ -31,9 +31,9 @@ def translate(formula: Any, binding: Binding) -> Expr:
             return translate(left, binding) - translate(right, binding)
         case ("*", left, right):
             return translate(left, binding) * translate(right, binding)
-    from mahovik.core.formula.ordered import ordered  # an expression of SymPy itself, as tests give it
+    from mahovik.core.formula.ordering import to_formulas  # an expression of SymPy itself, as tests give it
 
-    return translate(ordered(formula), binding)
+    return translate(to_formulas(formula), binding)
 
 
 def _place(name: str, binding: Binding) -> Expr:
@@ -63,7 +63,7 @@ def add_each(body: Body, sums: Mapping[Place, Iterable[Any]], binding: Binding) 
     firsts = {target: list(values) for target, values in sums.items()}
     for values in firsts.values():
         for k, value in enumerate(values):
-            if renamed(value, {x: x.replace(f"[{k}]", "[0]") for x in names_of(value)}) != values[0]:
+            if rename_symbols(value, {x: x.replace(f"[{k}]", "[0]") for x in names_of(value)}) != values[0]:
                 raise ValueError(f"{value} is not {values[0]} with another index")
     with body.loop("i", len(next(iter(firsts.values())))) as i:
         each = {name: [x[i]] if isinstance(x, Place) and x.shape else x for name, x in binding.items()}

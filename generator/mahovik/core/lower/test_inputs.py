@@ -107,7 +107,7 @@ def _inputs_of(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: 
     draw = row.draw if row else Draw.FLAGS if type_ is Kind.INT else Draw.REALS
     if draw is not Draw.NEVER:
         lowest, span = row.whole if row else Quantity.whole
-        yield Input(path, draw, shape, row.drawn if row else 1.0, lowest, span)
+        yield Input(path, draw, shape, row.largest_drawn if row else 1.0, lowest, span)
 
 
 class Generator:

@@ -8,7 +8,6 @@ from mahovik.contract.laws import part
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
 from mahovik.core.lower.lanes import row_of
-from mahovik.core.lower.law import laws_of
 from mahovik.core.lower.laws import add_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import assign
@@ -32,7 +31,7 @@ def external(lib: Library) -> Function:
     given, wrench = lib.turn_arguments(), lib.wrench_arguments()
     turns = places_of(given)
     body = Body()
-    laws = laws_of(lib)
+    laws = lib.layout.law_tables
     refuses = any(law.refuses for law in laws)
     if refuses:
         lib.begin(body)

@@ -21,7 +21,7 @@ class Course(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Followed:
+class PlannedCourse:
     """A course that a planner found, as a programme keeps it: q, q', q'' (M, 6 each) at t (M, s), which rise from 0.
 
     Quintic Hermite between; the first and the last row hold beyond the table.

@@ -101,7 +101,7 @@ def choice(*names: str) -> PlainValidator:
 def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
     """Places in `known` of the names of a list, in the list's order. Raises QuantityError."""
     found: list[int] = []
-    for name in listed(raw):
+    for name in any_list(raw):
         if name not in known:
             raise QuantityError(f"unknown {show(name)}{suggestion(str(name), known)}")
         if known.index(name) in found:
@@ -128,10 +128,10 @@ def angular_speed(raw: Any) -> float:
 
 def times(raw: Any) -> tuple[float, ...]:
     """A list of times, s, of any length. Raises QuantityError."""
-    return vector(raw, (len(listed(raw)),), TIME)
+    return vector(raw, (len(any_list(raw)),), TIME)
 
 
-def listed(raw: Any) -> list[Any]:
+def any_list(raw: Any) -> list[Any]:
     """A list of anything. Raises QuantityError."""
     if not isinstance(raw, list):
         raise QuantityError(f"expected a list, found {show(raw)}")
@@ -141,7 +141,7 @@ def listed(raw: Any) -> list[Any]:
 def rows(raw: Any, read: Callable[[Any], Row]) -> tuple[Row, ...]:
     """A list of rows, each read by `read`. Raises QuantityError for the first that cannot be read."""
     found = []
-    for i, row in enumerate(listed(raw)):
+    for i, row in enumerate(any_list(raw)):
         try:
             found.append(read(row))
         except QuantityError as error:

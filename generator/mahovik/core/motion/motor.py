@@ -12,7 +12,7 @@ def friction(motor: Motor, speed: float) -> float:
     return -motor.viscous * speed - motor.coulomb * math.tanh(speed / motor.coulomb_speed)
 
 
-def available(motor: Motor, torque: float, speed: float) -> float:
+def available_torque(motor: Motor, torque: float, speed: float) -> float:
     """Largest torque that the motor can give in the direction of `torque` at a speed (rad/s), N m.
 
     Driving, it falls linearly from the limit at rest to zero at the no-load speed; braking, it is the limit.
@@ -28,7 +28,7 @@ def drive(motor: Motor | None, command: float, speed: float) -> float:
     """Whole drive torque on the flywheel (N m) when the motor is commanded: limited, with friction."""
     if motor is None:
         return command
-    most = available(motor, command, speed)
+    most = available_torque(motor, command, speed)
     return min(max(command, -most), most) + friction(motor, speed)
 
 
@@ -45,6 +45,6 @@ def steepness(motor: Motor | None, command: float, low: float, high: float) -> f
     return max(command, line) + motor.viscous + slipping
 
 
-def needed(motor: Motor, tau: float, speed: float) -> float:
+def required_torque(motor: Motor, tau: float, speed: float) -> float:
     """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
     return tau - friction(motor, speed)

@@ -15,7 +15,7 @@ from mahovik.core.motion import ranges, table
 from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.law_tables import LAWS, DrivenTable
 from mahovik.core.motion.laws import Constant, Law, SpeedTable, TorqueTable, WrenchTable
-from mahovik.core.motion.regime import Driven, Regime
+from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.content import TEXT
 from mahovik.core.stand.fields import Table, Text, validator
 from mahovik.core.stand.model import Stand
@@ -46,9 +46,9 @@ class RegimeTable(Table):
     wrench: Annotated[dict[str, Any], _tables("bodies")] = Field(default_factory=dict)
 
 
-def steady(stand: Stand, speeds: Sequence[float]) -> Regime:
+def steady_regime(stand: Stand, speeds: Sequence[float]) -> Regime:
     """Every flywheel keeps the speed it has (rad/s); no wrench."""
-    driven = (Driven(s.name, Constant(speed)) for s, speed in zip(stand.flywheels, speeds, strict=True))
+    driven = (FlywheelRegime(s.name, Constant(speed)) for s, speed in zip(stand.flywheels, speeds, strict=True))
     return Regime("steady", tuple(driven), {})
 
 
@@ -56,10 +56,10 @@ def load(path: str | Path, stand: Stand, until: float) -> Regime:
     """Read and check the regime file at `path` for a run of `until` s. Raises RegimeError with every problem."""
     path = Path(path)
     text = text_of(path, TEXT, RegimeError)
-    return loads(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
+    return loads_regime(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
 
 
-def loads(
+def loads_regime(
     text: str, stand: Stand, until: float, source: str = "regime", folder: Path = Path(), is_json: bool = False
 ) -> Regime:
     """Read and check a regime given as text; its tables are in `folder`. Raises RegimeError."""
@@ -84,17 +84,17 @@ def _known_tables(problems: Problems, key: str, given: dict[str, Any], names: li
     return {name: value for name, value in given.items() if name in names}
 
 
-def _flywheels(reader: _Reader, top: RegimeTable, stand: Stand) -> tuple[Driven, ...]:
+def _flywheels(reader: _Reader, top: RegimeTable, stand: Stand) -> tuple[FlywheelRegime, ...]:
     names = [s.name for s in stand.flywheels]
     given = _known_tables(reader.problems, "flywheel", top.flywheel, names, "flywheel")
     if top.default is not None:
-        reader.driven("default", "default", top.default)  # its problems, once
+        reader.flywheel("default", "default", top.default)  # its problems, once
     found = []
     for name in names:
         if name in given:
-            found.append(reader.driven(name, f"flywheel {show(name)}", given[name], top.default))
+            found.append(reader.flywheel(name, f"flywheel {show(name)}", given[name], top.default))
         elif top.default is not None:
-            found.append(reader.driven(name, "default", top.default))
+            found.append(reader.flywheel(name, "default", top.default))
         else:
             words = "has no law: give it one, or a `default` for all that are not named"
             reader.problems.add(f"flywheel {show(name)}", words)
@@ -113,7 +113,7 @@ class _Reader:
     until: float
     folder: Path
 
-    def driven(self, name: str, where: str, raw: Any, default: Any = None) -> Driven | None:
+    def flywheel(self, name: str, where: str, raw: Any, default: Any = None) -> FlywheelRegime | None:
         """One flywheel; if it has no law of its own, with the law of `default`."""
         problems = self.problems
         if not isinstance(raw, dict):
@@ -134,7 +134,7 @@ class _Reader:
         law = self._law(where, own[0], found)
         if law is None:
             return None
-        driven = Driven(name, law, found.phase, found.initial_speed)
+        driven = FlywheelRegime(name, law, found.phase, found.initial_speed)
         if driven.speed is not None and not driven.by_torque:
             words = f"not allowed with `{own[0]}`, which gives the speed; it needs a law of torque"
             problems.add(where, "initial_speed", words)

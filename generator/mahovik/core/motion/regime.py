@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Motor, Vec6
 
 
 @dataclass(frozen=True)
-class Driven:
+class FlywheelRegime:
     """One flywheel of a regime. `phase`, `speed`: at t = 0; None where the start decides."""
 
     name: str
@@ -34,7 +34,7 @@ class Regime:
     """Laws of all flywheels in the stand's order, and wrenches by body."""
 
     name: str
-    flywheels: tuple[Driven, ...]
+    flywheels: tuple[FlywheelRegime, ...]
     wrenches: Mapping[str, WrenchTable]
 
     @cached_property
@@ -43,12 +43,12 @@ class Regime:
         return any(each.by_torque for each in self.flywheels)
 
     @cached_property
-    def given(self) -> tuple[bool, ...]:
+    def has_speed_law(self) -> tuple[bool, ...]:
         """Flywheels whose speed is given."""
         return tuple(not each.by_torque for each in self.flywheels)
 
     @cached_property
-    def mixed(self) -> bool:
+    def mixes_speed_and_torque(self) -> bool:
         """Does a given speed vary beside flywheels that are driven by torque?"""
         varying = any(not (each.by_torque or isinstance(each.law, Constant)) for each in self.flywheels)
         return varying and self.by_torque

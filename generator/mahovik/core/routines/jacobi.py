@@ -18,7 +18,7 @@ SWEEPS = {"double": 9, "float": 7}
 """Sweeps over the pairs of rows, 15 of six rows."""
 
 
-def numbered(name: str, rows: int) -> str:
+def name_for_rows(name: str, rows: int) -> str:
     """Name of a function for a number of rows: without one for six."""
     return name if rows == 6 else f"{name}_{rows}"
 
@@ -84,7 +84,7 @@ def orthogonalise(
             body.add(total, w.W[i][j] * w.W[i][j])
         body.set(w.sigma[i], call(square_root, total))
     return body.function(
-        numbered("orthogonalise", rows),
+        name_for_rows("orthogonalise", rows),
         "One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition.",
         (work,),
     )

@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.core.stand import datasheet
 from mahovik.core.stand.columns import hypot
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import (
     About,
     Carrier,

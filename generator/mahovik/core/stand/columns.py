@@ -59,7 +59,7 @@ class Column:
         self.run.diverged |= answers != first
         return first
 
-    def _decided(self, other: Any, function: Callable[[Any, Any], Any]) -> Any:
+    def _compare(self, other: Any, function: Callable[[Any, Any], Any]) -> Any:
         found = self._with(other, function)
         return found if found is NotImplemented else self.decide(found.values)
 
@@ -119,24 +119,24 @@ class Column:
         return self.decide(self.values != 0)
 
     def __eq__(self, other: object) -> bool:
-        found: bool = self._decided(other, lambda a, b: a == b)
+        found: bool = self._compare(other, lambda a, b: a == b)
         return found
 
     def __ne__(self, other: object) -> bool:
-        found: bool = self._decided(other, lambda a, b: a != b)
+        found: bool = self._compare(other, lambda a, b: a != b)
         return found
 
     def __lt__(self, other: Any) -> Any:
-        return self._decided(other, lambda a, b: a < b)
+        return self._compare(other, lambda a, b: a < b)
 
     def __le__(self, other: Any) -> Any:
-        return self._decided(other, lambda a, b: a <= b)
+        return self._compare(other, lambda a, b: a <= b)
 
     def __gt__(self, other: Any) -> Any:
-        return self._decided(other, lambda a, b: a > b)
+        return self._compare(other, lambda a, b: a > b)
 
     def __ge__(self, other: Any) -> Any:
-        return self._decided(other, lambda a, b: a >= b)
+        return self._compare(other, lambda a, b: a >= b)
 
     __hash__ = object.__hash__
 

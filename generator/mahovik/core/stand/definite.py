@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 _STARTS = 32
 _ROUNDS = 20
-_POLISHED = 6
+_POLISH_COUNT = 6
 _STEPS = 10
 _GRID = 32
 _SEED = 1986
@@ -31,7 +31,7 @@ def least_eigenvalue(stand: Stand) -> tuple[float, tuple[float, ...]]:
     Where a diagonal element nearly vanishes at some phase, scaling to unit diagonal there would hide it: the
     eigenvalue is taken with the diagonal's mean over the phases as well, and the lesser of the two is returned.
     """
-    constant, rotors = _fixed(stand), [_Rotor(stand, flywheel) for flywheel in stand.flywheels]
+    constant, rotors = _fixed_inertia(stand), [_Rotor(stand, flywheel) for flywheel in stand.flywheels]
     mean = constant + sum((rotor.mean for rotor in rotors), np.zeros((6, 6)))
     diagonal = np.diag(mean)
     at_zero = (0.0,) * len(rotors)
@@ -66,7 +66,7 @@ def _alternate(constant: Array, harmonics: Array) -> Array:
         values, vectors = np.linalg.eigh(constant + terms)
         x = vectors[:, :, 0]
     order = np.argsort(values[:, 0])
-    return np.asarray(phases[order[:_POLISHED]], dtype=np.float64)
+    return np.asarray(phases[order[:_POLISH_COUNT]], dtype=np.float64)
 
 
 def _polish(constant: Array, rotors: list[_Rotor], scale: Array, phases: Array) -> Array:
@@ -179,7 +179,7 @@ class _Rotor:
         return self.mount @ np.kron(np.eye(2), turn(0, phi))
 
 
-def _fixed(stand: Stand) -> Array:
+def _fixed_inertia(stand: Stand) -> Array:
     total = _spatial(stand.carrier)
     for instrument in stand.instruments:
         L = transfer(*placement(instrument))

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import INVERSE_MOST, Stand
 from mahovik.core.stand.structure import structure
 

@@ -4,18 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
-from typing import Any, TypeVar
+from typing import Any
 
-from pydantic import create_model
-
-from mahovik.contract.laws import of_bodies
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import LawData, Stand
 
-AnyTable = TypeVar("AnyTable", bound=Table)
-
-Given = Mapping[str, Sequence[Any]]
+TablesByKey = Mapping[str, Sequence[Any]]
 """The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
 
 
@@ -35,7 +29,7 @@ class LawSchema:
     """
 
     data: type[LawData]
-    read: Callable[[Any, Given], LawData | None]
+    read: Callable[[Any, TablesByKey], LawData | None]
     lines: Callable[[Any], tuple[list[str], list[str]]]
     content: Callable[[Any], dict[str, Any]]
     structure: Callable[[Any, Stand], dict[str, Any]]
@@ -65,20 +59,3 @@ class BodyLawSchema:
     lines: Callable[[Any], list[str]]
     structure: Callable[[Stand], dict[str, Any]]
     limited: tuple[str, ...] = ()
-
-
-def body_schemas() -> tuple[BodyLawSchema, ...]:
-    """Schemas of all laws that have data of bodies."""
-    return of_bodies("schema", "SCHEMA")
-
-
-@cache
-def with_laws(table: type[AnyTable]) -> type[AnyTable]:
-    """The table of a body with the keys of the laws."""
-    keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas()}
-    return create_model(table.__name__, __base__=table, **keys)
-
-
-def keys_of(table: type[Table]) -> list[str]:
-    """The keys that a table may have."""
-    return [info.alias or name for name, info in table.model_fields.items()]

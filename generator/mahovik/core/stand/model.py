@@ -40,7 +40,7 @@ class LawData:
         return False
 
     @property
-    def kinked(self) -> bool:
+    def has_kinks(self) -> bool:
         """Whether a law of bodies depends on magnitudes of the twist, so that its derivatives jump."""
         return False
 
@@ -218,9 +218,9 @@ class Stand(WithLaws):
         return (self.carrier, *self.instruments, *self.flywheels)
 
     @property
-    def kinked(self) -> bool:
+    def has_kinks(self) -> bool:
         """Whether a law of any body has derivatives that jump."""
-        return any(law.kinked for body in self.bodies for law in body.laws)
+        return any(law.has_kinks for body in self.bodies for law in body.laws)
 
     def __repr__(self) -> str:
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}

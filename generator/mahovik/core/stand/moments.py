@@ -50,7 +50,7 @@ class Moments:
         exact = Decimal(repr(float(moment))) * size.denominator / size.numerator
         return exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), ROUND_HALF_EVEN) if exact else exact
 
-    def broken(self, a: float, b: float, c: float) -> str:
+    def broken_inequality(self, a: float, b: float, c: float) -> str:
         """The triangle inequality that principal moments break, a <= b <= c."""
         # as few digits as show that it is broken
         for digits in (_SHOWN, 9, _EXACT, _ALL):
@@ -59,7 +59,7 @@ class Moments:
                 break
         return f"{self.number(a, digits)} + {self.number(b, digits)} < {self.number(c, digits)} {self.unit}"
 
-    def closing(self, a: float, c: float) -> str:
+    def condition(self, a: float, c: float) -> str:
         """The demand on the smaller two of three principal moments, the least of them `a`, the largest `c`."""
         least = max(a, 0.0)
         return (

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.problems import Problems
@@ -80,7 +80,7 @@ def check_body(body: Body, where: str, problems: Problems, moments: Moments | No
                 where,
                 shown.place,
                 "principal moments about the centre of mass break the triangle inequality, "
-                f"{shown.broken(a, b, c)}{f'; {advice}' if advice else f', {shown.closing(a, c)}'}",
+                f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.condition(a, c)}'}",
             )
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(

@@ -33,7 +33,7 @@ from mahovik.core.stand.model import (
     TaskRow,
 )
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
-from mahovik.core.stand.task import dependent, places_of
+from mahovik.core.stand.task import dependent_rows, places_of
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 
@@ -143,7 +143,7 @@ def _tasks(
         while len(task.rows) < most:
             row = TaskRow(frames[int(rng.integers(len(frames)))], COMPONENTS[int(rng.integers(6))])
             longer = Task(task.name, (*task.rows, row))
-            if dependent(longer, places) is None:
+            if dependent_rows(longer, places) is None:
                 task = longer
         found.append(task)
     return tuple(found)

@@ -66,7 +66,7 @@ def random_wrenches(rng: np.random.Generator, bodies: Iterable[str]) -> MappingP
 
 def _normal(symbol: str, rng: np.random.Generator, count: int) -> tuple[float, ...]:
     """Normal numbers of the spread that the contract gives to a quantity."""
-    spread = QUANTITIES[symbol].spread
+    spread = QUANTITIES[symbol].deviation
     return _tuple(rng.normal(size=count) * (np.repeat(spread, 3) if len(spread) == 2 else spread))
 
 

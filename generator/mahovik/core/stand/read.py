@@ -11,7 +11,8 @@ from mahovik.contract.laws import parts
 from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.law import AnyTable, LawSchema, keys_of, with_laws
+from mahovik.core.stand.law import LawSchema
+from mahovik.core.stand.law_schemas import AnyTable, keys_of, with_laws
 from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand, Task
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import (
@@ -25,7 +26,7 @@ from mahovik.core.stand.task import TaskTable, check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
-from mahovik.nearest import alike, nearest, suggestion
+from mahovik.nearest import nearest, nearest_name, suggestion
 
 _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
@@ -43,7 +44,7 @@ def load(path: str | Path) -> Stand:
     path = Path(path)
 
     def neighbour() -> str:
-        best = alike(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
+        best = nearest_name(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
         return "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
 
     try:
@@ -228,7 +229,7 @@ def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
     return tuple(found)
 
 
-def _named(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
+def _tables_with_names(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
     raw = document.get(key, [])
     tables = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
     return [(item["name"], item) for item in tables if isinstance(item.get("name"), str)]
@@ -239,15 +240,15 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     taken = {"carrier": "the carrier"}
     mounted = ("flywheel", "point", *(key for part in parts("schema") for key in part.SCHEMA.mounted))
     for key in ("instrument", *mounted):
-        for name, _ in _named(document, key):
+        for name, _ in _tables_with_names(document, key):
             if name in taken:
                 problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
             else:
                 taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
-    mounts = ["carrier", *(name for name, _ in _named(document, "instrument"))]
-    flywheels = {name for name, _ in _named(document, "flywheel")}
+    mounts = ["carrier", *(name for name, _ in _tables_with_names(document, "instrument"))]
+    flywheels = {name for name, _ in _tables_with_names(document, "flywheel")}
     for key in mounted:
-        for name, item in _named(document, key):
+        for name, item in _tables_with_names(document, key):
             mount = item.get("mount", "carrier")
             if not isinstance(mount, str) or mount in mounts:
                 continue

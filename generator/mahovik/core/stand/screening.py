@@ -29,7 +29,7 @@ Matrix = list[list[Any]]
 _FIXED = 1000 * LEAST_EIGENVALUE
 
 
-def doubtful(stand: Stand, n: int) -> NDArray[np.bool_]:
+def doubtful_samples(stand: Stand, n: int) -> NDArray[np.bool_]:
     """Samples, of a stand with columns, that are not surely in order."""
     sure = np.ones(n, dtype=np.bool_)
     with np.errstate(all="ignore"):
@@ -82,7 +82,7 @@ def _possible(body: Body) -> Any:
     if isinstance(body, Flywheel):
         sure = sure & (J[0][0] > RELATIVE * scale) & (scale > 0.0)
     if isinstance(body, Carrier | Instrument) and any(isinstance(x, Column) for x in numbers(body.added_mass)):
-        sure = sure & _added(_plain(body.added_mass))
+        sure = sure & _is_semidefinite(_plain(body.added_mass))
     return sure
 
 
@@ -121,7 +121,7 @@ def _definite(matrix: Matrix) -> Any:
     return sure
 
 
-def _added(added: Matrix) -> Any:
+def _is_semidefinite(added: Matrix) -> Any:
     """Is added mass surely positive semidefinite? Rows without any number are left out."""
     kept = [i for i in range(6) if not all(isinstance(x, float) and x == 0.0 for x in added[i])]
     rows = [[added[i][j] * (1.0 + 0.4 * RELATIVE if i == j else 1.0) for j in kept] for i in kept]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.balance import eccentric_velocity, grade_words
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
-from mahovik.core.stand.whole import Placed, placed_bodies
+from mahovik.core.stand.whole import PlacedBody, placed_bodies
 
 Array = NDArray[np.float64]
 
@@ -71,7 +71,7 @@ def _unbalances(
     )
 
 
-def _places(stand: Stand, bodies: Sequence[Placed]) -> Iterator[str]:
+def _places(stand: Stand, bodies: Sequence[PlacedBody]) -> Iterator[str]:
     """Instruments, flywheels and points far away from all others, by the size of these."""
     for k, placed in enumerate(bodies):
         if not isinstance(placed.body, Carrier):
@@ -85,7 +85,7 @@ def _places(stand: Stand, bodies: Sequence[Placed]) -> Iterator[str]:
         yield from _outlier(f"point {point.name}", at, bodies)
 
 
-def _outlier(name: str, position: Array, others: Sequence[Placed]) -> Iterator[str]:
+def _outlier(name: str, position: Array, others: Sequence[PlacedBody]) -> Iterator[str]:
     mass = sum(each.body.mass for each in others)
     if mass == 0.0:
         return
@@ -99,7 +99,7 @@ def _outlier(name: str, position: Array, others: Sequence[Placed]) -> Iterator[s
         )
 
 
-def _centers(bodies: Sequence[Placed]) -> Iterator[str]:
+def _centers(bodies: Sequence[PlacedBody]) -> Iterator[str]:
     """Bodies whose centre of mass is far from the origin of their frame, by their radius of gyration."""
     for placed in bodies:
         body, radius = placed.body, _gyration(placed.body)
@@ -112,7 +112,7 @@ def _centers(bodies: Sequence[Placed]) -> Iterator[str]:
             )
 
 
-def _sizes(bodies: Sequence[Placed]) -> Iterator[str]:
+def _sizes(bodies: Sequence[PlacedBody]) -> Iterator[str]:
     """Bodies whose inertia is too large for the stand or too small for their mass.
 
     Too large: the radius of gyration of an instrument or a flywheel is far above those of all other bodies. Too small:

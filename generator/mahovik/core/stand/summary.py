@@ -16,7 +16,7 @@ from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3
 
-DEFAULT_SPEED = 100 * math.pi  # 3000 rpm, rad/s
+USUAL_SPEED = 100 * math.pi  # 3000 rpm, rad/s
 _NEAR = math.radians(5.0)
 _THIRD_AXIS = {"ship": 0, "aircraft": 0, "euler": 2}  # axis of E1 that the last angle turns about
 _FIRST_AXIS = {"ship": 2, "aircraft": 1, "euler": 2}  # axis of E0 that the first angle turns about
@@ -146,7 +146,7 @@ def summarize(
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
     motor = flywheel.motor
-    speed = asked if asked is not None else motor.speed if motor and motor.speed else DEFAULT_SPEED
+    speed = asked if asked is not None else motor.speed if motor and motor.speed else USUAL_SPEED
     static = flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     J, central = inertia_about_origin(flywheel), inertia_about_center(flywheel)
     dynamic = math.hypot(J[0, 1], J[0, 2])

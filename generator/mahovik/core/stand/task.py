@@ -23,7 +23,7 @@ Places = Mapping[str, tuple[Array, Array]]
 _DEPENDENT = 1e-9
 """Sine of the angle of a row to those before it, below which it says nothing new; lengths by the largest arm."""
 
-_TAKEN = frozenset(("fast", "options", "result", "work", "at", "batch"))
+_RESERVED_NAMES = frozenset(("fast", "options", "result", "work", "at", "batch"))
 _BEGINNINGS = ("fast_", "work_")
 _ENDINGS = ("_at", "_batch", "_result", "_options", "_work")
 """Beginnings and ends of names of functions and types that have the name of a task in them."""
@@ -96,7 +96,7 @@ def name_of_task_problem(name: str) -> str | None:
     problem = name_problem(name)
     if problem is not None:
         return problem
-    if name in _TAKEN or name.startswith(_BEGINNINGS) or name.endswith(_ENDINGS):
+    if name in _RESERVED_NAMES or name.startswith(_BEGINNINGS) or name.endswith(_ENDINGS):
         return (
             f"{show(name)} would make a name of the C that is taken, since a task's functions end in its name; "
             "expected another, such as pointing"
@@ -127,7 +127,7 @@ def check_tasks(
         twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
         if twice is not None:
             problems.add(where, "rows", f"{twice} is given twice")
-        elif (found := dependent(task, places)) is not None:
+        elif (found := dependent_rows(task, places)) is not None:
             new, *others = found
             problems.add(
                 where,
@@ -160,7 +160,7 @@ def row_vector(row: TaskRow, places: Places) -> Array:
     return np.concatenate([direction, cross(origin) @ direction])
 
 
-def dependent(task: Task, places: Places) -> tuple[str, ...] | None:
+def dependent_rows(task: Task, places: Places) -> tuple[str, ...] | None:
     """Names of the first row that earlier ones give, and of those; None where the rows are independent."""
     rows = np.array([row_vector(row, places) for row in task.rows])
     arm = max(1e-9, *(float(np.linalg.norm(row[3:])) for row in rows))

@@ -20,7 +20,7 @@ import numpy as np
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
 from mahovik.core.stand.usual_units import usual
-from mahovik.nearest import alike
+from mahovik.nearest import nearest_name
 
 
 @dataclass(frozen=True)
@@ -101,10 +101,10 @@ def _column(raw: Column, dimension: Dimension, unit: str | None) -> Column:
     if unit is None:
         return cast(Column, raw + 0.0)
     scale = factor(unit, dimension)
-    return raw.map(lambda values: np.array([_scaled(x, scale) for x in values.tolist()]))
+    return raw.map(lambda values: np.array([_scale(x, scale) for x in values.tolist()]))
 
 
-def _scaled(x: float, scale: Fraction) -> float:
+def _scale(x: float, scale: Fraction) -> float:
     return _round(Fraction(Decimal(repr(x))) * scale) if math.isfinite(x) else x
 
 
@@ -162,7 +162,7 @@ def _advice(unit: str, dimension: Dimension, unknown: bool) -> str:
             return f', did you mean "{each}"?'
     if not unknown:
         return ""
-    near = alike(unit, [name for name in NAMES if _fits(name, dimension)])
+    near = nearest_name(unit, [name for name in NAMES if _fits(name, dimension)])
     return "" if near is None else f', did you mean "{near}"?'
 
 

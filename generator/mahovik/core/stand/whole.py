@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Placed:
+class PlacedBody:
     """A body in E1, a flywheel at phi = 0: place of its origin, axes as columns, centre of mass (m)."""
 
     body: Body
@@ -43,7 +43,7 @@ class MassProperties:
     principal_axes: Mat3
 
 
-def placed_bodies(stand: Stand) -> list[Placed]:
+def placed_bodies(stand: Stand) -> list[PlacedBody]:
     """All bodies of a stand in E1, in its order."""
     return [_place_bodies(stand, body) for body in stand.bodies]
 
@@ -65,7 +65,7 @@ def mass_properties(stand: Stand) -> MassProperties:
     return MassProperties(mass, vec3(center), matrix3(J), vec3(moments), matrix3(rows))
 
 
-def _place_bodies(stand: Stand, body: Body) -> Placed:
+def _place_bodies(stand: Stand, body: Body) -> PlacedBody:
     position, axes = np.zeros(3), np.eye(3)
     if isinstance(body, Instrument | Flywheel):
         position, axes = placement(body)
@@ -75,7 +75,7 @@ def _place_bodies(stand: Stand, body: Body) -> Placed:
             position, axes = origin + turn @ position, turn @ axes
     else:
         assert isinstance(body, Carrier)
-    return Placed(body, position, axes, position + axes @ np.array(body.center_of_mass))
+    return PlacedBody(body, position, axes, position + axes @ np.array(body.center_of_mass))
 
 
 def vec3(a: Array) -> Vec3:

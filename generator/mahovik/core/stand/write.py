@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.law import body_schemas
+from mahovik.core.stand.law_schemas import body_schemas
 from mahovik.core.stand.model import (
     INVERSE_MOST,
     Body,

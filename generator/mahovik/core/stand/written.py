@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from mahovik.contract.laws import parts
 from mahovik.core.stand.echoes import list_item, written
 from mahovik.core.stand.fields import QuantityValidator, Table
-from mahovik.core.stand.law import with_laws
+from mahovik.core.stand.law_schemas import with_laws
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
 from mahovik.core.stand.shapes import Blocks, vector
 from mahovik.core.stand.toml import parse

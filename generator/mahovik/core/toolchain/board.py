@@ -44,13 +44,13 @@ def link_flags(target: Target) -> tuple[str, ...]:
 
 def require(target: Target) -> None:
     """Raises ToolchainError that says what to install where compiler or emulator is missing, or cannot run here."""
-    missing = target.missing()
+    missing = target.missing_commands()
     if missing:
         raise ToolchainError(
             f"{target.name}: no {', '.join(missing)}: `make targets` in the repository, "
             f"or on Debian `apt-get install {' '.join(target.packages)}`"
         )
-    if unable := target.unable():
+    if unable := target.obstacle():
         raise ToolchainError(f"{target.name}: {unable}")
 
 

@@ -49,10 +49,10 @@ def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, lo
 
     Raises ToolchainError where the script cannot run.
     """
-    return list(proved(script, wanted, limit, logs))
+    return list(prove_each(script, wanted, limit, logs))
 
 
-def proved(
+def prove_each(
     script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None
 ) -> Iterator[Proof]:
     """Prove like `prove`, and yield results as drivers finish."""
@@ -69,13 +69,13 @@ def proved(
     ) as run:
         assert run.stdout is not None and run.stderr is not None
         for line in run.stdout:
-            yield parsed(line)
+            yield parse_proof(line)
         complaint = run.stderr.read().strip()
     if run.returncode not in (0, 1):
         raise ToolchainError(f"{script.name} ended with status {run.returncode}: {complaint or 'no message'}")
 
 
-def parsed(line: str) -> Proof:
+def parse_proof(line: str) -> Proof:
     """Proof reported by a line of the script. Raises ToolchainError for another line."""
     found = _LINE.fullmatch(line.strip())
     if found is None:

@@ -38,7 +38,7 @@ class Footprint:
     text: int
     data: int
 
-    def reached(self, function: str) -> frozenset[str]:
+    def with_calls(self, function: str) -> frozenset[str]:
         """The function and all it calls, directly or not, with routines of the compiler's library."""
         found: set[str] = set()
         open_ = [function]
@@ -51,11 +51,11 @@ class Footprint:
 
     def code_of(self, function: str) -> int:
         """Size of the code of a function and of all that it calls, bytes."""
-        return sum(self.code.get(name, 0) for name in self.reached(function))
+        return sum(self.code.get(name, 0) for name in self.with_calls(function))
 
     def routines(self, function: str) -> list[str]:
         """Functions of the compiler's library that it calls."""
-        return sorted(name for name in self.reached(function) if name not in self.frames and name != _POINTER)
+        return sorted(name for name in self.with_calls(function) if name not in self.frames and name != _POINTER)
 
     def joined_with(self, other: Footprint) -> Footprint:
         """Both objects as one, so that calls of one lead into the other."""

@@ -33,7 +33,7 @@ _DONE = re.compile(r"^#\d+\s+(?:DONE|INITED)\s+cov: (\d+) ft: (\d+) corp: (\d+)"
 
 
 @dataclass(frozen=True)
-class Run:
+class FuzzRun:
     """What libFuzzer says of a run: inputs executed, edges and features reached, inputs kept."""
 
     executions: int
@@ -55,7 +55,7 @@ def compile_harness(folder: Path, sources: Sequence[str], program: str = "fuzz")
     return folder / program
 
 
-def fuzz(program: Path, corpus: Path, *, runs: int = 0, seconds: int = 0, seed: int = 1) -> Run:
+def fuzz(program: Path, corpus: Path, *, runs: int = 0, seconds: int = 0, seed: int = 1) -> FuzzRun:
     """Runs a harness on a corpus, which grows. Raises CheckError with what it found; the input is kept beside it."""
     corpus.mkdir(parents=True, exist_ok=True)
     bounds = [f"-runs={runs}"] if runs else []
@@ -65,7 +65,7 @@ def fuzz(program: Path, corpus: Path, *, runs: int = 0, seconds: int = 0, seed: 
     if done.returncode != 0 or counted is None or not last:
         raise CheckError(f"{program}: {_finding(done.stderr)}")
     edges, features, kept = (int(word) for word in last[-1])
-    return Run(int(counted[1]), edges, features, kept)
+    return FuzzRun(int(counted[1]), edges, features, kept)
 
 
 def minimise(program: Path, corpus: Path) -> None:

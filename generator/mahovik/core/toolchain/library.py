@@ -168,7 +168,7 @@ class Library:
             return 0 if value is None else value
         kind = self._c_type(a.type)
         if value is None:
-            value = _by_member(filled(a.type, a.shape, fill or 0.0))
+            value = _by_member(uniform_data(a.type, a.shape, fill or 0.0))
         if a.shape:
             return self._ffi.new(f"{kind}[{int(a.shape[0])}]", value)
         return self._ffi.new(f"{kind} *", value)
@@ -193,10 +193,10 @@ def _by_member(value: Any) -> Any:
     return [_by_member(each) for each in value] if isinstance(value, list) else value
 
 
-def filled(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:
+def uniform_data(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:
     """Plain data of a type with every number the same."""
     if shape:
-        return [filled(type_, shape[1:], number) for _ in range(int(shape[0]))]
+        return [uniform_data(type_, shape[1:], number) for _ in range(int(shape[0]))]
     if isinstance(type_, Struct):
-        return {f.name: filled(f.type, f.shape, number) for f in type_.fields}
+        return {f.name: uniform_data(f.type, f.shape, number) for f in type_.fields}
     return number if type_ is Kind.REAL else int(number)

@@ -68,7 +68,7 @@ DEVIATIONS = {
 }
 """Rules of MISRA C:2012 that the emitted C does not keep, as the addon counts them, with the reason."""
 
-KNOWN = {
+STANDING_FINDINGS = {
     "incorrectLogicOperator": "`a > 0` or `a <= 0` is false of NaN, and that is what is asked",
     "oppositeExpression": "the same line",
     "variableScope": "a local array that stands before the branch which alone reads it",
@@ -85,8 +85,8 @@ class Finding:
     line: int
 
     @property
-    def listed(self) -> bool:
-        return self.rule in DEVIATIONS or self.rule in KNOWN
+    def is_accepted(self) -> bool:
+        return self.rule in DEVIATIONS or self.rule in STANDING_FINDINGS
 
 
 def require(tool: str) -> None:
@@ -103,7 +103,7 @@ def version(tool: str) -> str:
     return f"{tool} {found[0] if found else 'of unknown version'}"
 
 
-def warned(folder: Path, files: Sequence[str]) -> list[str]:
+def warnings_of(folder: Path, files: Sequence[str]) -> list[str]:
     """Complaints of compilers and analyser, one per line; empty if there are none."""
     complaints = []
     commands = [(compiler, *WARNINGS, "-O2", "-c", "-o", "/dev/null") for compiler in COMPILERS]
@@ -134,6 +134,6 @@ def _finding(line: str) -> Finding:
     return Finding(parts[0].removeprefix("misra-c2012-"), parts[1], int(parts[2]))
 
 
-def counted(found: Iterable[Finding]) -> Counter[str]:
+def count_by_rule(found: Iterable[Finding]) -> Counter[str]:
     """Number of breaches of each rule."""
     return Counter(each.rule for each in found)

@@ -50,12 +50,12 @@ class Target:
         """The command that compiles board files and links."""
         return self.linker or self.compiler
 
-    def missing(self) -> tuple[str, ...]:
+    def missing_commands(self) -> tuple[str, ...]:
         """Commands that are not installed."""
         wanted = (self.compiler[0], self.link[0], *self.emulator[:1])
         return tuple(dict.fromkeys(command for command in wanted if shutil.which(command) is None))
 
-    def unable(self) -> str:
+    def obstacle(self) -> str:
         """Why this machine can build the target but not run it; "" where it can."""
         if not self.needs:
             return ""

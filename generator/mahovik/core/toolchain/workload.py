@@ -69,7 +69,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
         outputs=[declaration(names, a, key) for key, a in written.items()],
         preparation=list(_preparation(public, names)),
         recorder=recorder,
-        steps=[{"name": f"{f.name}_{order}", "text": _logged(f, names, order)} for f, order in steps],
+        steps=[{"name": f"{f.name}_{order}", "text": _log_step(f, names, order)} for f, order in steps],
         calls=calls,
     )
 
@@ -101,7 +101,7 @@ def _label(f: Function, order: int) -> str:
     return f"{f.name}(order=2)" if order == 2 else f.name
 
 
-def _logged(f: Function, names: Names, order: int) -> str:
+def _log_step(f: Function, names: Names, order: int) -> str:
     """The call of a step with a log; the state and the log are those of the program."""
     own = {"log": "&log", "x": "&logged", "table": f"&{names.function('default')}", "order": str(order)}
     return call(names, f, lambda a: own.get(a.name) or argument_text(a, f"{a.name}[s]"))

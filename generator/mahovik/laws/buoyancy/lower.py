@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.core.program.types import Field, Kind
 from mahovik.core.stand.model import Body
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.buoyancy.data import Buoyancy
 
 BODY_FIELDS = (

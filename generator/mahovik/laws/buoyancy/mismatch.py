@@ -7,6 +7,6 @@ from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.use.control.measurement import Errors
 
 
-def mismatched(draw: Errors, law: LawData) -> Buoyancy | None:
+def with_mismatch(draw: Errors, law: LawData) -> Buoyancy | None:
     """Displaced mass times 1 + e, its centre as a vector."""
     return Buoyancy(draw.times(law.displaced_mass), draw.vector(law.center)) if isinstance(law, Buoyancy) else None

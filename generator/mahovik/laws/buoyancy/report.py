@@ -29,12 +29,12 @@ def column(stand: Stand) -> tuple[str, list[Cell]]:
     """Head of its column in the table of bodies, and displaced masses with their sum; no cells where there is none."""
     found = [body.law(Buoyancy) for body in stand.bodies]
     cells: list[Cell] = [figure(each.displaced_mass) if each else "" for each in found]
-    return "displaced, kg>", [*cells, figure(_displaced(stand))] if any(found) else []
+    return "displaced, kg>", [*cells, figure(_displaced_mass(stand))] if any(found) else []
 
 
 def note(stand: Stand) -> Markup | None:
     """Weight against Archimedes' force."""
-    displaced = _displaced(stand)
+    displaced = _displaced_mass(stand)
     if not displaced or not any(stand.gravity):
         return None
     mass = math.fsum(body.mass for body in stand.bodies)
@@ -44,6 +44,6 @@ def note(stand: Stand) -> Markup | None:
     return Markup("{} by {} kg").format("light" if light else "heavy", figure(abs(displaced - mass), 4))
 
 
-def _displaced(stand: Stand) -> float:
+def _displaced_mass(stand: Stand) -> float:
     """Displaced mass of all bodies, kg."""
     return math.fsum(own.displaced_mass for body in stand.bodies if (own := body.law(Buoyancy)) is not None)

@@ -42,6 +42,6 @@ class Damping(LawData):
         return self.quadratic is not None or bool(self.terms)
 
     @property
-    def kinked(self) -> bool:
+    def has_kinks(self) -> bool:
         """Whether it depends on magnitudes of the twist."""
         return self.quadratic is not None or any(factor.absolute for term in self.terms for factor in term.of)

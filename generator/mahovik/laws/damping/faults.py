@@ -12,9 +12,9 @@ from mahovik.laws.damping.reference import damping_terms, wrenches
 from mahovik.proof.diagnose.edits import Change, minus, wrench, zero
 from mahovik.proof.diagnose.fault import Edit, Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.wrenches import body_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
 
 DAMPING = ("linear damping", "quadratic damping", "damping terms")
 """Kinds of wrench that depend on the twist relative to the fluid."""
@@ -25,23 +25,23 @@ def damping(change: Change) -> Edit:
     return wrench(change, *DAMPING)
 
 
-def damping_at(twist: Callable[[Placed, Pieces], Array]) -> Edit:
+def damping_at(twist: Callable[[PlacedBody, Pieces], Array]) -> Edit:
     """All damping of a body, taken at another twist (6) in its frame."""
 
-    def change(right: Array, k: Placed, at: Pieces) -> Array:
+    def change(right: Array, k: PlacedBody, at: Pieces) -> Array:
         return body_wrench(wrenches(k.body, np.zeros(3), twist(k, at)))
 
     return damping(change)
 
 
-def without_sign(P: Array, k: Placed, at: Pieces) -> Array:
+def without_sign(P: Array, k: PlacedBody, at: Pieces) -> Array:
     """Quadratic damping (6) with V_r^2 for V_r |V_r|."""
     given = k.body.law(Damping)
     V_r = k.twist(at.V_r)
     return P if given is None or given.quadratic is None else -np.array(given.quadratic) @ (V_r * V_r)
 
 
-def without_bars(P: Array, k: Placed, at: Pieces) -> Array:
+def without_bars(P: Array, k: PlacedBody, at: Pieces) -> Array:
     """Hydrodynamic derivatives (6) with v for |v|."""
     given = k.body.law(Damping)
     if given is None:
@@ -53,7 +53,7 @@ def without_bars(P: Array, k: Placed, at: Pieces) -> Array:
     return damping_terms(replace(given, terms=tuple(terms)), k.twist(at.V_r))
 
 
-def relative_to_O1(k: Placed, at: Pieces) -> Array:
+def relative_to_O1(k: PlacedBody, at: Pieces) -> Array:
     """The twist (6) relative to the fluid, with v of O1."""
     return np.concatenate([k.L[:3, :3].T @ at.V_r[:3], k.twist(at.V_r)[3:]])
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import units
-from mahovik.core.lower.library import Library
+from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.lower.symbolic import translate
 from mahovik.core.program.build import Body as Statements
@@ -16,7 +16,7 @@ from mahovik.core.program.expression import Place, magnitude, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.damping.data import Damping
 
 INT = Kind.INT
@@ -99,7 +99,7 @@ def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
         yield Member(f"derivative[{k + 1}]", unit, text, float(member(row, "value")))
 
 
-def damp(lib: Library) -> Function:
+def damp(lib: FunctionSet) -> Function:
     """Damping of one body in its own frame, added to a wrench."""
     struct, terms = lib.layout.damper, term_count(lib.layout.structure)
     damper = Argument("damper", struct)
@@ -138,7 +138,7 @@ def damp(lib: Library) -> Function:
     )
 
 
-def damp_slope(lib: Library) -> Function:
+def damp_slope(lib: FunctionSet) -> Function:
     """Derivative of one body's damping by its twist, times a twist."""
     table = lib.table_argument()
     struct, terms = lib.layout.damper, term_count(lib.layout.structure)

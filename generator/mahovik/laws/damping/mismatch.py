@@ -9,7 +9,7 @@ from mahovik.laws.damping.data import Damping
 from mahovik.use.control.measurement import Errors
 
 
-def mismatched(draw: Errors, law: LawData) -> Damping | None:
+def with_mismatch(draw: Errors, law: LawData) -> Damping | None:
     """Matrices S A S, S = diag(sqrt(1 + e)): definite stays definite; terms times 1 + e."""
     if not isinstance(law, Damping):
         return None

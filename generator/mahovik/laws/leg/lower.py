@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.lower.laws import add_force
-from mahovik.core.lower.library import Library
 from mahovik.core.lower.member import Member, members
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
@@ -18,7 +18,7 @@ from mahovik.core.program.expression import Place, Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.leg.data import legs_of
 
 REAL = Kind.REAL
@@ -65,20 +65,20 @@ class Legs(LawLowering):
         for k, leg in enumerate(value):
             yield from members(f"leg[{k + 1}]", LEG, leg)
 
-    def add_functions(self, lib: Library) -> None:
+    def add_functions(self, lib: FunctionSet) -> None:
         """The force of one leg."""
         lib.add(add_leg(lib))
 
-    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the force of every leg."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
             lib.check(body, "add_leg", table.leg[k], x, C, F)
 
-    def add_slopes(self, lib: Library) -> None:
+    def add_slopes(self, lib: FunctionSet) -> None:
         """The change of one leg's force."""
         lib.add(add_leg_slope(lib))
 
-    def slope(self, lib: Library, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
+    def slope(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, change: Place, F: Place) -> None:
         """Adds the change of every leg's force."""
         with body.loop("k", lib.layout.structure.law("legs")) as k:
             named = {"leg": table.leg[k], "x": x, "C": C, "change": change, "F": F}
@@ -88,7 +88,7 @@ class Legs(LawLowering):
 LOWERING = Legs()
 
 
-def add_leg(lib: Library) -> Function:
+def add_leg(lib: FunctionSet) -> Function:
     """Force of one leg, added to F."""
     law = Argument("leg", LEG)
     x = lib.state_argument()
@@ -140,7 +140,7 @@ def add_leg(lib: Library) -> Function:
     )
 
 
-def add_leg_slope(lib: Library) -> Function:
+def add_leg_slope(lib: FunctionSet) -> Function:
     """Change of the force of one leg with the twist."""
     law = Argument("leg", LEG)
     x = lib.state_argument()

@@ -7,7 +7,7 @@ from mahovik.laws.leg.data import Leg, Legs
 from mahovik.use.control.measurement import Errors
 
 
-def mismatched(draw: Errors, law: LawData) -> Legs | None:
+def with_mismatch(draw: Errors, law: LawData) -> Legs | None:
     """Stiffness, damping and length times 1 + e, ends as vectors."""
     return Legs(tuple(_leg(draw, leg) for leg in law.legs)) if isinstance(law, Legs) else None
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from mahovik.core.stand import units
 from mahovik.core.stand.fields import Length3, Table, scalar
-from mahovik.core.stand.law import Given, LawSchema
+from mahovik.core.stand.law import LawSchema, TablesByKey
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.toml import fields
 from mahovik.laws.leg.data import Leg, Legs
@@ -23,7 +23,7 @@ class LegTable(Table):
     damping: Annotated[float, scalar(units.LINEAR_DAMPING, least=0.0)] = 0.0
 
 
-def read(header: None, given: Given) -> Legs | None:
+def read(header: None, given: TablesByKey) -> Legs | None:
     """All legs of the file."""
     legs = tuple(Leg(t.ground, t.carrier, t.length, t.stiffness, t.damping) for t in given["leg"])
     return Legs(legs) if legs else None

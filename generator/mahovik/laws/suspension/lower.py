@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.lower import units
+from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
-from mahovik.core.lower.library import Library
 from mahovik.core.lower.member import Member, matrix, member, vector
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body, call
@@ -17,7 +17,7 @@ from mahovik.core.program.expression import Expr, Place, integer, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.suspension.data import Suspension as Data
 
 REAL = Kind.REAL
@@ -78,16 +78,16 @@ class Suspension(LawLowering):
             else:
                 yield from vector(name, f, given, f"suspension: {f.comment}")
 
-    def add_functions(self, lib: Library) -> None:
+    def add_functions(self, lib: FunctionSet) -> None:
         """The rotation vector, and the wrench."""
         lib.add(rotation_vector(lib))
         lib.add(suspend(lib))
 
-    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the wrench."""
         body.call(lib["suspend"], table.suspension, x, C, F)
 
-    def constant_slope(self, lib: Library, body: Body, table: Place, out: Place) -> None:
+    def constant_slope(self, lib: FunctionSet, body: Body, table: Place, out: Place) -> None:
         """Subtracts the damping."""
         with body.loop("i", 6) as i, body.loop("j", 6) as j:
             body.add(out[i * integer(6) + j], -table.suspension.damping[i][j])
@@ -96,7 +96,7 @@ class Suspension(LawLowering):
 LOWERING = Suspension()
 
 
-def rotation_vector(lib: Library) -> Function:
+def rotation_vector(lib: FunctionSet) -> Function:
     """Rotation vector of a quaternion, of length at most pi."""
     q = Argument("q", Kind.REAL, (4,))
     r = Argument("r", Kind.REAL, (3,), "out", "rad")
@@ -127,7 +127,7 @@ def rotation_vector(lib: Library) -> Function:
     )
 
 
-def suspend(lib: Library) -> Function:
+def suspend(lib: FunctionSet) -> Function:
     """Wrench of the 6x6 suspension, added to F."""
     law = Argument("law", SUSPENSION)
     x = lib.state_argument()

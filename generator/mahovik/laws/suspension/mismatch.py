@@ -9,7 +9,7 @@ from mahovik.laws.suspension.data import Suspension
 from mahovik.use.control.measurement import Errors
 
 
-def mismatched(draw: Errors, law: LawData) -> Suspension | None:
+def with_mismatch(draw: Errors, law: LawData) -> Suspension | None:
     """Stiffness and damping S K S, S = diag(sqrt(1 + e)): definite stays definite; position as a vector."""
     if not isinstance(law, Suspension):
         return None

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Annotated, Any
 
 from mahovik.core.stand.fields import ZERO3, Angle3, Length3, LinearDamping6, Table, validator
-from mahovik.core.stand.law import Given, LawSchema
+from mahovik.core.stand.law import LawSchema, TablesByKey
 from mahovik.core.stand.model import Mat6, Stand
 from mahovik.core.stand.shapes import Blocks, matrix6
 from mahovik.core.stand.toml import fields
@@ -29,7 +29,7 @@ class SuspensionTable(Table):
     angles: Angle3 = ZERO3
 
 
-def read(header: None, given: Given) -> Suspension | None:
+def read(header: None, given: TablesByKey) -> Suspension | None:
     """The suspension; None where it does nothing."""
     for table in given["suspension"]:
         if table.stiffness is not None or table.damping is not None:

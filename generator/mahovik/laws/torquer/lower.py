@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.core.formula.derived import FormulaModule
 from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import LawLowering
-from mahovik.core.lower.library import Library
 from mahovik.core.lower.member import Member, members, vector
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.program.build import Body
@@ -17,7 +17,7 @@ from mahovik.core.program.expression import Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.torquer.data import Torquers as Data
 
 if TYPE_CHECKING:
@@ -72,11 +72,11 @@ class Torquers(LawLowering):
         for k, torquer in enumerate(value):
             yield from members(f"torquer[{k + 1}]", field.type, torquer)
 
-    def add_functions(self, lib: Library) -> None:
+    def add_functions(self, lib: FunctionSet) -> None:
         """The moment of one torquer."""
         lib.add(add_torquer(lib))
 
-    def act(self, lib: Library, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
+    def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
         """Adds the moment of every torquer."""
         field = body.local("field", (3,), comment="magnetic field in E1")
         body.call(lib["rotate_back"], C, table.magnetic_field, field)
@@ -88,7 +88,7 @@ class Torquers(LawLowering):
 LOWERING = Torquers()
 
 
-def add_torquer(lib: Library) -> Function:
+def add_torquer(lib: FunctionSet) -> Function:
     """Moment of one torquer, added to F."""
     structure = lib.layout.structure
     table = lib.table_argument()

@@ -9,7 +9,7 @@ from mahovik.laws.torquer.data import Torquers
 from mahovik.use.control.measurement import Errors
 
 
-def mismatched(draw: Errors, law: LawData) -> Torquers | None:
+def with_mismatch(draw: Errors, law: LawData) -> Torquers | None:
     """Dipoles as vectors; the field as it is."""
     if not isinstance(law, Torquers):
         return None

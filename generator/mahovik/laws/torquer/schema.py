@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Annotated, Any
 
 from mahovik.core.stand.fields import ZERO3, Name, Table, Text, validator
-from mahovik.core.stand.law import Given, LawSchema
+from mahovik.core.stand.law import LawSchema, TablesByKey
 from mahovik.core.stand.model import Stand, Vec3
 from mahovik.core.stand.shapes import vec3
 from mahovik.core.stand.toml import fields
@@ -31,7 +31,7 @@ class TorquerTable(Table):
     dipole: Annotated[Vec3, validator(lambda raw: vec3(raw, DIPOLE), DIPOLE)] = ZERO3
 
 
-def read(header: FieldHeader | None, given: Given) -> Torquers | None:
+def read(header: FieldHeader | None, given: TablesByKey) -> Torquers | None:
     """All torquers of the file, with the field; None without torquers."""
     torquers = tuple(Torquer(t.name, t.mount, t.dipole) for t in given["torquer"])
     return Torquers(header.magnetic_field if header else ZERO3, torquers) if torquers else None

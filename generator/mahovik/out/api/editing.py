@@ -11,7 +11,7 @@ from mahovik.core.motion.document import validate_table
 from mahovik.core.stand import build, datasheet
 from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.core.stand.law import with_laws
+from mahovik.core.stand.law_schemas import with_laws
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 from mahovik.core.stand.units import show

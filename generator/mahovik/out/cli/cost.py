@@ -45,9 +45,9 @@ def cost(
         raise UsageError("--check, --accept: give only one of them")
     from mahovik.proof.cost.measure import USUAL, available, parse_targets
     from mahovik.proof.cost.page import as_json as json_text
-    from mahovik.proof.cost.page import page, read_accepted
+    from mahovik.proof.cost.page import page, read_accepted_costs
     from mahovik.proof.verify.delivery import (
-        COST,
+        COST_PAGE,
         FIGURES,
         accepted_figures,
         add_to_delivery,
@@ -73,7 +73,7 @@ def cost(
     if check and text is None:
         raise UsageError(f"{folder / FIGURES}: no such file: accept figures first, `mahovik cost` without --check")
     lanes = delivered_lanes(folder)
-    before = read_accepted(text, str(folder / FIGURES), lanes) if text is not None else None
+    before = read_accepted_costs(text, str(folder / FIGURES), lanes) if text is not None else None
     found = _measure(stand, pairs, lanes, delivered_only(folder))
     if as_json:
         print_json_text(json_text(found))
@@ -82,7 +82,7 @@ def cost(
     if before is not None and not accept:
         required = [*USUAL, *((t.name, r) for t, r in pairs)] if check else USUAL if usual else ()
         _compare(found, before, required, quiet=as_json)
-    files = {COST: page(found)} if usual and not check else {}
+    files = {COST_PAGE: page(found)} if usual and not check else {}
     if accept or (before is None and usual):
         files[FIGURES] = json_text(found, before or ())
     if files:

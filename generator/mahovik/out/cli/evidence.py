@@ -14,7 +14,7 @@ from mahovik.out.cli.output import print_json, print_line, print_table
 from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
-    from mahovik.proof.evidence.piece import Collected
+    from mahovik.proof.evidence.piece import PieceResult
 
 FUZZ_SECONDS = (20, 600)
 """s of fuzzing: quick, full."""
@@ -90,7 +90,7 @@ def _check(folder: Path, as_json: bool) -> None:
 
 def _collect(
     stand_file: str, folder: Path, full: bool, seconds: int, wanted: frozenset[str], real: str
-) -> list[Collected]:
+) -> list[PieceResult]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
     from mahovik.proof.evidence.collect import collect
@@ -119,7 +119,7 @@ def _collect(
         )
 
 
-def _plain(found: list[Collected], folder: Path) -> dict[str, Any]:
+def _plain(found: list[PieceResult], folder: Path) -> dict[str, Any]:
     from mahovik.proof.evidence.page import conclusion
 
     pieces = [
@@ -129,7 +129,7 @@ def _plain(found: list[Collected], folder: Path) -> dict[str, Any]:
     return {"folder": str(folder), "conclusion": conclusion(found), "pieces": pieces}
 
 
-def _print(found: list[Collected]) -> None:
+def _print(found: list[PieceResult]) -> None:
     from mahovik.proof.evidence.page import conclusion
     from mahovik.proof.evidence.piece import Verdict
 

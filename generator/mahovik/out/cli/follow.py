@@ -119,12 +119,12 @@ def _plain(summary: _Summary) -> dict[str, Any]:
 
     case, record, limits = summary.case, summary.record, summary.limits
     result: dict[str, Any] = {
-        "stand": case.wanted.stand.name,
-        "motion": case.wanted.motion.name,
+        "stand": case.reference.stand.name,
+        "motion": case.reference.motion.name,
         "servo": case.servo.name,
         "mismatch": summary.options.mismatch,
         "seed": summary.options.seed,
-        **({"periods": case.periods} if case.wanted.programme.periodic else {}),
+        **({"periods": case.periods} if case.reference.programme.periodic else {}),
         **summary.found.as_json(),
         "peak_torque": np.abs(record.tau).max(axis=0).tolist(),
         "samples_limited": record.limited,
@@ -148,7 +148,7 @@ def _print(summary: _Summary) -> None:
 
     case, record, found, options = summary.case, summary.record, summary.found, summary.options
     _print_coordinates(found)
-    flywheels = [s.name for s in case.wanted.stand.flywheels]
+    flywheels = [s.name for s in case.reference.stand.flywheels]
     furthest, strongest = int(np.argmax(found.apart)), int(np.argmax(np.abs(record.tau).max(axis=0)))
     click.echo(
         f"error of the carrier {100 * found.share:.3g} % of its amplitude (rms {100 * found.share_rms:.3g} %), "

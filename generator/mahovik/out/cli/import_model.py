@@ -16,7 +16,7 @@ from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.foreign.agreement import Original
-    from mahovik.out.foreign.merge import Imported
+    from mahovik.out.foreign.merge import ImportedStand
     from mahovik.out.foreign.model import ForeignModel
 
 MODEL_FILE = argument("FILE")
@@ -58,7 +58,7 @@ def urdf(
 
     source = Path(model_file)
 
-    def original(found: Imported, model: ForeignModel) -> Original:
+    def original(found: ImportedStand, model: ForeignModel) -> Original:
         from mahovik.out.foreign.agreement import PinocchioOriginal
 
         return PinocchioOriginal(source, found, model.free is True)
@@ -83,7 +83,7 @@ def mjcf(
 
     source = Path(model_file)
 
-    def original(found: Imported, model: ForeignModel) -> Original:
+    def original(found: ImportedStand, model: ForeignModel) -> Original:
         from mahovik.out.foreign.agreement import MujocoOriginal
         from mahovik.out.foreign.mjcf import compile_model
 
@@ -95,7 +95,7 @@ def mjcf(
 def _write(
     source: Path,
     model: ForeignModel,
-    original: Callable[[Imported, ForeignModel], Original],
+    original: Callable[[ImportedStand, ForeignModel], Original],
     output: str | None,
     name: str | None,
     carrier: str | None,
@@ -133,7 +133,7 @@ def _write(
 
 
 def _comparison_words(
-    found: Imported, model: ForeignModel, original: Callable[[Imported, ForeignModel], Original], source: Path
+    found: ImportedStand, model: ForeignModel, original: Callable[[ImportedStand, ForeignModel], Original], source: Path
 ) -> str:
     """Agreement of the stand with the original file, in words. Raises CheckError."""
     from mahovik.errors import CheckError

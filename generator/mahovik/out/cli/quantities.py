@@ -9,7 +9,7 @@ from decimal import Decimal, InvalidOperation
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.functions.motor_limits import FAST, RPM, question
+from mahovik.out.functions.motor_limits import FAST, RPM, rpm_question
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![\d./])")  # the 1 of 1/min is its unit's
 
@@ -33,7 +33,7 @@ def speeds(option: str, text: str) -> tuple[float, ...]:
     found = tuple(_list(option, text, ("an angular speed", "rad/s")))
     fastest = max(map(abs, found), default=0.0)
     if fastest > FAST and not any(letter.isalpha() for letter in re.sub(_NUMBER, "", text)):
-        click.echo(f"warning: {option}: {RPM * fastest:.6g} rpm{question(fastest)}", err=True)
+        click.echo(f"warning: {option}: {RPM * fastest:.6g} rpm{rpm_question(fastest)}", err=True)
     return found
 
 

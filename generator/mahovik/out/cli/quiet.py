@@ -176,8 +176,10 @@ def _print(found: QuietResult) -> None:
     from mahovik.use.study.quiet.options import rpm
 
     band = f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz"
-    if found.wheels.moved > 1e-9:
-        print_line(f"the given speeds do not hold the momentum: before is {rpm(found.wheels.moved):.4g} rpm off them")
+    if found.wheels.distance > 1e-9:
+        print_line(
+            f"the given speeds do not hold the momentum: before is {rpm(found.wheels.distance):.4g} rpm off them"
+        )
     rows = []
     for name, now, then, phase in zip(
         found.wheels.names, found.before.speeds, found.after.speeds, found.after.phases, strict=True
@@ -217,8 +219,8 @@ def _end(found: QuietResult) -> None:
     if found.interrupted:
         click.echo("interrupted: this is the best so far, not simulated", err=True)
         raise SystemExit(INTERRUPTED)
-    if found.broken:
-        click.echo(f"warning: the present speeds break their own limits: {', '.join(found.broken)}", err=True)
+    if found.broken_options:
+        click.echo(f"warning: the present speeds break their own limits: {', '.join(found.broken_options)}", err=True)
     if found.cut:
         click.echo("warning: --time cut the search: another run may find more", err=True)
     if not found.agrees:

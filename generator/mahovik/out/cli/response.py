@@ -138,7 +138,7 @@ def _print(found: Sweep) -> None:
     """Print orders, RMS, and remarks on the steady states."""
     import numpy as np
 
-    asked = found.asked
+    asked = found.plan
     swept = "-" if asked.swept is None else asked.names[asked.swept]
     many = "one speed" if len(found.steps) == 1 else f"{len(found.steps)} speeds"
     title = f"{found.stand.name}: {found.quantity} of {found.point}, {many} of {swept}"

@@ -69,7 +69,7 @@ def verify_programme(
 def _print(findings: Sequence[Finding]) -> None:
     rows = []
     for each in findings:
-        verdict = ("FAILED", "red") if not each.passed else ("warns", "yellow") if each.warns else ("ok", "")
+        verdict = ("FAILED", "red") if not each.passed else ("warns", "yellow") if each.has_warning else ("ok", "")
         rows.append((each.name, f"{each.value:.3g}", f"{each.limit:.4g}", verdict, each.words))
     # long words about another stand would widen every row; programs read --json
     print_table(("item", "found>", "accepted>", "verdict", "quantity"), rows, piped=100)

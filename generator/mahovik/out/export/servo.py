@@ -23,7 +23,7 @@ from mahovik.core.program.function import Program
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
-from mahovik.out.export.programme import Exported, check_belongs, export_programme
+from mahovik.out.export.programme import ProgrammeExport, check_belongs, export_programme
 from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
 
@@ -36,7 +36,7 @@ class ExportedServo:
     """Files of the servo and of its programme by name; messages, one line each; program, form, numbers."""
 
     servo: dict[str, str]
-    programme: Exported
+    programme: ProgrammeExport
     lines: tuple[str, ...]
     program: Program
     form: ServoForm

@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
-from mahovik.out.foreign.merge import Imported
+from mahovik.out.foreign.merge import ImportedStand
 from mahovik.out.foreign.mjcf import without_log
 from mahovik.out.foreign.model import Array, Place
 from mahovik.proof.reference import evaluate
@@ -28,10 +28,10 @@ QUANTITIES = ("K", "I", "bias", "V_dot", "phi_ddot", "tau")
 
 
 class Original(Protocol):
-    """The original file in a program that reads it: its name; `held`: attitude (3x3) of a carrier that cannot move."""
+    """The original file in a program that reads it. `fixed_attitude` (3x3): that of a carrier that cannot move."""
 
     name: str
-    held: Array | None
+    fixed_attitude: Array | None
 
     def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
         """The available QUANTITIES at a state whose carrier has the attitude C (3x3)."""
@@ -52,7 +52,7 @@ def disagreement(errors: Mapping[str, float]) -> str:
     return ", ".join(wrong)
 
 
-def agreement(found: Imported, original: Original, count: int = 20, seed: int = 1) -> dict[str, float]:
+def agreement(found: ImportedStand, original: Original, count: int = 20, seed: int = 1) -> dict[str, float]:
     """Largest difference of each quantity at random states, relative to the largest component of the original's.
 
     NaN where a component is NaN at one of them.
@@ -61,10 +61,10 @@ def agreement(found: Imported, original: Original, count: int = 20, seed: int = 
     worst: dict[str, float] = {}
     for _ in range(count):
         state = random_state(found.stand, rng)
-        if original.held is not None:
-            w, x, y, z = Rotation.from_matrix(original.held).as_quat(scalar_first=True).tolist()
+        if original.fixed_attitude is not None:
+            w, x, y, z = Rotation.from_matrix(original.fixed_attitude).as_quat(scalar_first=True).tolist()
             state = replace(state, angles=None, quaternion=(w, x, y, z), V=_ZERO6, V_dot=_ZERO6)
-        ours = _ours(found.stand, state)
+        ours = _reference_quantities(found.stand, state)
         theirs = original.evaluate(_attitude(state), state)
         for name, value in theirs.items():
             if value.size:
@@ -74,7 +74,7 @@ def agreement(found: Imported, original: Original, count: int = 20, seed: int = 
     return worst
 
 
-def _ours(stand: Stand, state: State) -> dict[str, Array]:
+def _reference_quantities(stand: Stand, state: State) -> dict[str, Array]:
     """QUANTITIES of the stand, by the literal reference."""
     at = evaluate(stand, state, ("matrices", "coupled", "torque"))
     bias = at["M"] @ np.array(state.V) + at["J"] @ np.array(state.phi_dot) - at["F"]
@@ -104,13 +104,13 @@ def _quantities(full: Array, bias: Array, motion: Any, tau: Array) -> dict[str, 
 class PinocchioOriginal:
     """A URDF in Pinocchio, with a free root, or the body that floats on it. ImportError without Pinocchio."""
 
-    held: Array | None
+    fixed_attitude: Array | None
 
-    def __init__(self, path: Path, found: Imported, floats: bool) -> None:
+    def __init__(self, path: Path, found: ImportedStand, floats: bool) -> None:
         import pinocchio as pin
 
         self.name = f"Pinocchio {pin.__version__}"
-        self.held = None
+        self.fixed_attitude = None
         self._pin = pin
         self._model = (
             pin.buildModelFromUrdf(str(path))
@@ -161,9 +161,9 @@ class MujocoOriginal:
     `model`: the file as compiled by MuJoCo.
     """
 
-    held: Array | None
+    fixed_attitude: Array | None
 
-    def __init__(self, model: Any, found: Imported, free: bool) -> None:
+    def __init__(self, model: Any, found: ImportedStand, free: bool) -> None:
         import mujoco
 
         self.name = f"MuJoCo {mujoco.__version__}"
@@ -179,11 +179,11 @@ class MujocoOriginal:
         self._v = np.array([*range(6 * free), *model.jnt_dofadr[list(found.numbers)]], dtype=int)
         self._T = twist_map(found.place)
         self._turned = found.place.axes.T
-        self.held = None
+        self.fixed_attitude = None
         if not free:
             mujoco.mj_kinematics(model, self._data)
             root = model.body_rootid[model.jnt_bodyid[found.numbers[0]]] if found.numbers else 1
-            self.held = self._data.xmat[root].reshape(3, 3) @ found.place.axes
+            self.fixed_attitude = self._data.xmat[root].reshape(3, 3) @ found.place.axes
 
     def evaluate(self, C: Array, state: State) -> Mapping[str, Array]:
         """See Original. A free joint has v in E0 and its derivative: v' = C (v* + omega x v)."""

@@ -32,7 +32,7 @@ _HERE = Place(np.zeros(3), np.eye(3))
 
 
 @dataclass(frozen=True)
-class Imported:
+class ImportedStand:
     """A stand and its origin.
 
     `comments`: lines above the table of a body or point, by name; `notes`: messages to the user, one line each;
@@ -55,7 +55,7 @@ class _Group:
 
     members: dict[str, tuple[Link, Place]]
 
-    def merged(self, base: Place = _HERE, without: Sequence[str] = ()) -> RigidMass:
+    def merge(self, base: Place = _HERE, without: Sequence[str] = ()) -> RigidMass:
         """Mass, centre, central inertia of all in a frame, in which the first link is at `base`."""
         return combine_masses(
             [
@@ -94,7 +94,7 @@ def make_stand(
     carrier: str | None = None,
     gravity: Array | None = None,
     instruments: bool = False,
-) -> Imported:
+) -> ImportedStand:
     """The stand of a model. Raises ForeignError with every reason against it.
 
     `carrier`: the link whose frame is E1, one that is fixed to the first; default the first. `gravity`, m/s2 in E0:
@@ -116,7 +116,7 @@ class _Merger:
         self._comments: dict[str, list[str]] = {}
         self._notes: list[str] = list(model.notes)
 
-    def stand(self, chosen: str | None) -> Imported:
+    def stand(self, chosen: str | None) -> ImportedStand:
         """See stand_of."""
         if not self._model.links:
             raise ForeignError(self._problems.lines)
@@ -127,7 +127,7 @@ class _Merger:
         base = self._base(chosen, on_carrier)
         if self._model.free is False:
             self._fixed_on_the_world(chosen, on_carrier)
-        massless = on_carrier.merged()
+        massless = on_carrier.merge()
         if not massless.mass and not massless.inertia.any():
             self._problems.add(self._link_words(first.name), "has no mass and no inertia, nor has what is fixed on it")
         turning = [link for link in self._model.links if link.spin is not None]
@@ -163,7 +163,7 @@ class _Merger:
         )
         spins = [cast(Spin, link.spin) for link in turning]
         joints, numbers = tuple(s.joint for s in spins), tuple(s.number for s in spins)
-        return Imported(stand, carrier_name, base.inverse, joints, numbers, self._comments, tuple(self._notes))
+        return ImportedStand(stand, carrier_name, base.inverse, joints, numbers, self._comments, tuple(self._notes))
 
     # -- what is refused -----------------------------------------------------------------------------------------------
 
@@ -240,7 +240,7 @@ class _Merger:
                 "a flywheel must be on the carrier",
             )
             return
-        mass = groups[link.name].merged()
+        mass = groups[link.name].merge()
         if not mass.mass and not mass.inertia.any():
             self._problems.add(where, f"{self._link_words(link.name)} turns, but has no mass and no inertia")
 
@@ -256,7 +256,7 @@ class _Merger:
         apart = [link.name for link, _ in self._separate_bodies(on_carrier, carrier)]
         merged = [name for name, (link, _) in on_carrier.members.items() if link.mass is not None and name not in apart]
         self._comments["carrier"] = [f"Frame: that of {self._link_words(carrier)}.", self._sources(merged)]
-        return Carrier(name="carrier", **_properties(on_carrier.merged(base, apart)), added_mass=None)
+        return Carrier(name="carrier", **_properties(on_carrier.merge(base, apart)), added_mass=None)
 
     def _sources(self, merged: Sequence[str]) -> str:
         """Comment that names the links of these mass properties."""
@@ -297,7 +297,7 @@ class _Merger:
         self._comments[name] = lines
         return Flywheel(
             name=name,
-            **_properties(group.merged(own.inverse)),
+            **_properties(group.merge(own.inverse)),
             mount="carrier",
             position=_vec3(at.origin + at.axes @ spin.anchor),
             mounting=MountingAxes(_vec3(at.axes @ spin.axis), _vec3(at.axes @ (back @ zero))),

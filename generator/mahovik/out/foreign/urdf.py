@@ -14,7 +14,7 @@ from mahovik.core.stand.units import show
 from mahovik.out.foreign.model import ForeignModel, Link, Place, RigidMass, Spin, rotation_from_rpy
 from mahovik.out.foreign.xml import Attributes, read_xml
 
-_REFUSED = {
+_REFUSED_JOINTS = {
     "prismatic": "prismatic: a flywheel turns, it does not slide",
     "revolute": "revolute, with an end to its turning: expected continuous, or fixed",
     "planar": "planar: a flywheel has one axis",
@@ -130,8 +130,8 @@ class _Reader:
                 self.problems.add(where, tag, "required, but missing")
         if not name:
             self.problems.add("joint", "name", "required, but missing")
-        if kind in _REFUSED:
-            self.problems.add(where, _REFUSED[kind])
+        if kind in _REFUSED_JOINTS:
+            self.problems.add(where, _REFUSED_JOINTS[kind])
         elif kind not in ("fixed", "continuous", "floating"):
             self.problems.add(where, "type", f"expected fixed, continuous or floating, found {show(kind)}")
         if element.find("mimic") is not None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from mahovik.core.stand import dumps, loads
 from mahovik.errors import ForeignError, StandError
-from mahovik.out.foreign.merge import Imported
+from mahovik.out.foreign.merge import ImportedStand
 
 
-def stand_file(found: Imported, source: str, command: str) -> str:
+def stand_file(found: ImportedStand, source: str, command: str) -> str:
     """The text of the stand file; reading it back gives the same bits. `command` names its origin.
 
     Raises ForeignError if the model is not a valid stand, with the messages of `mahovik check`.

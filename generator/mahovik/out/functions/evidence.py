@@ -173,7 +173,7 @@ def judge(
 def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, seed: int, timeout: float) -> Diagnosis:
     """Diagnosis of a program that differs, for the wants that it offers."""
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.verify.foreign import ask
+    from mahovik.proof.verify.foreign import answers_of
 
     if found.passed:
         return Diagnosis("equal")
@@ -181,7 +181,7 @@ def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, s
     if not offered:
         return Diagnosis("nothing")
     diagnoser = Diagnoser(stand, seed, offered)
-    results = ask(command, stand_file, diagnoser.requests, timeout)
+    results = answers_of(command, stand_file, diagnoser.requests, timeout)
     answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
     return diagnoser.diagnose(lambda request: answers[request.id])
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from mahovik.core.motion.servo import Servo
     from mahovik.out.report.plot.panel import Panel
 
-MEASURED = 10
+MEASURED_PERIODS = 10
 """Periods measured at the end of a run."""
 
 SETTLING = 30
@@ -80,7 +80,7 @@ class Following(Table):
     @property
     def motion(self) -> Simulation:
         """The run: carrier, flywheels, torques, what is required."""
-        return Simulation(self.case.wanted.stand, self.record.run())
+        return Simulation(self.case.reference.stand, self.record.run())
 
     @property
     def stopped(self) -> str | None:
@@ -101,7 +101,7 @@ class Following(Table):
         return self.motion._panels()
 
     def __repr__(self) -> str:
-        name = self.case.wanted.stand.name
+        name = self.case.reference.stand.name
         if self.errors is None:
             return f"<Following of {name}: {self.stopped}>"
         return f"<Following of {name}: error {100 * self.share:.3g} % of the motion's amplitude>"
@@ -140,7 +140,7 @@ def follow(
         raise CheckError(f"the run ends at once: {record.stopped}")
     if record.stopped is not None:
         return Following(case, record, None, ())
-    found = Following(case, record, errors_of(record, MEASURED), ())
+    found = Following(case, record, errors_of(record, MEASURED_PERIODS), ())
     try:
         if causes:
             found.causes = tuple(
@@ -171,8 +171,8 @@ def _case(
     """The run to be made. Raises UsageError and what the files raise."""
     from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
     from mahovik.use.control.mismatch import with_mismatch
+    from mahovik.use.control.reference_motion import ReferenceMotion
     from mahovik.use.control.trim import design_trim
-    from mahovik.use.control.wanted import Wanted
 
     if not (math.isfinite(mismatch) and mismatch >= 0.0):
         raise UsageError(f"--mismatch {mismatch:g}: expected 0 or more")
@@ -190,7 +190,7 @@ def _case(
     begin = begin or "settled"
     if begin == "rest" and found.runup is None:
         raise UsageError(f"--begin rest: {source} has no run-up; plan with `runup` in the motion file")
-    wanted = Wanted.of(stand, required, found, table)
+    wanted = ReferenceMotion.of(stand, required, found, table)
     if required.span < 4.0 * servos.period:
         raise UsageError(
             f"{servo_source}: sample_period {servos.period:g} s: fewer than 4 samples in "
@@ -198,13 +198,15 @@ def _case(
         )
     design = None if servos.trim is None else design_trim(stand, required, found, servos.trim)
     if periods is None:
-        periods = SETTLING + MEASURED
+        periods = SETTLING + MEASURED_PERIODS
         if design is not None:
             rounds = math.ceil(math.log(LEFT) / math.log(design.radius)) if design.radius > 0.0 else 1
             each = design.trim.settling + design.trim.averaging + 1
-            periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED
-    elif found.periodic and periods < MEASURED + 1:
-        raise UsageError(f"--periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
+            periods = min(max(rounds, 1), MOST_ROUNDS) * each + MEASURED_PERIODS
+    elif found.periodic and periods < MEASURED_PERIODS + 1:
+        raise UsageError(
+            f"--periods {periods}: expected at least {MEASURED_PERIODS + 1}: the last {MEASURED_PERIODS} are measured"
+        )
     _check_loops(stand, servos, servo_source)
     return Case(wanted, with_mismatch(stand, mismatch, seed), servos, periods, design, begin, backend)
 
@@ -227,6 +229,6 @@ def _check_loops(stand: Stand, servo: Servo, source: str) -> None:
     found = margins(stand, servo)
     if found.radius >= 1.0:
         check_margins(stand, servo, source)
-    if not found.accepted:
+    if not found.are_sufficient:
         gain = min(found.gain, found.less)
         warn(f"{source}: margins are small: gain {gain:.2f}, phase {found.phase:.0f} deg, of each servo's loop")

@@ -35,7 +35,7 @@ def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) ->
     if isinstance(regime, str | Path):
         return motion.load(regime, stand, until)
     if isinstance(regime, Mapping):
-        return motion.loads(text_of_keys(regime), stand, until, is_json=True)
+        return motion.loads_regime(text_of_keys(regime), stand, until, is_json=True)
     return regime
 
 
@@ -54,11 +54,11 @@ def motion_of(
 
 def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
     """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
-    from mahovik.core.motion.required import load_required, read_required
+    from mahovik.core.motion.required import load_motion_or_slew, read_motion_or_slew
 
     if isinstance(motion, str | Path):
-        return load_required(motion, stand)
-    return read_required(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
+        return load_motion_or_slew(motion, stand)
+    return read_motion_or_slew(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
 
 
 def programme_of(programme: Programme | Keys | str | Path) -> Programme:

@@ -38,15 +38,15 @@ def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) 
         if len(beyond) > 1:
             words += f"; {len(beyond)} flywheels in all are too fast"
         if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
-            asked = question(speed)
+            asked = rpm_question(speed)
         warn(f"{words}{asked}")
     fast = [(wheel.name, speed) for wheel, speed, text in given if speed > FAST and _is_plain(text)]
     if fast and not asked:
         name, speed = fast[0]
-        warn(f"{name} turns at up to {RPM * speed:.6g} rpm{question(speed)}")
+        warn(f"{name} turns at up to {RPM * speed:.6g} rpm{rpm_question(speed)}")
 
 
-def question(speed: float) -> str:
+def rpm_question(speed: float) -> str:
     """End of a warning: was a number without unit meant in rpm?"""
     return f"; numbers without unit are rad/s, {speed:.6g} rpm?"
 

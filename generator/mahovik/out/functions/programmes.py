@@ -11,7 +11,7 @@ import numpy as np
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import RequiredMotion, Slew, Winding
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
@@ -197,7 +197,7 @@ def plan(
 
 def _of_course(motion: RequiredMotion | Slew, programme: CoreProgramme) -> RequiredMotion:
     """The motion; of a slew, with the course that the programme keeps."""
-    return resolved(motion, programme) if isinstance(motion, Slew) else motion
+    return motion_of_slew(motion, programme) if isinstance(motion, Slew) else motion
 
 
 def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:

@@ -117,7 +117,7 @@ def simulate(
 
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
-    from mahovik.core.motion import steady
+    from mahovik.core.motion import steady_regime
     from mahovik.use.study.rest import rest
 
     if not (math.isfinite(until) and until > 0.0):
@@ -125,8 +125,8 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
     first = None if start is None else state_of(start, stand, START_KEYS, HINT)
     chosen = None if regime is None else regime_of(regime, stand, until)
     if first is not None:
-        return chosen or steady(stand, first.phi_dot), first
-    chosen = chosen or steady(stand, [0.0] * len(stand.flywheels))
+        return chosen or steady_regime(stand, first.phi_dot), first
+    chosen = chosen or steady_regime(stand, [0.0] * len(stand.flywheels))
     try:
         return chosen, rest(stand, [each.phase or 0.0 for each in chosen.flywheels]).state
     except CheckError as error:
@@ -141,7 +141,7 @@ def _warn_of_steps(case: Case) -> None:
     if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
         warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
     if case.real == "float" and not case.carried:
-        free = [0.0 if given else float(speed) for given, speed in zip(case.regime.given, largest, strict=True)]
+        free = [0.0 if given else float(speed) for given, speed in zip(case.regime.has_speed_law, largest, strict=True)]
         line = lost_increments_line(lost_increments(case.stand, free, case.dt))
         if line:
             warn(f"{line.partition(': use')[0]}: use --carried, or --real double")

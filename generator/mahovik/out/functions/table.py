@@ -16,7 +16,7 @@ from mahovik.out.api.fields import Array, table
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
 
-SHOWN = 12
+SHOWN_ROWS = 12
 """Rows of a notebook's table: the first ones, and the last."""
 
 
@@ -99,8 +99,8 @@ class Table(ABC):
 
     def _repr_html_(self) -> str:
         head = [f"{column.name}, {column.unit}" if column.unit else column.name for column in self.columns]
-        many = len(self) > SHOWN
-        places = [*range(SHOWN - 2), len(self) - 1] if many else range(len(self))
+        many = len(self) > SHOWN_ROWS
+        places = [*range(SHOWN_ROWS - 2), len(self) - 1] if many else range(len(self))
         rows = [[_text(column.values[i]) for column in self.columns] for i in places]
         if many:
             rows.insert(-1, ["…"] * len(head))

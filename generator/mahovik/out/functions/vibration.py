@@ -33,14 +33,14 @@ class Response(Table):
 
     def __init__(self, sweep: Sweep) -> None:
         self.sweep, self.stand = sweep, sweep.stand
-        asked = sweep.asked
+        asked = sweep.plan
         self.index = "" if asked.swept is None else f"speed {asked.names[asked.swept]}"
 
     @property
     def columns(self) -> tuple[Column, ...]:
         sweep, unit = self.sweep, self.sweep.unit
         speeds = np.array([step.turning.speeds for step in sweep.steps]).reshape(len(sweep.steps), -1)
-        found = [Column(f"speed {name}", "rad/s", speeds[:, s]) for s, name in enumerate(sweep.asked.names)]
+        found = [Column(f"speed {name}", "rad/s", speeds[:, s]) for s, name in enumerate(sweep.plan.names)]
         bands = [("rms", sweep.rms())] + ([("band rms", sweep.rms(sweep.band))] if sweep.band else [])
         for name, each in bands:
             found += [Column(f"{name} {axis}", unit, each[:, i]) for i, axis in enumerate(AXES)]

@@ -11,7 +11,7 @@ from mahovik.proof.cost.measure import Costs, TargetCost
 RISE = 0.02
 """Least relative rise that counts: figures of one compiler are the same in every run, without noise."""
 
-COMPARED = ("instructions", "stack", "code")
+COMPARED_FIGURES = ("instructions", "stack", "code")
 """Figures of a function that are compared."""
 
 
@@ -57,7 +57,7 @@ def _rises(old: Mapping[str, Any], new: TargetCost) -> Iterator[str]:
     before = {f["function"]: f for f in old["functions"]}
     for function in new.functions:
         accepted = before.get(function.function, {})
-        for what in COMPARED:
+        for what in COMPARED_FIGURES:
             yield from _rise(f"{function.function}, {what}", accepted.get(what), getattr(function, what))
     yield from _rise("code of the whole file", old["text"], new.text)
     for table, size in new.constants.items():
@@ -74,6 +74,6 @@ def _missing(old: Mapping[str, Any], new: TargetCost) -> Iterator[str]:
     """Functions, their figures and tables that only one side has."""
     before = {f["function"]: f for f in old["functions"]}
     now = [f.function for f in new.functions]
-    yield from (f"{name}, {what}" for name in now for what in COMPARED if what not in before.get(name, {}))
+    yield from (f"{name}, {what}" for name in now for what in COMPARED_FIGURES if what not in before.get(name, {}))
     yield from (f"{name}, which is not there any more" for name in before if name not in now)
     yield from (f"constants {table}" for table in new.constants if table not in old["constants"])

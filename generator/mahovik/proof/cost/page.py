@@ -10,7 +10,7 @@ from typing import Any
 
 from mahovik import __version__
 from mahovik.errors import UsageError
-from mahovik.proof.cost.check import COMPARED
+from mahovik.proof.cost.check import COMPARED_FIGURES
 from mahovik.proof.cost.measure import STATES, Costs, TargetCost
 
 
@@ -98,7 +98,7 @@ def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
     return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
 
 
-def read_accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
+def read_accepted_costs(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]:
     """The targets of a JSON of `as_json`; none where they are of C with other lanes. Raises UsageError."""
     try:
         whole = json.loads(text)
@@ -113,6 +113,6 @@ def read_accepted(text: str, where: str, lanes: int = 1) -> list[dict[str, Any]]
 
 def _is_target(found: Mapping[str, Any]) -> bool:
     figures = [found["text"], *found["constants"].values()]
-    figures += [f[what] for f in found["functions"] for what in COMPARED if what in f]
+    figures += [f[what] for f in found["functions"] for what in COMPARED_FIGURES if what in f]
     names = [found["target"], found["real"], found["compiler"], *(f["function"] for f in found["functions"])]
     return all(type(n) is int and n >= 0 for n in figures) and all(isinstance(name, str) for name in names)

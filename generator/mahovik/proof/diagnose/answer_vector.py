@@ -66,7 +66,7 @@ class AnswerVector:
         cut = (self.block[:end], self.expected[:end], self.scale[:end], self.parts[:count])
         return AnswerVector(self.requests[:count], self.quantities, *cut)
 
-    def tail(self, count: int) -> AnswerVector:
+    def without_first(self, count: int) -> AnswerVector:
         """The vector without its first requests; the other numbers keep their places."""
         return replace(self, parts=((),) * count + self.parts[count:])
 

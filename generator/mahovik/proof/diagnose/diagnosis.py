@@ -117,12 +117,12 @@ class Diagnoser:
         wrong = self._wrong(evidence)
         search = Search(self._stand, evidence, self.predictions)
         ranked = search.rank_suspects(freely)
-        unseen = tuple(part.fault.name for (part,) in search.unseen())
-        if not ranked or not ranked[0].named:
+        unseen = tuple(part.fault.name for (part,) in search.invisible_faults())
+        if not ranked or not ranked[0].can_be_named:
             nearest = tuple(_cause(each, wrong) for each in sorted(ranked, key=lambda each: each.match.score)[:3])
             return Diagnosis("unknown", (), 0.0, nearest, unseen, wrong)
         best = ranked[0]
-        twins = search.twins(best, ranked)
+        twins = search.equal_findings(best, ranked)
         others = [each for each in ranked if not any(each.repeats(named) for named in (best, *twins))]
         return Diagnosis(
             "named",
@@ -135,7 +135,7 @@ class Diagnoser:
 
 
 def _cause(finding: Finding, wrong: Sequence[str]) -> Cause:
-    only = tuple(wrong) if finding.match.absent and finding.named else ()
+    only = tuple(wrong) if finding.match.absent and finding.can_be_named else ()
     return Cause(finding.suspect, finding.share, finding.match.score, only)
 
 

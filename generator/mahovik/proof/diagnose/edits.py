@@ -12,12 +12,12 @@ from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.fault import Case, Edit
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.bodies import Bodies, Fixed, Mounted, Placed, Spinning
+from mahovik.proof.reference.bodies import Bodies, FixedBody, MountedFlywheel, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.mass import coupling, coupling_bias, mass_matrix_rate
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import Phi
-from mahovik.proof.reference.wrenches import body_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
 
 
 def body(change: Callable[[Any], Any]) -> Edit:
@@ -100,7 +100,7 @@ def minus(right: Array, *_: object) -> Array:
 
 
 def place(change: Callable[[Any], Any]) -> Edit:
-    """Edit of the inertia and the place of a body: `Mounted` of a flywheel, else `Fixed`."""
+    """Edit of the inertia and the place of a body: `MountedFlywheel`, else `FixedBody`."""
 
     def edit(bodies: Bodies, case: Case) -> Bodies:
         def found(k: Any) -> Any:
@@ -127,12 +127,12 @@ def tensor(change: Callable[[Array, Body], Array]) -> Edit:
     return theta(edit)
 
 
-def mounting(change: Callable[[Mounted], Array]) -> Edit:
+def mounting(change: Callable[[MountedFlywheel], Array]) -> Edit:
     """Edit of C (3x3), the flywheel's axes in its mount at phase zero."""
     return place(lambda s: replace(s, C=change(s)))
 
 
-def added_mass(change: Callable[[Array, Fixed], Array]) -> Edit:
+def added_mass(change: Callable[[Array, FixedBody], Array]) -> Edit:
     """Edit of Lambda (6x6) of the carrier or an instrument."""
     return place(lambda k: replace(k, Lambda=change(k.Lambda, k)))
 
@@ -145,11 +145,11 @@ def pieces(change: Callable[[Pieces], Pieces]) -> Edit:
     return Edit("pieces", lambda at, case: change(at))
 
 
-def inertia(change: Callable[[Array, Placed], Array]) -> Edit:
+def inertia(change: Callable[[Array, PlacedBody], Array]) -> Edit:
     """Edit of L Theta L^T (6x6), which a body adds to K, (2)."""
 
     def edit(at: Pieces, case: Case) -> Pieces:
-        bodies: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
+        bodies: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
         for k in bodies:
             if case.wrong(k.body):
                 right = k.L @ k.Theta @ k.L.T
@@ -160,7 +160,7 @@ def inertia(change: Callable[[Array, Placed], Array]) -> Edit:
     return Edit("pieces", edit)
 
 
-def each_wheel(change: Callable[[Pieces, int, Spinning], Pieces]) -> Edit:
+def each_wheel(change: Callable[[Pieces, int, SpinningFlywheel], Pieces]) -> Edit:
     """Edit of the pieces, once for each flywheel, of which `change` takes the index too."""
 
     def edit(at: Pieces, case: Case) -> Pieces:
@@ -172,10 +172,10 @@ def each_wheel(change: Callable[[Pieces, int, Spinning], Pieces]) -> Edit:
     return Edit("pieces", edit)
 
 
-def rate(change: Callable[[Array, Spinning], Array]) -> Edit:
+def rate(change: Callable[[Array, SpinningFlywheel], Array]) -> Edit:
     """Edit of Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6), which a flywheel adds to K*, (6)."""
 
-    def edit(at: Pieces, number: int, s: Spinning) -> Pieces:
+    def edit(at: Pieces, number: int, s: SpinningFlywheel) -> Pieces:
         right = mass_matrix_rate([s])
         error = change(right, s) - right
         return replace(at, K_dot=at.K_dot + error, M=at.M + error)
@@ -183,10 +183,10 @@ def rate(change: Callable[[Array, Spinning], Array]) -> Edit:
     return each_wheel(edit)
 
 
-def column_of_I(change: Callable[[Array, Spinning], Array]) -> Edit:
+def column_of_I(change: Callable[[Array, SpinningFlywheel], Array]) -> Edit:
     """Edit of I_s (6), (9)."""
 
-    def edit(at: Pieces, number: int, s: Spinning) -> Pieces:
+    def edit(at: Pieces, number: int, s: SpinningFlywheel) -> Pieces:
         found = at.I.copy()
         found[:, number] = change(at.I[:, number], s)
         return replace(at, I=found)
@@ -194,10 +194,10 @@ def column_of_I(change: Callable[[Array, Spinning], Array]) -> Edit:
     return each_wheel(edit)
 
 
-def column_of_J(change: Callable[[Array, Array, Spinning], Array]) -> Edit:
+def column_of_J(change: Callable[[Array, Array, SpinningFlywheel], Array]) -> Edit:
     """Edit of J_s (6), (9); `change` takes its two parts, Phi Ls Theta_s f and Ls [<e>] phi_s' Theta_s f."""
 
-    def edit(at: Pieces, number: int, s: Spinning) -> Pieces:
+    def edit(at: Pieces, number: int, s: SpinningFlywheel) -> Pieces:
         found = at.J.copy()
         found[:, number] = change(Phi(at.V_r) @ coupling([s])[:, 0], coupling_bias([s], np.zeros(6))[:, 0], s)
         return replace(at, J=found)
@@ -224,15 +224,15 @@ def reaction(change: Callable[[Array], Array]) -> Edit:
     return Edit("pieces", lambda at, case: replace(at, I=change(at.I)) if case.want in wants else at)
 
 
-Change = Callable[[Array, Placed, Pieces], Array]
+Change = Callable[[Array, PlacedBody, Pieces], Array]
 """A wrong wrench (6) of the right one, the body and the pieces."""
 
 
-def each_body(error: Callable[[Placed, Pieces], tuple[Array, Array]]) -> Edit:
+def each_body(error: Callable[[PlacedBody, Pieces], tuple[Array, Array]]) -> Edit:
     """P_k (6) of a body and, in E1 about O1, F (6): what is added to both."""
 
     def edit(at: Pieces, case: Case) -> Pieces:
-        bodies: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
+        bodies: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
         for k in bodies:
             if case.wrong(k.body):
                 P, F = error(k, at)
@@ -245,7 +245,7 @@ def each_body(error: Callable[[Placed, Pieces], tuple[Array, Array]]) -> Edit:
 def wrench(change: Change, *kinds: str) -> Edit:
     """The wrench on a body, in its frame about its origin, of the kinds whose names begin so."""
 
-    def error(k: Placed, at: Pieces) -> tuple[Array, Array]:
+    def error(k: PlacedBody, at: Pieces) -> tuple[Array, Array]:
         right = body_wrench({kind: P for kind, P in at.terms[k.body.name].items() if kind.startswith(kinds)})
         P = change(right, k, at) - right
         return P, k.L @ P
@@ -258,10 +258,10 @@ def without_moment(P: Array, *_: object) -> Array:
     return np.asarray(P * FORCE)
 
 
-def wrench_on_carrier(change: Callable[[Array, Placed], Array]) -> Edit:
+def wrench_on_carrier(change: Callable[[Array, PlacedBody], Array]) -> Edit:
     """L P (6): how a body's wrench acts on the carrier; `change` takes P."""
 
-    def error(k: Placed, at: Pieces) -> tuple[Array, Array]:
+    def error(k: PlacedBody, at: Pieces) -> tuple[Array, Array]:
         P = at.P[k.body.name]
         return np.zeros(6), change(P, k) - k.L @ P
 
@@ -283,7 +283,7 @@ class Motion:
     phi_ddot: float
 
 
-def drive(missing: Callable[[Array, Spinning, Motion], Array]) -> Edit:
+def drive(missing: Callable[[Array, SpinningFlywheel, Motion], Array]) -> Edit:
     """A part (6) that the equation of a flywheel's drive and bearings lacks, in Es about Os; `missing` takes P_s too.
 
     It has the effect of a wrench on the flywheel that nothing else feels.
@@ -315,7 +315,7 @@ def values(want: str, change: Callable[[Values, Pieces, Case], Values]) -> Edit:
     return Edit("values", lambda right, at, case: change(right, at, case) if case.want == want else right)
 
 
-def mount_wrench(change: Callable[[Array, Spinning], Array]) -> Edit:
+def mount_wrench(change: Callable[[Array, SpinningFlywheel], Array]) -> Edit:
     """Edit of the mount wrench (6) of a flywheel."""
 
     def edit(right: Array, values: Values, at: Pieces, case: Case) -> Array:

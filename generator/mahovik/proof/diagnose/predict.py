@@ -30,7 +30,7 @@ class Part:
     fault: Fault
     wheel: str | None = None
 
-    def wrong(self, body: Body) -> bool:
+    def concerns(self, body: Body) -> bool:
         """Whether the program is wrong about a body."""
         return self.fault.concerns(body, self.wheel)
 
@@ -41,19 +41,19 @@ Suspect = tuple[Part, ...]
 EARLY: tuple[Stage, ...] = ("stand", "state", "attitude", "bodies")
 """Stages before the pieces."""
 
-Known = dict[int, tuple[State, Pieces]]
+PiecesByState = dict[int, tuple[State, Pieces]]
 """Pieces by the identity of their state, which is held so that the identity stays its own."""
 
 
 class FaultyProgram:
     """The literal reference with some faults at once, as a program that answers requests."""
 
-    def __init__(self, stand: Stand, suspect: Suspect = (), known: Known | None = None) -> None:
+    def __init__(self, stand: Stand, suspect: Suspect = (), known: PiecesByState | None = None) -> None:
         """`known`: pieces of states without a fault, for this and other programs of the stand."""
         self._stand = stand
         self._suspect = suspect
         early = any(edit.stage in EARLY for part in suspect for edit in part.fault.edits)
-        self._known: Known = {} if early or known is None else known
+        self._known: PiecesByState = {} if early or known is None else known
 
     def answer(self, request: Request) -> Values:
         """Values that are numbers; none if it has no answer at the state."""
@@ -67,13 +67,13 @@ class FaultyProgram:
     def _values(self, given: State, want: str) -> Values:
         stand, state = self._stand, given
         for part in self._suspect:
-            case = Case(stand, state, want, part.wrong)
+            case = Case(stand, state, want, part.concerns)
             stand = _apply("stand", stand, part, case)
             state = _apply("state", state, part, replace(case, stand=stand))
         if id(given) not in self._known:
             self._known[id(given)] = given, self._pieces(stand, state, want)
         _, at = self._known[id(given)]
-        cases = [(part, Case(stand, state, want, part.wrong)) for part in self._suspect]
+        cases = [(part, Case(stand, state, want, part.concerns)) for part in self._suspect]
         for part, case in cases:
             at = _apply("pieces", at, part, case)
         values = reference.evaluate(stand, state, (want,), at)
@@ -85,7 +85,7 @@ class FaultyProgram:
         """Pieces of the state, before changes of the stage `pieces`."""
         bodies, C = bodies_of(stand), carrier_rotation(stand, state)
         for part in self._suspect:
-            case = Case(stand, state, want, part.wrong)
+            case = Case(stand, state, want, part.concerns)
             bodies = _apply("bodies", bodies, part, case)
             turned = _apply("attitude", C, part, case)
             if turned is not C:
@@ -113,8 +113,8 @@ class Predictions:
     def __init__(self, stand: Stand, whole: AnswerVector, first: int) -> None:
         """`first`: the number of requests that the search begins with."""
         self._stand = stand
-        self._whole, self._first, self._rest = whole, whole.head(first), whole.tail(first)
-        self._pieces: Known = {}
+        self._whole, self._first, self._rest = whole, whole.head(first), whole.without_first(first)
+        self._pieces: PiecesByState = {}
         self._errors: dict[tuple[Suspect, bool], Array] = {}
 
     @cached_property

@@ -75,7 +75,7 @@ def share(e: Array, p: Array, noise: Array) -> float:
 EXACT = 1e-3
 """Scores below this are the fault itself: the search ends."""
 
-NAMED = 0.1
+NAMING_SCORE = 0.1
 """Largest score of what is named, a fault, a part of one, or two: it explains nine tenths of the error."""
 
 PENALTY = 0.05
@@ -93,7 +93,7 @@ ALIKE = 0.5
 SHORT_LIST = 5
 """Number of suspects that are examined at all states."""
 
-PAIRED = 40
+PAIR_CANDIDATES = 40
 """Number of single faults that are tried two at a time."""
 
 TWIN = 1e-3
@@ -119,9 +119,9 @@ class Finding:
         return self.match.score + PENALTY * (len(self.suspect) - 1) + a_part + alone
 
     @property
-    def named(self) -> bool:
+    def can_be_named(self) -> bool:
         """Whether its score is low enough to name it."""
-        return self.match.score <= NAMED
+        return self.match.score <= NAMING_SCORE
 
     @property
     def faults(self) -> set[Fault]:
@@ -166,11 +166,11 @@ class Search:
                 break
         return found
 
-    def unseen(self) -> list[Suspect]:
+    def invisible_faults(self) -> list[Suspect]:
         """Faults that change nothing at the requested states: with them a program looks correct."""
         return [each for each in single_faults(DICTIONARY) if not self._visible(each)]
 
-    def twins(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
+    def equal_findings(self, finding: Finding, ranked: Sequence[Finding]) -> list[Finding]:
         """Findings as good as this one: each predicts the same at all states, or explains as much of what was found.
 
         Of a whole fault: all that were tried, whole, and the same in one flywheel; of a part of one, or of two: those
@@ -238,7 +238,7 @@ class Search:
         noise, block = self._rounding(False)
         alone = [(self._examine(each, False).match.rest, each) for each in self._tried]
         alone.sort(key=lambda pair: pair[0])
-        likely = [each for rest, each in alone[:PAIRED] if rest < 1.0]
+        likely = [each for rest, each in alone[:PAIR_CANDIDATES] if rest < 1.0]
         sums = []
         for a, b in combinations(likely, 2):
             if a[0].fault is not b[0].fault:

@@ -16,7 +16,7 @@ from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.evidence.folder import FORMAT, INDEX, RECORD, require_place, seal
 from mahovik.proof.evidence.page import html
-from mahovik.proof.evidence.piece import Collected, Need, Outcome, Piece, Subject, Tell, Verdict
+from mahovik.proof.evidence.piece import Need, Outcome, Piece, PieceResult, Subject, Tell, Verdict
 from mahovik.proof.verify.delivery import deliver
 from mahovik.writing import write, write_folder
 
@@ -54,12 +54,12 @@ def collect(
     seconds: int = 20,
     wanted: Collection[str] | None = None,
     say: Say = lambda name, what: None,
-) -> list[Collected]:
+) -> list[PieceResult]:
     """Collects the evidence of a stand, whose file has the content `text`, into a folder.
 
     Raises UsageError if the folder holds other files, before anything is run.
     """
-    found: list[Collected] = []
+    found: list[PieceResult] = []
 
     def fill(draft: Path) -> None:
         subject = Subject(stand, real, draft, Path(scratch), full, seconds)
@@ -79,7 +79,7 @@ def collect(
     return found
 
 
-def record(subject: Subject, found: Sequence[Collected]) -> str:
+def record(subject: Subject, found: Sequence[PieceResult]) -> str:
     """The summary as JSON."""
     names = identities(subject.stand)
     pieces = [
@@ -106,25 +106,25 @@ def record(subject: Subject, found: Sequence[Collected]) -> str:
     return json.dumps(content, indent=1) + "\n"
 
 
-def nothing_ran(found: Sequence[Collected]) -> bool:
+def nothing_ran(found: Sequence[PieceResult]) -> bool:
     """Whether no piece has passed or failed: such a folder is no evidence of anything."""
     return not any(each.outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for each in found)
 
 
-def _collect_piece(piece: Piece, subject: Subject, wanted: Collection[str] | None, say: Say) -> Collected:
+def _collect_piece(piece: Piece, subject: Subject, wanted: Collection[str] | None, say: Say) -> PieceResult:
     command = piece.command(subject)
     if wanted is not None and piece.name not in wanted:
-        return Collected(piece, command, Outcome(Verdict.LEFT_OUT, "not run"))
-    absent = [need for need in piece.needs(subject) if not need.found()]
+        return PieceResult(piece, command, Outcome(Verdict.LEFT_OUT, "not run"))
+    absent = [need for need in piece.needs(subject) if not need.is_present()]
     if absent:
-        return Collected(piece, command, _missing_tools(absent))
+        return PieceResult(piece, command, _missing_tools(absent))
 
     def tell(what: str) -> None:
         say(piece.name, what)
 
     outcome = _without_paths(_run(piece, subject, tell), subject)
     say(piece.name, "")
-    return Collected(piece, command, outcome)
+    return PieceResult(piece, command, outcome)
 
 
 def _run(piece: Piece, subject: Subject, tell: Tell) -> Outcome:

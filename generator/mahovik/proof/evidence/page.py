@@ -14,7 +14,7 @@ from mahovik import __version__
 from mahovik.core.emit.generate import described
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
-from mahovik.proof.evidence.piece import NO_VERDICT, Collected, Subject, Table, Verdict
+from mahovik.proof.evidence.piece import NO_VERDICT, PieceResult, Subject, Table, Verdict
 
 LONG = 14
 """Least number of rows of a table that is folded at first."""
@@ -31,7 +31,7 @@ GENERAL = (
 _STYLE = {Verdict.PASSED: "good", Verdict.FAILED: "bad"} | dict.fromkeys(NO_VERDICT, "open")
 
 
-def html(subject: Subject, found: Sequence[Collected]) -> str:
+def html(subject: Subject, found: Sequence[PieceResult]) -> str:
     """The page."""
     names, failed = identities(subject.stand), failures(found)
     return template("evidence.html.j2").render(
@@ -50,7 +50,7 @@ def html(subject: Subject, found: Sequence[Collected]) -> str:
     )
 
 
-def conclusion(found: Sequence[Collected]) -> str:
+def conclusion(found: Sequence[PieceResult]) -> str:
     """The verdict over all, in one line."""
     counts = Counter(each.outcome.verdict for each in found)
     ran = counts[Verdict.PASSED] + counts[Verdict.FAILED]
@@ -63,13 +63,13 @@ def conclusion(found: Sequence[Collected]) -> str:
     return words
 
 
-def failures(found: Sequence[Collected], strict: bool = False) -> list[str]:
+def failures(found: Sequence[PieceResult], strict: bool = False) -> list[str]:
     """Names of pieces that failed; `strict`: of those without their tools as well."""
     bad = {Verdict.FAILED, *((Verdict.MISSING,) if strict else ())}
     return [each.piece.name for each in found if each.outcome.verdict in bad]
 
 
-def _piece(each: Collected) -> dict[str, Any]:
+def _piece(each: PieceResult) -> dict[str, Any]:
     piece, outcome = each.piece, each.outcome
     return {
         "name": piece.name,

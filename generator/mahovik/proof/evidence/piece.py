@@ -73,7 +73,7 @@ class Need:
     """A tool without which a piece cannot run, whether it is here, and the command that installs it."""
 
     name: str
-    found: Callable[[], bool]
+    is_present: Callable[[], bool]
     install: str
 
 
@@ -143,7 +143,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Collected:
+class PieceResult:
     """A piece, the command that runs it again, and how it came out."""
 
     piece: Piece

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import Demanded, task_demand
+from mahovik.proof.reference.task import TaskRows, task_demand
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +85,7 @@ def normal_equations(scaled: ScaledDemand, weight: Array, damping: float) -> Arr
     return scaled.phi_ddot(np.asarray(np.linalg.solve(gram, W.T @ r), dtype=np.float64))
 
 
-def scaled_task(at: Pieces, rows: Demanded, demand: Array) -> ScaledDemand:
+def scaled_task(at: Pieces, rows: TaskRows, demand: Array) -> ScaledDemand:
     """The scaled form of a task for its demand (m): W = G^-1/2 S K^-1 I Theta_ff^-1/2 (mxN), G = S K^-1 S^T."""
     asked = task_demand(at, rows, demand)
     G_root, Theta_root = asked.G_root, inverse_root(at.Theta_ff)

@@ -35,7 +35,7 @@ def added_mass(given: Mat6 | None) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Fixed:
+class FixedBody:
     """A body at rest in E1: the carrier or an instrument.
 
     L (6x6) carries its wrenches to E1 about O1; Theta (6x6) is about its own origin; Lambda (6x6) is about O1
@@ -53,7 +53,7 @@ class Fixed:
 
 
 @dataclass(frozen=True, eq=False)
-class Spinning:
+class SpinningFlywheel:
     """A flywheel at its phase phi (rad), with its speed phi_dot (rad/s) relative to its mount. L, Theta: see Fixed."""
 
     body: Flywheel
@@ -68,7 +68,7 @@ class Spinning:
 
 
 @dataclass(frozen=True, eq=False)
-class Mounted:
+class MountedFlywheel:
     """A flywheel at whatever phase. Theta: see Fixed.
 
     L_mount (6x6) of its mount; T (6x6) and C (3x3) of its place and its axes at phase zero, in the mount.
@@ -80,24 +80,26 @@ class Mounted:
     C: Array
     Theta: Array
 
-    def at(self, phi: float, phi_dot: float) -> Spinning:
+    def at(self, phi: float, phi_dot: float) -> SpinningFlywheel:
         """The flywheel at the phase phi (rad) with the speed phi_dot (rad/s): Ls = Lp T [C C1(phi)]."""
         L = self.L_mount @ (self.T @ block_diagonal(self.C @ C1(phi)))
-        return Spinning(self.body, L, self.Theta, phi, phi_dot)
+        return SpinningFlywheel(self.body, L, self.Theta, phi, phi_dot)
 
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
     """What of a stand's bodies no state changes, in the file's order."""
 
-    fixed: tuple[Fixed, ...]
-    mounted: tuple[Mounted, ...]
+    fixed: tuple[FixedBody, ...]
+    mounted: tuple[MountedFlywheel, ...]
 
 
 def bodies_of(stand: Stand) -> Bodies:
     """The bodies of a stand."""
     mounted = (
-        Mounted(s, mount_transfer(stand, s.mount), T(np.array(s.position)), flywheel_mounting(s), spatial_inertia(s))
+        MountedFlywheel(
+            s, mount_transfer(stand, s.mount), T(np.array(s.position)), flywheel_mounting(s), spatial_inertia(s)
+        )
         for s in stand.flywheels
     )
     return Bodies(fixed_bodies(stand), tuple(mounted))
@@ -115,18 +117,21 @@ def mount_transfer(stand: Stand, mount: str) -> Array:
     return next(instrument_transfer(p) for p in stand.instruments if p.name == mount)
 
 
-Placed = Fixed | Spinning
+PlacedBody = FixedBody | SpinningFlywheel
 
 
-def fixed_bodies(stand: Stand) -> tuple[Fixed, ...]:
+def fixed_bodies(stand: Stand) -> tuple[FixedBody, ...]:
     """Carrier and instruments, in the file's order."""
-    carrier = Fixed(stand.carrier, np.eye(6), spatial_inertia(stand.carrier), added_mass(stand.carrier.added_mass))
+    carrier = FixedBody(stand.carrier, np.eye(6), spatial_inertia(stand.carrier), added_mass(stand.carrier.added_mass))
     return (
         carrier,
-        *(Fixed(p, instrument_transfer(p), spatial_inertia(p), added_mass(p.added_mass)) for p in stand.instruments),
+        *(
+            FixedBody(p, instrument_transfer(p), spatial_inertia(p), added_mass(p.added_mass))
+            for p in stand.instruments
+        ),
     )
 
 
-def spinning_bodies(mounted: Sequence[Mounted], state: State) -> tuple[Spinning, ...]:
+def spinning_bodies(mounted: Sequence[MountedFlywheel], state: State) -> tuple[SpinningFlywheel, ...]:
     """Flywheels at the phases and speeds of the state, in the file's order."""
     return tuple(s.at(phi, phi_dot) for s, phi, phi_dot in zip(mounted, state.phi, state.phi_dot, strict=True))

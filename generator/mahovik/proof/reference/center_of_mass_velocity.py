@@ -10,13 +10,13 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 
 
-def moving_parts(at: Pieces) -> tuple[tuple[Placed, Array], ...]:
+def moving_parts(at: Pieces) -> tuple[tuple[PlacedBody, Array], ...]:
     """Every body with the velocity (3, m/s) of its own mass centre, in its own frame: v_k + omega_k x r_k."""
-    placed: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
+    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
     parts = []
     for k in placed:
         v, omega = np.split(k.twist(at.V), 2)

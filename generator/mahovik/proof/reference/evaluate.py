@@ -15,8 +15,9 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import task
 from mahovik.proof.reference.array import Values
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.inverse import CUTS, Cuts
-from mahovik.proof.reference.pieces import Pieces, pieces
+from mahovik.proof.reference.pieces import Pieces
 
 ANSWERS: Mapping[str, Callable[..., Values]] = {
     want: import_module(f"mahovik.proof.reference.{want}").answer for want in wants_of("reference")

@@ -34,7 +34,7 @@ def friction(motor: Motor, speed: float) -> float:
     return -motor.viscous * speed - motor.coulomb * y * (27.0 + y * y) / (27.0 + 9.0 * y * y)
 
 
-def shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
+def motor_shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     """Need of each flywheel for the motion V_dot (6), phi_ddot (N), over what it has (N); above 1 is too much.
 
     Torque of the motor, which gives tau_s and bears the friction, over what it has; without a motor, or of one without

@@ -16,7 +16,7 @@ from mahovik.proof.reference.rotation import check_attitude, kinematic_matrix, k
 
 
 @dataclass(frozen=True, eq=False)
-class Generalized:
+class GeneralizedForm:
     """A, D of (10), I0, J0 of (11) at V (6x6), q_dot and q_ddot (6; m, rad, s)."""
 
     A: Array
@@ -36,7 +36,7 @@ def state_angles(sequence: Sequence, state: State) -> Array:
     return angles
 
 
-def generalized(at: Pieces, sequence: Sequence, state: State) -> Generalized:
+def generalized(at: Pieces, sequence: Sequence, state: State) -> GeneralizedForm:
     """(10): V = A q', D = A'. (11): I0 q'' + J0 q' + I phi'' + J phi' = F, I0 = K A, J0 = K D + M A.
 
     With a stream (11) is solved for q relative to the fluid: q' less (u, 0), M and J at V_r, the same q''.
@@ -51,7 +51,7 @@ def generalized(at: Pieces, sequence: Sequence, state: State) -> Generalized:
     J0_r = at.K @ D + at.M @ A
     phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
     q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ phi_ddot - at.J @ at.phi_dot)
-    return Generalized(A, D, I0, J0, q_dot, q_ddot)
+    return GeneralizedForm(A, D, I0, J0, q_dot, q_ddot)
 
 
 def answer(at: Pieces, stand: Stand, state: State) -> Values:

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.excess import shares, with_excess
+from mahovik.proof.reference.excess import motor_shares, with_excess
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.pieces import Pieces
 
@@ -90,5 +90,5 @@ def status_names(scaled_demand: Array, scaled_residual: Array, sigma: Array, ran
 def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (6), sigma (min(6, N)), rank: (12)."""
     found = inverse(at, vector(state.V_dot), cuts)
-    needed = shares(stand, at, forward(at, found.phi_ddot), found.phi_ddot)
+    needed = motor_shares(stand, at, forward(at, found.phi_ddot), found.phi_ddot)
     return dict(vars(found)) | {"status": with_excess(found.status, needed)}

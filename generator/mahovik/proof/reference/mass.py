@@ -7,27 +7,27 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
+from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.screw import Phi, f, spin
 
 
-def added_mass_matrix(fixed: Sequence[Fixed]) -> Array:
+def added_mass_matrix(fixed: Sequence[FixedBody]) -> Array:
     """Lambda_1 + sum_p Lambda_p (6x6; kg, kg m, kg m2) of (2)."""
     return np.asarray(sum((p.Lambda for p in fixed), np.zeros((6, 6))))
 
 
-def bodies_matrix(fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:
+def bodies_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
     """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): (2) without added mass."""
-    bodies: tuple[Placed, ...] = (*fixed, *flywheels)
+    bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
     return np.asarray(sum((k.L @ k.Theta @ k.L.T for k in bodies), np.zeros((6, 6))))
 
 
-def mass_matrix(fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:
+def mass_matrix(fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
     """K (6x6; kg, kg m, kg m2) of (2): all bodies, flywheels locked, with added mass."""
     return bodies_matrix(fixed, flywheels) + added_mass_matrix(fixed)
 
 
-def mass_matrix_rate(flywheels: Sequence[Spinning]) -> Array:
+def mass_matrix_rate(flywheels: Sequence[SpinningFlywheel]) -> Array:
     """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6)."""
     return np.asarray(
         sum(
@@ -42,7 +42,7 @@ def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:
     return Phi(V) @ K + K_dot
 
 
-def coupling(flywheels: Sequence[Spinning]) -> Array:
+def coupling(flywheels: Sequence[SpinningFlywheel]) -> Array:
     """I = |I_2 ... I_m| (6xN; kg m, kg m2), I_s = Ls Theta_s f, (9)."""
     I = np.zeros((6, len(flywheels)))
     for column, s in enumerate(flywheels):
@@ -50,7 +50,7 @@ def coupling(flywheels: Sequence[Spinning]) -> Array:
     return I
 
 
-def coupling_bias(flywheels: Sequence[Spinning], V: Array) -> Array:
+def coupling_bias(flywheels: Sequence[SpinningFlywheel], V: Array) -> Array:
     """J = |J_2 ... J_m| (6xN), J_s = (Phi Ls + Ls [<e>] phi_s') Theta_s f, (9). With a stream, V is V_r."""
     J, Phi_V = np.zeros((6, len(flywheels))), Phi(V)
     for column, s in enumerate(flywheels):
@@ -58,6 +58,6 @@ def coupling_bias(flywheels: Sequence[Spinning], V: Array) -> Array:
     return J
 
 
-def spin_inertia(flywheels: Sequence[Spinning]) -> Array:
+def spin_inertia(flywheels: Sequence[SpinningFlywheel]) -> Array:
     """Theta_ff = diag(f^T Theta_s f) (NxN, kg m2)."""
     return np.diag([f @ s.Theta @ f for s in flywheels])

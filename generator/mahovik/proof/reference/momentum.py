@@ -8,7 +8,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 
 
@@ -24,7 +24,7 @@ def momentum_in_E0(at: Pieces) -> Array:
 
 def kinetic_energy(at: Pieces) -> float:
     """Half the sum of V_k^T Theta_k V_k over all bodies k, and of V_r^T Lambda V_r (J)."""
-    placed: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
+    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
     bodies = sum(k.twist(at.V) @ k.Theta @ k.twist(at.V) for k in placed)
     fluid = at.V_r @ at.Lambda @ at.V_r
     return float(0.5 * (bodies + fluid))

@@ -7,22 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Bodies, Fixed, Spinning, bodies_of, spinning_bodies
-from mahovik.proof.reference.mass import (
-    added_mass_matrix,
-    bodies_matrix,
-    coupling,
-    coupling_bias,
-    mass_matrix_rate,
-    spin_inertia,
-    velocity_matrix,
-)
-from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.reference.screw import cross, wrench_to_parent
-from mahovik.proof.reference.wrenches import Kinds, body_wrench, external_wrenches, total_wrench
+from mahovik.proof.reference.bodies import FixedBody, SpinningFlywheel
+from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.wrench_kinds import Kinds
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +37,8 @@ class Pieces:
     L1: Array
     V: Array
     V_r: Array
-    fixed: tuple[Fixed, ...]
-    flywheels: tuple[Spinning, ...]
+    fixed: tuple[FixedBody, ...]
+    flywheels: tuple[SpinningFlywheel, ...]
     K_bodies: Array
     Lambda: Array
     K: Array
@@ -77,42 +65,3 @@ class Pieces:
     def stream_rate(self) -> Array:
         """(omega x C^T u, 0) (6, m/s2)."""
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
-
-
-def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
-    """The pieces of `stand` at `state`. StateError where a law is undefined.
-
-    `bodies`: `bodies_of` the stand, where the caller has them already.
-    """
-    C = carrier_rotation(stand, state)
-    u = C.T @ np.array(stand.stream or (0.0, 0.0, 0.0))
-    V = np.array(state.V)
-    V_r = V - np.concatenate([u, np.zeros(3)])
-    bodies = bodies or bodies_of(stand)
-    fixed, flywheels = bodies.fixed, spinning_bodies(bodies.mounted, state)
-    K_bodies, Lambda = bodies_matrix(fixed, flywheels), added_mass_matrix(fixed)
-    K, K_dot = K_bodies + Lambda, mass_matrix_rate(flywheels)
-    terms = external_wrenches(stand, state, C=C, V=V, V_r=V_r, fixed=fixed, flywheels=flywheels)
-    P = {name: body_wrench(kinds) for name, kinds in terms.items()}
-    return Pieces(
-        C=C,
-        L1=wrench_to_parent(np.array(state.position), C),
-        V=V,
-        V_r=V_r,
-        fixed=fixed,
-        flywheels=flywheels,
-        K_bodies=K_bodies,
-        Lambda=Lambda,
-        K=K,
-        K_dot=K_dot,
-        M=velocity_matrix(K, K_dot, V_r),
-        I=coupling(flywheels),
-        J=coupling_bias(flywheels, V_r),
-        Theta_ff=spin_inertia(flywheels),
-        terms=terms,
-        P=P,
-        F=total_wrench(P, fixed, flywheels),
-        phi_dot=np.array(state.phi_dot, dtype=np.float64),
-        gravity=C.T @ np.array(stand.gravity),
-        u=u,
-    )

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import COMPONENTS, Stand, Task
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
-from mahovik.proof.reference.excess import shares, with_excess
+from mahovik.proof.reference.excess import motor_shares, with_excess
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import CUTS, Cuts, inverse_root, status_names
 from mahovik.proof.reference.pieces import Pieces
@@ -23,13 +23,13 @@ from mahovik.proof.reference.points import point_transfers
 
 
 @dataclass(frozen=True, eq=False)
-class Demanded:
+class TaskRows:
     """a = S V* + s: S (mx6) constant, s (m) at one state; m/s2 and rad/s2."""
 
     S: Array
     s: Array
 
-    def reached(self, V_dot: Array) -> Array:
+    def acceleration(self, V_dot: Array) -> Array:
         """a (m) of a motion V_dot (6)."""
         return self.S @ V_dot + self.s
 
@@ -58,7 +58,7 @@ def task_of(stand: Stand, name: str) -> Task:
     raise StateError(f'task: unknown "{name}", the stand has {", ".join(task.name for task in stand.tasks) or "none"}')
 
 
-def demanded(at: Pieces, stand: Stand, task: Task) -> Demanded:
+def task_rows(at: Pieces, stand: Stand, task: Task) -> TaskRows:
     """Rows of a task: of O1 the components of V*, of a point those of its acceleration relative to E0, in its axes.
 
     With L of the point, V_p* = L^T V* are the derivatives of the components of its twist V_p = L^T V = (v, omega), and
@@ -76,7 +76,7 @@ def demanded(at: Pieces, stand: Stand, task: Task) -> Demanded:
         if k < 3:
             V_p = L.T @ at.V
             s[i] = np.cross(V_p[3:], V_p[:3])[k]
-    return Demanded(S, s)
+    return TaskRows(S, s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,14 +86,14 @@ class TaskDemand:
     G_root (mxm) is G^-1/2: R^-T of K^-1/2 S^T = Q R, which loses no digits to the squares in G.
     """
 
-    rows: Demanded
+    rows: TaskRows
     A: Array
     c: Array
     G: Array
     G_root: Array
 
 
-def task_demand(at: Pieces, rows: Demanded, demand: Array) -> TaskDemand:
+def task_demand(at: Pieces, rows: TaskRows, demand: Array) -> TaskDemand:
     """S K^-1 I phi'' = S (K^-1 b - d) + s - a for the demand a (m)."""
     b = at.F - bias(at)
     d = at.stream_rate()
@@ -103,7 +103,7 @@ def task_demand(at: Pieces, rows: Demanded, demand: Array) -> TaskDemand:
     return TaskDemand(rows, to_motion @ at.I, c, to_motion @ rows.S.T, np.asarray(np.linalg.inv(R.T), dtype=np.float64))
 
 
-def task_inverse(at: Pieces, rows: Demanded, demand: Array, cuts: Cuts = CUTS, rank: int | None = None) -> TaskInverse:
+def task_inverse(at: Pieces, rows: TaskRows, demand: Array, cuts: Cuts = CUTS, rank: int | None = None) -> TaskInverse:
     """Least error of the demand a (m) in the norm of G^-1, then least phi'' in the norm of Theta_ff.
 
     By the singular values of G^-1/2 S K^-1 I Theta_ff^-1/2. `rank`: how many of them count, where that is given.
@@ -115,7 +115,7 @@ def task_inverse(at: Pieces, rows: Demanded, demand: Array, cuts: Cuts = CUTS, r
         rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     phi_ddot = Theta_root.T @ (Vt[:rank].T @ ((U[:, :rank].T @ G_root @ asked.c) / sigma[:rank]))
     V_dot = forward(at, phi_ddot)
-    residual = demand - rows.reached(V_dot)
+    residual = demand - rows.acceleration(V_dot)
     least = min(len(demand), len(at.flywheels))
     names = status_names(G_root @ asked.c, G_root @ residual, sigma, rank, least, cuts)
     return TaskInverse(phi_ddot, V_dot, residual, sigma, rank, names)
@@ -126,6 +126,6 @@ def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     task = task_of(stand, state.task)
     if len(state.demand) != len(task.rows):
         raise StateError(f"demand: expected {len(task.rows)} numbers, found {len(state.demand)}")
-    found = task_inverse(at, demanded(at, stand, task), vector(state.demand), cuts)
-    needed = shares(stand, at, found.V_dot, found.phi_ddot)
+    found = task_inverse(at, task_rows(at, stand, task), vector(state.demand), cuts)
+    needed = motor_shares(stand, at, found.V_dot, found.phi_ddot)
     return dict(vars(found)) | {"status": with_excess(found.status, needed)}

@@ -14,7 +14,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coupled import coupled_with_locks, full_mass_matrix, spin_up_torque
 from mahovik.proof.reference.inverse import inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import Demanded
+from mahovik.proof.reference.task import TaskRows
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,18 +38,18 @@ class TorqueDemand:
         """tau (N, N m) of a scaled answer."""
         return self.preferred + self.to_torque * y
 
-    def scaled(self, tau: Array) -> Array:
+    def from_torque(self, tau: Array) -> Array:
         """y (N) of torques."""
         return (tau - self.preferred) / self.to_torque
 
 
-def torque_demand(at: Pieces, rows: Demanded, demand: Array, preferred: Array, locked: Array) -> TorqueDemand:
+def torque_demand(at: Pieces, rows: TaskRows, demand: Array, preferred: Array, locked: Array) -> TorqueDemand:
     """The equation for the demand a (m), preferred accelerations (N, rad/s2) and `locked` (N, bool) flywheels."""
     N = len(at.flywheels)
     free = np.concatenate([np.full(6, True), np.logical_not(locked)])
     X = np.zeros((6 + N, 6 + N))
     X[np.ix_(free, free)] = np.linalg.inv(full_mass_matrix(at)[np.ix_(free, free)])
-    a_0 = rows.reached(coupled_with_locks(at, np.zeros(N), locked)[0])
+    a_0 = rows.acceleration(coupled_with_locks(at, np.zeros(N), locked)[0])
     B = rows.S @ X[:6, 6:]
     root = inverse_root(rows.S @ ((X + X.T) / 2)[:6, :6] @ rows.S.T)
     Theta = np.diag(at.Theta_ff)

@@ -13,7 +13,7 @@ from mahovik.proof.reference.coupled import coupled_with_locks
 from mahovik.proof.reference.excess import available
 from mahovik.proof.reference.inverse import CUTS, Cuts
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import demanded, task_of
+from mahovik.proof.reference.task import task_of, task_rows
 from mahovik.proof.reference.task_torque import torque_demand
 
 Flags = NDArray[np.bool_]
@@ -85,11 +85,11 @@ def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     task = task_of(stand, state.task)
     if len(state.demand) != len(task.rows):
         raise StateError(f"demand: expected {len(task.rows)} numbers, found {len(state.demand)}")
-    rows, demand = demanded(at, stand, task), vector(state.demand)
+    rows, demand = task_rows(at, stand, task), vector(state.demand)
     none = np.zeros(len(stand.flywheels))
     asked = torque_demand(at, rows, demand, none, none.astype(bool))
     least, most = motor_bounds(stand, at)
-    low, high = asked.scaled(least), asked.scaled(most)
+    low, high = asked.from_torque(least), asked.from_torque(most)
     y, free = least_within(asked.W, asked.r, low, high)
     tau = np.where(free, asked.torque(y), np.where(y <= low, least, most))
     V_dot, phi_ddot = coupled_with_locks(at, tau, none.astype(bool))
@@ -100,7 +100,7 @@ def answer(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
         "tau": tau,
         "phi_ddot": phi_ddot,
         "V_dot": V_dot,
-        "residual": demand - rows.reached(V_dot),
+        "residual": demand - rows.acceleration(V_dot),
         "limited": np.logical_not(free).astype(np.int64),
         "status": "|".join(names) or "OK",
     }

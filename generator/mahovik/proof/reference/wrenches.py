@@ -10,10 +10,9 @@ from mahovik.contract import laws
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Fixed, Placed, Spinning
+from mahovik.proof.reference.bodies import FixedBody, PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.pose import Pose
-
-Kinds = Mapping[str, Array]  # wrench (6) by its kind
+from mahovik.proof.reference.wrench_kinds import Kinds
 
 
 def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
@@ -39,8 +38,8 @@ def external_wrenches(
     C: Array,
     V: Array,
     V_r: Array,
-    fixed: Sequence[Fixed],
-    flywheels: Sequence[Spinning],
+    fixed: Sequence[FixedBody],
+    flywheels: Sequence[SpinningFlywheel],
 ) -> dict[str, Kinds]:
     """Every wrench of (7) by body name and kind, (6; N, N m) each in its body's frame about its origin.
 
@@ -48,7 +47,7 @@ def external_wrenches(
     """
     gravity = C.T @ np.array(stand.gravity)  # in E1
     P: dict[str, Kinds] = {}
-    bodies: tuple[Placed, ...] = (*fixed, *flywheels)
+    bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
     for k in bodies:
         C_k = k.L[:3, :3]
         P[k.body.name] = body_wrenches(k.body, C_k.T @ gravity, k.twist(V_r), run_time_wrench(state, k.body))
@@ -58,12 +57,7 @@ def external_wrenches(
     return P
 
 
-def body_wrench(kinds: Kinds) -> Array:
-    """P_k (6; N, N m): the sum over the kinds of wrench on one body, in its frame about its origin."""
-    return np.asarray(sum(kinds.values(), np.zeros(6)))
-
-
-def total_wrench(P: Mapping[str, Array], fixed: Sequence[Fixed], flywheels: Sequence[Spinning]) -> Array:
+def total_wrench(P: Mapping[str, Array], fixed: Sequence[FixedBody], flywheels: Sequence[SpinningFlywheel]) -> Array:
     """F = P_1 + sum_p Lp P_p + sum_s Ls P_s (6; N, N m), in E1 about O1, (7)."""
-    bodies: tuple[Placed, ...] = (*fixed, *flywheels)
+    bodies: tuple[PlacedBody, ...] = (*fixed, *flywheels)
     return np.asarray(sum((k.L @ P[k.body.name] for k in bodies), np.zeros(6)))

@@ -14,7 +14,7 @@ from mahovik.proof.rigorous.screw import f, transfer
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
+class PlacedBody:
     """A body, L (6x6) to E1 about O1, Theta (6x6) about its own origin."""
 
     body: Body
@@ -27,7 +27,7 @@ class Placed:
 
 
 @dataclass(frozen=True, eq=False)
-class Spinning(Placed):
+class Spinning(PlacedBody):
     """A flywheel at its phase, with its speed phi_dot (rad/s) relative to its mount."""
 
     phi_dot: arb
@@ -63,10 +63,10 @@ def flywheel_transfer(stand: Stand, s: Flywheel, phi: float) -> arb_mat:
     return instrument_transfer(bearers[0]) * own if bearers else own
 
 
-def fixed_bodies(stand: Stand) -> tuple[Placed, ...]:
+def fixed_bodies(stand: Stand) -> tuple[PlacedBody, ...]:
     """Carrier and instruments, in the file's order."""
-    carrier = Placed(stand.carrier, identity(6), spatial_inertia(stand.carrier))
-    return (carrier, *(Placed(p, instrument_transfer(p), spatial_inertia(p)) for p in stand.instruments))
+    carrier = PlacedBody(stand.carrier, identity(6), spatial_inertia(stand.carrier))
+    return (carrier, *(PlacedBody(p, instrument_transfer(p), spatial_inertia(p)) for p in stand.instruments))
 
 
 def flywheels(stand: Stand, state: State) -> tuple[Spinning, ...]:

@@ -10,7 +10,7 @@ from flint import arb_mat
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.rigorous.ball import column, cross, part, zeros
-from mahovik.proof.rigorous.bodies import Placed, Spinning, added_mass, fixed_bodies, flywheels
+from mahovik.proof.rigorous.bodies import PlacedBody, Spinning, added_mass, fixed_bodies, flywheels
 from mahovik.proof.rigorous.rotation import carrier_rotation
 from mahovik.proof.rigorous.screw import ANGULAR, Phi, f, screw_of_parts, spin, transfer
 from mahovik.proof.rigorous.wrenches import external_wrenches
@@ -37,7 +37,7 @@ class Pieces:
     V: arb_mat
     V_r: arb_mat
     drift: arb_mat
-    fixed: tuple[Placed, ...]
+    fixed: tuple[PlacedBody, ...]
     flywheels: tuple[Spinning, ...]
     bodies: arb_mat
     Lambda: arb_mat

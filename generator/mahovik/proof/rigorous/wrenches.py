@@ -10,7 +10,7 @@ from mahovik.contract import laws
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.rigorous.ball import column, part
-from mahovik.proof.rigorous.bodies import Placed
+from mahovik.proof.rigorous.bodies import PlacedBody
 from mahovik.proof.rigorous.screw import LINEAR
 
 
@@ -20,7 +20,7 @@ def own_wrench(body: Body, gravity: arb_mat, V_r: arb_mat, given: arb_mat) -> ar
 
 
 def external_wrenches(
-    stand: Stand, state: State, C: arb_mat, V: arb_mat, V_r: arb_mat, bodies: Sequence[Placed]
+    stand: Stand, state: State, C: arb_mat, V: arb_mat, V_r: arb_mat, bodies: Sequence[PlacedBody]
 ) -> dict[str, arb_mat]:
     """P_k (6; N, N m) by body name, in the body's frame about its origin; the laws of `laws/` with the carrier's."""
     gravity, O1 = C.transpose() * column(stand.gravity), column(state.position)

@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import inverse as reference_inverse
 from mahovik.proof.reference.inverse import inverse_root
@@ -221,7 +221,7 @@ class Judge:
             near = (ratios > cut / 10) & (ratios < cut * 10) | (np.abs(ratios - cut) < apart)
             if np.any(near):
                 return True
-        needed = shares(self._stand, at, forward(at, found["phi_ddot"]), found["phi_ddot"])
+        needed = motor_shares(self._stand, at, forward(at, found["phi_ddot"]), found["phi_ddot"])
         if np.any(np.abs(needed - 1.0) < EXCESS_MARGIN):
             return True
         root = inverse_root(at.K)

@@ -21,7 +21,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.writing import write_all
 
-COST = "COST.md"
+COST_PAGE = "COST.md"
 """Measured cost of the C whose SHA-256 it names; kept as long as the folder holds that C."""
 
 FIGURES = "cost.json"
@@ -51,7 +51,7 @@ _MARK = "Generated: change the stand file instead."
 
 
 @dataclass(frozen=True)
-class Delivered:
+class Delivery:
     """Paths that were written, manifest last, and a line on each file that was removed."""
 
     paths: tuple[Path, ...]
@@ -67,7 +67,7 @@ def deliver(
     lanes: int = 1,
     fast: bool = False,
     only: Sequence[str] = (),
-) -> Delivered:
+) -> Delivery:
     """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
 
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
@@ -80,18 +80,22 @@ def deliver(
         what = f"the project of target {old['project']}" if old.get("project") else "what `mahovik generate` delivers"
         raise UsageError(f"{folder}: holds {what}: choose another folder, nothing was written")
     _refuse_changed(folder, old)
-    cost = _text(folder, COST)
+    cost = _text(folder, COST_PAGE)
     kept = _kept_files(folder, stand, files)
     stale = [n for n in _unchanged_files(folder, old) if n not in files and n not in kept]
-    if cost is not None and not kept and COST not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
-        stale.append(COST)
+    if cost is not None and not kept and COST_PAGE not in stale and re.search(r"\b[0-9a-f]{64}\b", cost):
+        stale.append(COST_PAGE)
     paths = write_all(folder, {**files, NAME: manifest(stand, real, {**files, **kept}, project, lanes, fast, only)})
     notes = []
     for name in stale:
         (folder / name).unlink(missing_ok=True)
-        why = "was measured on other C: measure again with `mahovik cost`" if name == COST else "is no longer delivered"
+        why = (
+            "was measured on other C: measure again with `mahovik cost`"
+            if name == COST_PAGE
+            else "is no longer delivered"
+        )
         notes.append(f"{folder / name} was removed: it {why}")
-    return Delivered(paths, tuple(notes))
+    return Delivery(paths, tuple(notes))
 
 
 def differences(
@@ -126,10 +130,10 @@ def differences(
             found.append(f"{path}: is missing")
         elif path.read_bytes() != text.encode("utf-8"):
             found.append(f"{path}: is not what the generator makes of the stand file")
-    cost = _text(folder, COST)
+    cost = _text(folder, COST_PAGE)
     if cost is not None and not names_source(cost, stand, files):
-        found.append(f"{folder / COST}: was measured on other C")
-    kept = _kept_files(folder, stand, files) | ({COST: cost} if cost is not None else {})
+        found.append(f"{folder / COST_PAGE}: was measured on other C")
+    kept = _kept_files(folder, stand, files) | ({COST_PAGE: cost} if cost is not None else {})
     path = folder / NAME
     if not path.is_file():
         found.append(f"{path}: is missing")
@@ -170,12 +174,12 @@ def require_place_for_cost(folder: Path, stand: Stand) -> None:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
             )
-    elif folder.is_dir() and any(each.name not in (COST, FIGURES) for each in folder.iterdir()):
+    elif folder.is_dir() and any(each.name not in (COST_PAGE, FIGURES) for each in folder.iterdir()):
         raise UsageError(
             f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, nothing was written"
         )
     _refuse_changed(folder, old)
-    for name, ours in ((COST, is_page), (FIGURES, is_figures)):
+    for name, ours in ((COST_PAGE, is_page), (FIGURES, is_figures)):
         text = _text(folder, name)
         if text is not None and not ours(text, stand):
             raise UsageError(
@@ -258,7 +262,7 @@ def _refuse_stand(folder: Path, stand: Stand, old: Mapping[str, Any]) -> None:
         raise UsageError(f'{folder}: holds the C of stand "{old["stand"]}": choose another folder, nothing was written')
 
 
-def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST, FIGURES)) -> None:
+def _refuse_changed(folder: Path, old: Mapping[str, Any] | None, names: Sequence[str] = (COST_PAGE, FIGURES)) -> None:
     """Raises UsageError for a file of `mahovik cost` that differs from the manifest."""
     for name in names:
         path = folder / name
@@ -277,8 +281,8 @@ def _unchanged_files(folder: Path, old: Mapping[str, Any] | None) -> list[str]:
 
 def _kept_files(folder: Path, stand: Stand, files: Mapping[str, str]) -> dict[str, str]:
     """Files of `mahovik cost` that stay beside delivered ones, by name: COST.md of the same C, figures of the stand."""
-    cost, figures = _text(folder, COST), _text(folder, FIGURES)
-    found = {COST: cost} if cost is not None and names_source(cost, stand, files) else {}
+    cost, figures = _text(folder, COST_PAGE), _text(folder, FIGURES)
+    found = {COST_PAGE: cost} if cost is not None and names_source(cost, stand, files) else {}
     return found | ({FIGURES: figures} if figures is not None and is_figures(figures, stand) else {})
 
 

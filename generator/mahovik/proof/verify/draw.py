@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 
-CUT = {"double": 1e-6, "float": 1e-5}
+HALF_TURN_DISTANCE = {"double": 1e-6, "float": 1e-5}
 """Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
@@ -32,7 +32,7 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
     rng = np.random.default_rng(seed)
     for number, kind in zip(range(count), _state_kinds(), strict=False):
         state = _draw_state(stand, rng, kind, real)
-        while _near_a_branch(stand, state, CUT[real]):
+        while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
             state = _draw_state(stand, rng, "random", real)
         if not wrenches:
             state = without_others(stand, state)

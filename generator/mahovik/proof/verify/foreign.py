@@ -55,19 +55,19 @@ def verify_program(
     if not stand.tasks and TORQUE_FOR in wants:
         raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     try:
-        found = ask(command, stand_file, requests, timeout)
+        found = answers_of(command, stand_file, requests, timeout)
     except CheckError as error:
         return report(stand, command, seed, len(states), tolerance, (), str(error))
     rows = _rows(setting, requests, found, tolerance, bool(wants))
     return report(stand, command, seed, len(states), tolerance, rows)
 
 
-def ask(command: str, stand_file: str, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
+def answers_of(command: str, stand_file: str, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
     """Results of a program for requests, in order; `{stand}` in the command becomes the stand file.
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
-    output = converse(_words(command, stand_file), [state_line(request) for request in requests], timeout)
+    output = run_program(_words(command, stand_file), [state_line(request) for request in requests], timeout)
     return read_results(output, requests)
 
 
@@ -154,7 +154,7 @@ def _rows(
     return rows
 
 
-def converse(words: Sequence[str], lines: Sequence[str], timeout: float) -> list[bytes]:
+def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> list[bytes]:
     """Output lines of a program for these input lines, without blank lines.
 
     All lines are written and its input is closed, whether it answers each at once or all at the end.

@@ -38,7 +38,7 @@ BEYOND = 1 + 1e-6
 
 
 @dataclass(frozen=True)
-class Wrong:
+class WrongValue:
     """One wrong value: where it stands, and the status that is due."""
 
     path: Path
@@ -80,17 +80,17 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> R
     return row
 
 
-def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[Wrong]:
+def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iterator[WrongValue]:
     """All wrong values of the arguments of a function, one at a time."""
     ignored = row_of(function.name).ignores
     for a in function.arguments:
         if (a.shape or isinstance(a.type, Struct) or a.direction != "in") and not a.optional:
-            yield Wrong((a.name,), NULL, "BAD_ARGUMENT")
+            yield WrongValue((a.name,), NULL, "BAD_ARGUMENT")
         if a.direction != "out" and a.name not in ignored and a.name in good:
             yield from _wrong(a, (a.name,), good[a.name], real, ignored)
 
 
-def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tuple[str, ...]) -> Iterator[Wrong]:
+def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tuple[str, ...]) -> Iterator[WrongValue]:
     """Wrong values of an argument or member, of its members and its elements."""
     if isinstance(a.type, Struct):
         if a.type.name in TABLES and a.type.name not in READ_TABLES:
@@ -102,11 +102,11 @@ def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tupl
                     yield from _wrong(field, (*path, *index, field.name), item[field.name], real, ignored)
         return
     if a.name == "attitude" and len(path) > 1:
-        yield from (Wrong(path, [x * (1 + sign * 10 * UNIT_LENGTH) for x in value], "RANGE") for sign in (1, -1))
+        yield from (WrongValue(path, [x * (1 + sign * 10 * UNIT_LENGTH) for x in value], "RANGE") for sign in (1, -1))
     limits = (BOUNDS["MAX_PARAMETER"].at(real),) if path[0] == "parameters" else limits_of(a.name, real)
     for place, _ in _elements(value):
         limit = limits[(place[-1] if place else 0) % len(limits)] if limits else None
-        yield from (Wrong((*path, *place), bad, status) for bad, status in _bad(a, path, limit))
+        yield from (WrongValue((*path, *place), bad, status) for bad, status in _wrong_numbers(a, path, limit))
 
 
 def _elements(value: Any) -> Iterator[tuple[tuple[int, ...], float]]:
@@ -118,7 +118,7 @@ def _elements(value: Any) -> Iterator[tuple[tuple[int, ...], float]]:
         yield (), value
 
 
-def _bad(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple[float, str]]:
+def _wrong_numbers(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple[float, str]]:
     """Wrong values of one number, with the statuses that are due."""
     row = QUANTITIES.get(a.name)
     if a.type is Kind.REAL:
@@ -128,13 +128,13 @@ def _bad(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple
             yield -math.inf, "NOT_FINITE"
         if limit is not None:
             yield limit * BEYOND, "RANGE"
-            if row is None or all(value >= 0 for value, _ in row.refused):
+            if row is None or all(value >= 0 for value, _ in row.refused_values):
                 yield -limit * BEYOND, "RANGE"
     if row is not None and (path[0] != "parameters" or a.name == "mass"):
-        yield from row.refused
+        yield from row.refused_values
 
 
-def with_value(good: Mapping[str, Any], wrong: Wrong) -> dict[str, Any]:
+def with_value(good: Mapping[str, Any], wrong: WrongValue) -> dict[str, Any]:
     """A copy of the inputs with one value replaced."""
     changed = dict(good)
     if wrong.value is NULL:
@@ -153,7 +153,7 @@ def _replace_at(value: Any, path: Path, new: Any) -> Any:
     return copy
 
 
-class Compiled(Protocol):
+class LoadedC(Protocol):
     """C that is loaded, with the program that it was printed from."""
 
     generated: Generated
@@ -164,7 +164,7 @@ class Compiled(Protocol):
         """A state as arguments by name."""
 
 
-def good_inputs(backend: Compiled, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
+def good_inputs(backend: LoadedC, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
     """Good arguments of every public function: an ordinary state, and what does not belong to one."""
     state = next((s for name, s in states if name.startswith("random")), states[0][1])
     others = {
@@ -188,7 +188,7 @@ def good_inputs(backend: Compiled, states: Sequence[tuple[str, State]]) -> dict[
     return {**backend.arguments(state), **others}
 
 
-def raw_call(backend: Compiled) -> Call:
+def raw_call(backend: LoadedC) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
 
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:

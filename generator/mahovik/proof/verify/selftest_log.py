@@ -210,7 +210,7 @@ def hash_problems(run: SelfTestLog, expected: Mapping[str, str]) -> list[str]:
 HOSTS = ("host", "host-clang")
 """Targets that are this machine, in the order in which they are tried."""
 
-INTERPRETED = 200
+INTERPRETED_STATES = 200
 """States of a sweep up to which the interpreter takes the place of a missing compiler."""
 
 TIMEOUT = 600.0
@@ -275,12 +275,12 @@ def _with_run_numbers(lines: list[str], number: int, runs: tuple[SelfTestLog, ..
 def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
     """Hashes of a sweep by function, and what computed them: nothing if no tool on this machine can."""
     real = made.program.precision.name
-    target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing()), None)
+    target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing_commands()), None)
     if target is not None:
         sources = selftest_sources(stand, real, sweep, made.layout.lanes, made.only)
         printed = run_selftest(target, stand.name, sources, TIMEOUT)
         return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
-    if sweep <= INTERPRETED:
+    if sweep <= INTERPRETED_STATES:
         found = sweep_hashes(made.program, made.values, sweep)
         return {name: f"{value:08x}" for name, value in found.items()}, "the interpreter"
     return {}, ""

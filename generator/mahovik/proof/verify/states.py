@@ -66,7 +66,7 @@ def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> R
     for key, value in found.items():
         if key not in KEYS:
             raise StateError(f'unknown key "{key}"{suggestion(key, KEYS)}')
-        if isinstance(value, _Duplicated):
+        if isinstance(value, _RepeatedKeys):
             raise StateError(f'{key}: key "{value.key}" appears twice')
     if "angles" in found and "quaternion" in found:
         raise StateError("angles, quaternion: both given, expected one of them")
@@ -92,7 +92,7 @@ def read_line(stand: Stand, line: str, real: str = "double") -> Request:
 
 def refuse_duplicates(found: dict[str, Any]) -> None:
     """Raises StateError where an object that `read_object` gave has a key twice."""
-    if isinstance(found, _Duplicated):
+    if isinstance(found, _RepeatedKeys):
         raise StateError(f'key "{found.key}" appears twice')
 
 
@@ -101,7 +101,7 @@ def _integer(digits: str) -> int | float:
     return int(digits) if len(digits) < 4000 else float("inf")
 
 
-class _Duplicated(dict[str, Any]):
+class _RepeatedKeys(dict[str, Any]):
     """An object with a key given twice; JSON leaves open which of them counts."""
 
     key = ""
@@ -111,7 +111,7 @@ def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) == len(pairs):
         return found
-    marked = _Duplicated(found)
+    marked = _RepeatedKeys(found)
     seen: set[str] = set()
     for key, _ in pairs:
         if key in seen:

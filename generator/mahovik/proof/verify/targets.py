@@ -153,10 +153,10 @@ def _row(
         return TargetRow(target.name, target.title, built_with, real, functions, sweep, verdict, reason)
 
     built_with = " ".join((*target.compiler[:1], target.optimisation))
-    if missing := target.missing():
+    if missing := target.missing_commands():
         return row(_NOT_INSTALLED, f"no {', '.join(missing)}: make targets")
     built_with = build_version(target)
-    if unable := target.unable():
+    if unable := target.obstacle():
         return row(_NOT_HERE, unable)
     try:
         found = run_selftest(target, program.name, files).splitlines()

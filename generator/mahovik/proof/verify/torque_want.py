@@ -17,7 +17,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coupled import coupled
-from mahovik.proof.reference.task import demanded, task_of
+from mahovik.proof.reference.task import task_of, task_rows
 from mahovik.proof.verify.bounds import Bounds
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import allocation, task_torques
@@ -59,13 +59,13 @@ def _demand(setting: TaskSetting, number: int, state: State, task: Task) -> Arra
     _, most = task_torques.torque_bounds(state, _options(setting.stand))
     drawn = setting.random(900 + number).uniform(-1.0, 1.0, setting.count) * SHARES[number % len(SHARES)]
     tau = drawn * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))
-    return demanded(at, setting.stand, task).reached(coupled(at, tau)[0])
+    return task_rows(at, setting.stand, task).acceleration(coupled(at, tau)[0])
 
 
 def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequence[Mapping[str, Any]]) -> list[Row]:
     """tau where no bound is touched, the error within bounds, the motion that results, status and limited."""
     plain = Comparison(WANT, "tau, without bounds", setting.bounds.default)
-    bounded = Comparison(WANT, "residual, within bounds", max(allocation.BOUNDED, setting.bounds.default))
+    bounded = Comparison(WANT, "residual, within bounds", max(allocation.EXCESS_LIMIT, setting.bounds.default))
     beside = task_torques.Results(setting, WANT)
     options = _options(setting.stand)
     locked = np.zeros(setting.count, dtype=bool)
@@ -77,12 +77,12 @@ def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequ
         except StateError as error:
             plain.note_refusal(error, where)
             continue
-        rows = demanded(setting.at(state), setting.stand, task_of(setting.stand, state.task))
+        rows = task_rows(setting.at(state), setting.stand, task_of(setting.stand, state.task))
         asked = task_torques.asked_of(setting, state, rows, options, locked)
         task_torques.note_plain(setting, plain, asked, options, found, where)
-        task_torques.note_bounded(setting, bounded, asked, found, where)
+        task_torques.note_excess(setting, bounded, asked, found, where)
         beside.note(asked, status, found, where)
-    return [plain.finished(), bounded.finished(), *beside.rows()]
+    return [plain.with_verdict(), bounded.with_verdict(), *beside.rows()]
 
 
 def _options(stand: Stand) -> dict[str, Any]:

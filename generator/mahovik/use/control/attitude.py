@@ -30,7 +30,7 @@ ROWS = ("wx", "wy", "wz")
 PART = 0.25
 """Part of the reach of the flywheels that a reference uses: the rest is for errors and stored momentum."""
 
-PREFERRED = 0.1
+PREFERRED_SHARE = 0.1
 """Preferred speed as a part of the no-load speed."""
 
 SPEED = 100.0
@@ -103,7 +103,7 @@ class AttitudeDesign:
 def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
     """Settings of the loop. UsageError: no such task, no flywheels that reach it, options out of bounds."""
     task = attitude_task(stand, options.task)
-    period, omega = _checked(options)
+    period, omega = _check_rates(options)
     axes = np.array([p.axes[:, 0] for p in placed_bodies(stand) if isinstance(p.body, Flywheel)]).reshape(-1, 3)
     spins = np.array([float(inertia_about_origin(wheel)[0, 0]) for wheel in stand.flywheels])
     if np.linalg.matrix_rank(axes, tol=1e-6) < 3:
@@ -117,7 +117,7 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
             f'"{stand.name}" cannot be turned in every direction; expected a fourth flywheel, or --failure none'
         )
     motors = [wheel.motor for wheel in stand.flywheels]
-    preferred = _preferred(axes, spins, motors)
+    preferred = _preferred_speeds(axes, spins, motors)
     capacity = momentum_capacity(stand).alone
     along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
     for_unit = np.linalg.pinv(axes.T * spins) @ along
@@ -156,13 +156,13 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
         time = options.momentum / torque + math.log(max(torque / dump_rate / end, 1.0)) / dump_rate
         samples["dump"] = round(1.1 * time / period) + samples["settle"]
     half = SLEW / 2
-    most = max(float(np.abs(speeds).max()), PREFERRED * _no_load(motors)) * 2
+    most = max(float(np.abs(speeds).max()), PREFERRED_SHARE * _no_load(motors)) * 2
     design = AttitudeDesign(
         task, dumps, settings, tuple(float(v) for v in speeds),
         (math.cos(half), *(math.sin(half) * float(a) for a in along)), options.momentum, options.failure,
         max(1, math.ceil(period * most / TURN)), samples, (),
     )  # fmt: skip
-    return _described(stand, design)
+    return _describe(stand, design)
 
 
 def attitude_task(stand: Stand, name: str | None) -> Task:
@@ -184,7 +184,7 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
     return task
 
 
-def _checked(options: LoopOptions) -> tuple[float, float]:
+def _check_rates(options: LoopOptions) -> tuple[float, float]:
     """Sample period (s) and bandwidth (rad/s)."""
     for option, value, most in (
         ("--rate", options.rate, 1e5),
@@ -226,7 +226,7 @@ def _reach_without_one(vectors: tuple[tuple[float, float, float], ...]) -> float
     return least if least > 0.0 else envelope(columns).radius
 
 
-def _preferred(axes: Array, spins: Array, motors: list[Motor | None]) -> Array:
+def _preferred_speeds(axes: Array, spins: Array, motors: list[Motor | None]) -> Array:
     """Speeds (N), rad/s, whose momenta cancel, as equal as that allows; zero where three axes leave no such speeds."""
     columns = axes.T * spins
     project = np.eye(len(spins)) - np.linalg.pinv(columns) @ columns
@@ -236,12 +236,12 @@ def _preferred(axes: Array, spins: Array, motors: list[Motor | None]) -> Array:
     best = min(tries, key=lambda signs: float(np.linalg.norm(columns @ signs)))
     free: Array = project @ best
     largest = float(np.abs(free).max())
-    return free * (PREFERRED * _no_load(motors) / largest if largest > 1e-9 else 0.0)
+    return free * (PREFERRED_SHARE * _no_load(motors) / largest if largest > 1e-9 else 0.0)
 
 
 def _no_load(motors: list[Motor | None]) -> float:
     """Least no-load speed, rad/s."""
-    return min((m.speed for m in motors if m is not None and m.speed is not None), default=SPEED / PREFERRED)
+    return min((m.speed for m in motors if m is not None and m.speed is not None), default=SPEED / PREFERRED_SHARE)
 
 
 def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: float) -> None:
@@ -258,7 +258,7 @@ def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: flo
         )
 
 
-def _described(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
+def _describe(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
     """The design with its lines."""
     s = made.settings
     lines = [

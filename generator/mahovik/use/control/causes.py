@@ -10,7 +10,7 @@ from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.errors import MahovikError
 from mahovik.use.control.finite import errors_of
 from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.wanted import Wanted
+from mahovik.use.control.reference_motion import ReferenceMotion
 
 FASTER = 4
 """Sampling is switched off by this many samples in place of one, without latency."""
@@ -45,7 +45,7 @@ def contributions(case: Case, tell: Callable[[str], None] | None = None) -> list
     """
     own = replace(case.servo, trim=None)
     base = replace(case, design=None, servo=own)
-    if case.wanted.programme.periodic:
+    if case.reference.programme.periodic:
         base = replace(base, periods=SETTLING + MEASURED, start="settled")
     there = [cause for cause in CAUSES if cause.without(base) is not None]
     found = []
@@ -75,7 +75,7 @@ def _error(case: Case) -> float | None:
 
 
 def _no_mismatch(case: Case) -> Case | None:
-    nominal = _with_wheels(case.wanted.stand, case.real)
+    nominal = _with_wheels(case.reference.stand, case.real)
     return None if case.real == nominal else replace(case, real=nominal)
 
 
@@ -115,10 +115,10 @@ def _no_limits(case: Case) -> Case | None:
 
 
 def _no_table(case: Case) -> Case | None:
-    wanted = case.wanted
+    wanted = case.reference
     if wanted.programme is wanted.exact:
         return None
-    return replace(case, wanted=Wanted(wanted.stand, wanted.motion, wanted.exact, wanted.exact))
+    return replace(case, reference=ReferenceMotion(wanted.stand, wanted.motion, wanted.exact, wanted.exact))
 
 
 def _with_wheels(stand: Stand, real: Stand) -> Stand:

@@ -16,11 +16,11 @@ from mahovik.core.lower.servo.form import ServoForm, TrimForm
 from mahovik.core.lower.servo.program import lower_servo
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.library import Library, filled
+from mahovik.core.toolchain.library import Library, uniform_data
 from mahovik.errors import StateError
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import gains
 from mahovik.use.control.trim import TrimDesign, trim_members
-from mahovik.use.control.wanted import Wanted
 from mahovik.use.plan.array import Array
 
 
@@ -53,7 +53,7 @@ class Controller:
     corrections  (N, T): present Fourier coefficients of the trim, rad; T = 1 without trim
     """
 
-    def __init__(self, wanted: Wanted, servo: Servo, design: TrimDesign | None) -> None:
+    def __init__(self, wanted: ReferenceMotion, servo: Servo, design: TrimDesign | None) -> None:
         stand, N = wanted.stand, len(wanted.stand.flywheels)
         members = None if design is None else trim_members(design, wanted.motion, wanted.programme, servo.period)
         trim = None if design is None else (design.trim.coordinates, design.trim.harmonics)
@@ -140,4 +140,4 @@ def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> L
 
 
 def _zeros(struct: Any) -> dict[str, Any]:
-    return {f.name: filled(f.type, f.shape, 0.0) for f in struct.fields}
+    return {f.name: uniform_data(f.type, f.shape, 0.0) for f in struct.fields}

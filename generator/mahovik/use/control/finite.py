@@ -82,7 +82,7 @@ class Tracking:
 
 def tracking(record: Record) -> Tracking:
     """Errors of a whole run of a finite programme."""
-    wanted = record.wanted
+    wanted = record.reference
     error = record.q - record.required
     scale = scale_of(wanted.stand, wanted.motion, wanted.exact)
     shares = displacement_shares(scale, wanted.stand, record.required, error)
@@ -101,7 +101,7 @@ def tracking(record: Record) -> Tracking:
 
 def errors_of(record: Record, periods: int) -> Following | Tracking:
     """Errors of a run: of a periodic programme those of its last `periods` periods. Raises CheckError: too short."""
-    return following(record, periods) if record.wanted.motion.periodic else tracking(record)
+    return following(record, periods) if record.reference.motion.periodic else tracking(record)
 
 
 def _slew_end(record: Record, slew: Slew) -> SlewEnd | None:
@@ -116,5 +116,5 @@ def _slew_end(record: Record, slew: Slew) -> SlewEnd | None:
         sight, wanted = C @ slew.axis, demanded @ slew.axis
         angle = float(np.arctan2(np.linalg.norm(np.cross(sight, wanted)), sight @ wanted))
     turning = [row.component.startswith("w") for row in slew.task.rows]
-    rates = rows_of(record.wanted.stand, slew.task)[turning] @ record.V[-1]
+    rates = rows_of(record.reference.stand, slew.task)[turning] @ record.V[-1]
     return SlewEnd(angle, float(np.abs(rates).max()))

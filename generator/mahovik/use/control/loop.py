@@ -21,8 +21,8 @@ from mahovik.errors import StateError
 from mahovik.use.control.controller import Controller, Encoders
 from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
 from mahovik.use.control.record import Record
+from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign
-from mahovik.use.control.wanted import Wanted, nodes, required_orbit, settled_state
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart, equilibrium
 from mahovik.use.plan.residual import Mechanics
@@ -30,7 +30,7 @@ from mahovik.use.plan.unbalance import twist_at_rest
 
 STARTS = ("settled", "programme", "rest")
 
-LOST = math.pi
+LOST_ANGLE = math.pi
 """rad: a flywheel this far from its programme is lost: another turn is nearer."""
 
 _CHUNK = 1000
@@ -41,14 +41,14 @@ _CHUNK = 1000
 class Case:
     """Parameters of a simulation over `periods` periods of the programme, or once over a finite one.
 
-    wanted   the stand of the file, its programme and motion: the knowledge of firmware and generator
+    reference   the stand of the file, its programme and motion: the knowledge of firmware and generator
     real     the real stand
     design   of the trim; None: no trim
     start    "settled": the periodic motion of the real stand, flywheels on the programme; "programme": the required
              state; "rest": its rest, and first the programme's run-up. A finite programme begins in the required state
     """
 
-    wanted: Wanted
+    reference: ReferenceMotion
     real: Stand
     servo: Servo
     periods: int
@@ -59,7 +59,7 @@ class Case:
     @property
     def first(self) -> int:
         """Number of the first sample: the programme begins at 0, a run-up before that."""
-        table = self.wanted.programme.runup
+        table = self.reference.programme.runup
         if self.start != "rest" or table is None:
             return 0
         return -math.ceil(table.duration / self.servo.period * (1.0 - 1e-12))
@@ -67,7 +67,7 @@ class Case:
     @property
     def last(self) -> int:
         """Number of the last sample."""
-        return math.ceil(self.periods * self.wanted.motion.span / self.servo.period * (1.0 - 1e-12))
+        return math.ceil(self.periods * self.reference.motion.span / self.servo.period * (1.0 - 1e-12))
 
     @property
     def delay(self) -> tuple[int, float]:
@@ -85,7 +85,7 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
     """
     start = starting_state(case)
     own = plant(case.real, start, case.backend)
-    record = Record.empty(case.wanted, case.first, case.last, case.servo.period, start)
+    record = Record.empty(case.reference, case.first, case.last, case.servo.period, start)
     loop, n = _Loop(case, own, record), case.first
     try:
         for n in range(case.first, case.last + 1):
@@ -104,12 +104,12 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
 
 def starting_state(case: Case) -> State:
     """The real stand's state at t = 0. Raises CheckError: no periodic motion is near the required one."""
-    wanted = case.wanted
+    wanted = case.reference
     mechanics = Mechanics.of(case.real)
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if not wanted.programme.periodic:
         course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
-        chart = Chart.about(mechanics, course)
+        chart = Chart.at_pose(mechanics, course)
         y = chart.of(course)[0]
         if wanted.programme.unbalance == "averaged":
             y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])
@@ -130,8 +130,8 @@ class _Loop:
 
     def __init__(self, case: Case, own: Plant, record: Record) -> None:
         self._case, self._plant, self._record = case, own, record
-        self._servo, self._wanted = case.servo, case.wanted
-        self.controller = Controller(case.wanted, case.servo, case.design)
+        self._servo, self._wanted = case.servo, case.reference
+        self.controller = Controller(case.reference, case.servo, case.design)
         self._ideal = case.servo.encoder == "ideal"
         self._encoders = Encoders(case.real, self._ideal)
         self._whole, self._part = case.delay
@@ -156,10 +156,10 @@ class _Loop:
         corrections = self.controller.corrections
         apart = self._distances(i, own.phi, phase, corrections)
         worst = int(np.argmax(np.abs(apart)))
-        if not abs(apart[worst]) < LOST:
+        if not abs(apart[worst]) < LOST_ANGLE:
             name = case.real.flywheels[worst].name
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
-        self._record.put(n - case.first, t, own, q, required, apart, command, corrections)
+        self._record.write_row(n - case.first, t, own, q, required, apart, command, corrections)
         if n < case.last:
             self._next_sample(t, command)
 
@@ -193,7 +193,7 @@ class _Loop:
                 phi_dot[:, own] = wanted.angles(t - each - half).phi_dot[:, own]
             self._phi, self._phi_dot, self._true = phi, phi_dot, wanted.angles(t).phi
             self._tau = wanted.torques(t + self._servo.latency + T / 2.0)
-            self._required = wanted.required(t)
+            self._required = wanted.required_course(t)
         return i
 
     def _measure(self, t: float) -> tuple[Array, Array]:
@@ -258,7 +258,7 @@ def step_error(case: Case, record: Record, periods: int = 2) -> float:
 
     The torques are the same at the same times.
     """
-    count = min(len(record.t) - 1, math.ceil(periods * case.wanted.motion.span / case.servo.period))
+    count = min(len(record.t) - 1, math.ceil(periods * case.reference.motion.span / case.servo.period))
     if case.backend != "c" or count < 1:
         return 0.0
     finer = plant(case.real, record.start, case.backend, finer=2)

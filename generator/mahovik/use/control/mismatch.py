@@ -73,9 +73,9 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
 
 def _law(draw: Errors, law: LawData) -> LawData:
     """The data of one law with errors."""
-    on_carrier = (part.mismatched for part in laws.parts("mismatch"))
-    for mismatched in (*on_carrier, *laws.of_bodies("mismatch", "mismatched")):
-        found: LawData | None = mismatched(draw, law)
+    on_carrier = (part.with_mismatch for part in laws.parts("mismatch"))
+    for with_mismatch in (*on_carrier, *laws.of_bodies("mismatch", "with_mismatch")):
+        found: LawData | None = with_mismatch(draw, law)
         if found is not None:
             return found
     return law

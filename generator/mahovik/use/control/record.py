@@ -18,7 +18,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of, twist
 from mahovik.use.control.plant import Plant
-from mahovik.use.control.wanted import Wanted
+from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.array import Array
 from mahovik.use.simulate.run import Run, identity_of
 
@@ -39,7 +39,7 @@ class Record:
     rounds, limited   corrections made; samples in which a torque was cut
     """
 
-    wanted: Wanted
+    reference: ReferenceMotion
     start: State
     t: Array
     position: Array
@@ -59,7 +59,7 @@ class Record:
     limited: int = 0
 
     @staticmethod
-    def empty(wanted: Wanted, first: int, last: int, period: float, start: State) -> Record:
+    def empty(wanted: ReferenceMotion, first: int, last: int, period: float, start: State) -> Record:
         """An empty record for samples with these numbers."""
         t: Array = period * np.arange(first, last + 1, dtype=np.float64)
         M, N = len(t), len(wanted.stand.flywheels)
@@ -72,7 +72,7 @@ class Record:
             np.zeros((M, N, 1)),
         )  # fmt: skip
 
-    def put(
+    def write_row(
         self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
     ) -> None:
         """Write row n."""
@@ -103,10 +103,10 @@ class Record:
             ("apart", "rad", self.apart), ("command", "N m", self.command),
         )  # fmt: skip
         for kind, unit, columns in kinds:
-            names += [f"{kind} {s.name} [{unit}]" for s in self.wanted.stand.flywheels]
+            names += [f"{kind} {s.name} [{unit}]" for s in self.reference.stand.flywheels]
             parts.append(columns)
         data = np.hstack([self.t[:, None], *parts])
-        return Run(("t [s]", *names), data, self.stopped, self.interrupted, identity_of(self.wanted.stand))
+        return Run(("t [s]", *names), data, self.stopped, self.interrupted, identity_of(self.reference.stand))
 
 
 HARMONICS = 6
@@ -167,7 +167,7 @@ class Following:
 
 def following(record: Record, periods: int) -> Following:
     """Errors of a run. Raises CheckError if it is shorter than `periods` periods of the programme."""
-    wanted = record.wanted
+    wanted = record.reference
     span, step = wanted.motion.span, float(record.t[1] - record.t[0]) if len(record.t) > 1 else np.inf
     rows = round(periods * span / step)
     if rows >= len(record.t):

@@ -179,7 +179,7 @@ class Margins:
     lightness: float
 
     @property
-    def accepted(self) -> bool:
+    def are_sufficient(self) -> bool:
         """Whether it is stable with the least accepted margins."""
         return self.radius < 1.0 and min(self.gain, self.less) >= LEAST_GAIN and self.phase >= LEAST_PHASE
 
@@ -248,7 +248,7 @@ def _loops(stand: Stand, servo: Servo, bandwidth: float | None, most: float) -> 
 def check_margins(stand: Stand, servo: Servo, source: str) -> Margins:
     """The margins if they are sufficient. Otherwise raises CheckError with the highest sufficient bandwidth."""
     found = margins(stand, servo)
-    if found.accepted:
+    if found.are_sufficient:
         return found
     hertz, late = servo.bandwidth / (2 * math.pi), delay(stand, servo)
     what = (

@@ -27,7 +27,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.use.control.wanted import Orbit, nodes, required_orbit
+from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.problem import Basis
 from mahovik.use.plan.residual import Mechanics
@@ -38,7 +38,7 @@ QUICK = 8.0
 BEYOND, SPILL = 2, 30.0
 """Number of harmonics above the corrected ones to protect, and weight of the effect on them in G^+, in G's norm."""
 
-REACHED = 1e-3
+REACH = 1e-3
 """Part of the largest singular value of G, scaled, below which a direction counts as out of reach."""
 
 
@@ -82,7 +82,7 @@ class TrimDesign:
         share = (self.response / self.unit[:, None])[seen]
         return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
 
-    def unreachable(self, error: Array) -> Array:
+    def unreachable_part(self, error: Array) -> Array:
         """Part of an error (C T) that no correction reaches, by the nominal model."""
         return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
 
@@ -109,7 +109,7 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     norm = np.diag(np.tile(1.0 + k**2.0, mechanics.N)) + spill.T @ spill
     weight = np.linalg.inv(np.linalg.cholesky(norm)).T  # corrections weight z have the norm |z|
     U, sigma, Vt = np.linalg.svd(scaled @ weight, full_matrices=False)
-    kept = sigma > REACHED * sigma[0]
+    kept = sigma > REACH * sigma[0]
     basis = weight @ Vt[kept].T
     matrix = np.zeros((len(weight), len(unit)))
     matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]

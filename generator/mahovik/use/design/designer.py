@@ -19,7 +19,7 @@ from mahovik.errors import DesignError, StateError
 from mahovik.use.design.freedom import Freedom
 from mahovik.use.design.outcome import Outcome, Status, changes
 from mahovik.use.design.refusal import binding_words, refuse, relax_each
-from mahovik.use.design.search import EXACT, STARTS, Candidate, OnProgress, Search, front, search
+from mahovik.use.design.search import EXACT, STARTS, Candidate, OnProgress, Search, pareto_front, search
 from mahovik.use.design.space import mounting_angles, nearest_two
 from mahovik.use.design.task import Task
 from mahovik.use.plan.array import Array
@@ -39,7 +39,7 @@ ZERO_HARMONIC = 1e-13
 
 def finish(chosen: Candidate, motion: RequiredMotion, budget: Budget) -> tuple[Stand, Programme, str]:
     """The stand, its programme with a report, and the objections of the verification; empty: it is exact."""
-    task, design = chosen.task, chosen.reached.design
+    task, design = chosen.task, chosen.fit.design
     stand, course = move_phases(task.space.stand_of(design.y), design.motion, task.freedom.phase)
     problem = Problem.of(stand, motion)
     course, exceeded = make_exact(problem, course, budget)
@@ -72,7 +72,7 @@ def make_exact(problem: Problem, course: Periodic, budget: Budget) -> tuple[Peri
     over = _exceeded_bounds(problem, best)
     if (over or least > problem.tolerance) and problem.N >= 6:
         found = improver.polish(course, "given", budget)
-        if found is not None and found.accepted:
+        if found is not None and found.is_programme:
             return found.motion, ()
     return best, over
 
@@ -130,7 +130,7 @@ def residual_by_harmonic(problem: Problem, course: Periodic) -> list[float]:
 
 AFTER = 30.0
 """s for the work after a search that ran out of time: polishing, and finding what binds."""
-UNLIMITED = 10**9
+NO_STEP_LIMIT = 10**9
 
 
 @dataclass(frozen=True)
@@ -174,17 +174,17 @@ def design_stand(
         except StateError as error:
             raise DesignError([f"motion {motion.name}: {error}"]) from None
     refuse(tasks[-1], tasks[-1].freedom)
-    budget = Budget(UNLIMITED, options.seconds)
+    budget = Budget(NO_STEP_LIMIT, options.seconds)
     found = search(tasks, options.seed, budget, on_progress, options.starts)
     effort = {
         "seed": options.seed,
         "starts": found.starts,
-        "steps": budget.taken,
+        "steps": budget.steps_taken,
         "flywheels_tried": {str(N): residual for N, residual in found.tried.items()},
         "found": len(found.found),
         "cut_by_time": found.cut,
     }
-    after = Budget(UNLIMITED, AFTER if found.cut or found.interrupted else None)
+    after = Budget(NO_STEP_LIMIT, AFTER if found.cut or found.interrupted else None)
     if not found.found:
         return no_design(found, after, effort)
     return _outcome(found, options, after, effort)
@@ -207,10 +207,10 @@ def _outcome(found: Search, options: DesignOptions, budget: Budget, effort: dict
         )
     if over:
         status, told = "OK_LIMIT", (*told, *over)
-    points = front(found.found, options.pareto, budget) if options.pareto else []
+    points = pareto_front(found.found, options.pareto, budget) if options.pareto else []
     return Outcome(
         status, told, residual, stand, programme, chosen.cost, tuple(changes(chosen)),
-        {"before": totals(chosen.task.space.stand), "after": totals(stand)}, tuple(points), effort, found.interrupted,
+        {"before": flywheel_totals(chosen.task.space.stand), "after": flywheel_totals(stand)}, tuple(points), effort, found.interrupted,
     )  # fmt: skip
 
 
@@ -225,15 +225,15 @@ def no_design(found: Search, budget: Budget, effort: dict[str, Any]) -> Outcome:
         more: tuple[str, ...] = ("the search ended before the first start had a result: give it more time",)
     elif found.nearest is None:
         more = ("no start came close: try other windings (`speed`), another seed, more flywheels",)
-    elif found.refused and found.best <= found.nearest[0].freedom.quality:
-        more = tuple(dict.fromkeys(found.refused))[:3]
+    elif found.refusals and found.best <= found.nearest[0].freedom.quality:
+        more = tuple(dict.fromkeys(found.refusals))[:3]
     else:
         task, reached = found.nearest
         more = binding_words(task, reached.residual, [] if found.interrupted else relax_each(task, reached, budget))
     return Outcome("NO_DESIGN", (first, *more), found.best, effort=effort, interrupted=found.interrupted)
 
 
-def totals(stand: Stand) -> dict[str, Any]:
+def flywheel_totals(stand: Stand) -> dict[str, Any]:
     """Totals of a stand's flywheels: number, mass (kg), unbalance (kg m), the two nearest and their distance (m)."""
     from math import hypot
 

@@ -26,7 +26,7 @@ SMALL_ERRORS = {
     "": (0.01, "%"),
 }
 """A small error of each unit, in SI, and its name; sensitivities refer to it."""
-AT_BOUND = 1e-6
+BOUND_DISTANCE = 1e-6
 """Part of the range: a number nearer to a bound than this is at the bound."""
 
 
@@ -53,7 +53,7 @@ class Change:
 
 def changes(chosen: Candidate) -> list[Change]:
     """Changes of every free number of every flywheel."""
-    task, design = chosen.task, chosen.reached.design
+    task, design = chosen.task, chosen.fit.design
     space, freedom = task.space, task.freedom
     problem = task.problem(design.y)
     grid = task.grid(design.motion.winding, design.motion.H)
@@ -65,7 +65,7 @@ def changes(chosen: Candidate) -> list[Change]:
     for s, wheel in enumerate(space.stand.flywheels):
         if not freedom.free[s].any():
             continue
-        own = root.scaled(np.swapaxes(space.own_rates(design.y, rates, s), 1, 2))  # (M, WIDTH, 6)
+        own = root.dimensionless(np.swapaxes(space.own_rates(design.y, rates, s), 1, 2))  # (M, WIDTH, 6)
         before = space.original[s]
         for k in range(WIDTH):
             if not freedom.free[s, k]:
@@ -86,7 +86,7 @@ def _margin(x: float, least: float, most: float) -> tuple[float | None, str]:
     margin = min(below, above)
     if not np.isfinite(margin):
         return None, ""
-    if margin <= AT_BOUND * max(most - least, 1e-300):
+    if margin <= BOUND_DISTANCE * max(most - least, 1e-300):
         return 0.0, "min" if below <= above else "max"
     return float(margin), ""
 
@@ -119,7 +119,7 @@ class Outcome:
     interrupted: bool = False
 
 
-SHOWN = {
+PRINTED_UNITS = {
     "m": (1e3, "mm"),
     "rad": (180.0 / math.pi, "deg"),
     "kg m": (1e6, "g mm"),
@@ -135,7 +135,7 @@ def change_rows(found: Outcome) -> list[tuple[str, ...]]:
 
 
 def _row(each: Change) -> tuple[str, ...]:
-    factor, unit = SHOWN[each.unit]
+    factor, unit = PRINTED_UNITS[each.unit]
     before, after = each.before, each.after
     if each.unit == "rad":
         before, after = (math.remainder(x, 2.0 * math.pi) for x in (before, after))

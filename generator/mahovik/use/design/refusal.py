@@ -10,7 +10,7 @@ import numpy as np
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.errors import DesignError
 from mahovik.use.design.freedom import PARTS, Freedom, Key, Limits
-from mahovik.use.design.search import Reached, descend
+from mahovik.use.design.search import DesignFit, descend
 from mahovik.use.design.task import Design, Task, Weighing
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.preflight import Preflight, check_mean_wrench, direction, mean_pose, reach, second_integral
@@ -36,7 +36,7 @@ def refuse(task: Task, freedom: Freedom) -> None:
     turns = np.ptp(course.q[:, 3:], axis=0).max() > 0.0
     if masses or any(problem.mechanics.tables.damping) or (turns and freedom.free[:, :3].any()):
         return  # the required flywheel wrench depends on the design
-    P = prescribe(problem.mechanics, course, pose.bias).locked()
+    P = prescribe(problem.mechanics, course, pose.bias).locked_wrench()
     C = twists(problem.stand, course).C
     force = (C @ P[:, :3, None])[:, :, 0]
     if problem.norm.relative(np.hstack([force - force.mean(axis=0), np.zeros_like(force)])) <= problem.tolerance:
@@ -61,14 +61,14 @@ _POSITIVE: tuple[Key, ...] = ("unbalance", "mass", "inertia")
 
 
 @dataclass(frozen=True)
-class Relaxed:
+class RelaxedConstraint:
     """A relaxed constraint, and the relative residual that the best start reaches without it."""
 
     name: str
     residual: float
 
 
-def relax_each(task: Task, reached: Reached, budget: Budget) -> list[Relaxed]:
+def relax_each(task: Task, reached: DesignFit, budget: Budget) -> list[RelaxedConstraint]:
     """Each constraint of a task relaxed in turn, largest gain first."""
     found = []
     for name, motion, freedom in _without_each(task):
@@ -78,7 +78,7 @@ def relax_each(task: Task, reached: Reached, budget: Budget) -> list[Relaxed]:
         if other.space.P != task.space.P:
             continue
         start = Design(reached.design.y, reached.design.motion)
-        found.append(Relaxed(name, other.relative(descend(other, start, Weighing(), STEPS, budget))))
+        found.append(RelaxedConstraint(name, other.relative(descend(other, start, Weighing(), STEPS, budget))))
     return sorted(found, key=lambda each: each.residual)
 
 
@@ -107,7 +107,7 @@ def _without_each(task: Task) -> Iterator[tuple[str, RequiredMotion, Freedom]]:
         yield "groups", motion, replace(own, ties=())
 
 
-def binding_words(task: Task, best: float, found: list[Relaxed]) -> tuple[str, ...]:
+def binding_words(task: Task, best: float, found: list[RelaxedConstraint]) -> tuple[str, ...]:
     """Message about them, one line each."""
     goal = task.freedom.quality
     bind = [each for each in found if each.residual <= goal]

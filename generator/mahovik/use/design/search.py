@@ -41,7 +41,7 @@ _INSIDE = 1e-10
 """Part of the range: distance of a start from its bounds, which the method needs."""
 
 
-class Reached(NamedTuple):
+class DesignFit(NamedTuple):
     """A design and its relative residual on a fine grid."""
 
     design: Design
@@ -86,12 +86,12 @@ def size(task: Task, design: Design) -> float:
     return float(np.linalg.norm(rows))
 
 
-def refine(task: Task, start: Design, budget: Budget) -> Reached | None:
+def refine(task: Task, start: Design, budget: Budget) -> DesignFit | None:
     """Refine a start: constant speed if flywheels turn, then rising numbers of harmonics; None: not promising."""
     design = start
     turning = bool(np.any(start.motion.winding))
     rungs = [H for H in range(task.freedom.harmonics + 1) if H > 0 or turning] or [0]
-    reached: Reached | None = None
+    reached: DesignFit | None = None
     for number, H in enumerate(rungs):
         first = number == 0
         design = descend(
@@ -99,7 +99,7 @@ def refine(task: Task, start: Design, budget: Budget) -> Reached | None:
         )
         if first and turning and size(task, design) > HOPELESS:
             return None
-        found = Reached(design, task.relative(design))
+        found = DesignFit(design, task.relative(design))
         if reached is None or found.residual < reached.residual:
             reached = found
         if found.residual < EXACT or budget.exhausted:
@@ -131,7 +131,7 @@ def cost_of(task: Task, design: Design, weights: Weights) -> Cost:
     return Cost(unbalance, torque, weights.unbalance * unbalance / whole + weights.torque * torque / task.torque)
 
 
-def reduce_cost(task: Task, reached: Reached, weights: Weights, budget: Budget) -> Reached:
+def reduce_cost(task: Task, reached: DesignFit, weights: Weights, budget: Budget) -> DesignFit:
     """The cheapest nearby design that is equally good, or the design itself if none is cheaper."""
     if not (weights.unbalance or weights.torque):
         return reached
@@ -140,7 +140,7 @@ def reduce_cost(task: Task, reached: Reached, weights: Weights, budget: Budget) 
         weighing = Weighing(heavy, float(np.sqrt(weights.unbalance)), float(np.sqrt(weights.torque)))
         design = descend(task, design, weighing, COST_STEPS, budget)
     design = descend(task, design, Weighing(), LAST_STEPS, budget)
-    found = Reached(design, task.relative(design))
+    found = DesignFit(design, task.relative(design))
     good = found.residual <= max(1.5 * reached.residual, 0.1 * task.start.tolerance)
     cheaper = cost_of(task, design, weights).weighted < cost_of(task, reached.design, weights).weighted
     return found if good and cheaper else reached
@@ -157,7 +157,7 @@ class Candidate:
     """An accepted design and its cost."""
 
     task: Task
-    reached: Reached
+    fit: DesignFit
     cost: Cost
 
 
@@ -166,15 +166,15 @@ class Search:
     """State of the search.
 
     best     least relative residual; nearest: the design that has it; tried: the least by number of flywheels
-    refused  why designs with a good residual were refused: an impossible body
+    refusals why designs with a good residual were refused: an impossible body
     """
 
     found: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
-    nearest: tuple[Task, Reached] | None = None
+    nearest: tuple[Task, DesignFit] | None = None
     tried: dict[int, float] = field(default_factory=dict)
-    refused: list[str] = field(default_factory=list)
+    refusals: list[str] = field(default_factory=list)
     interrupted: bool = False
     cut: bool = False
 
@@ -183,7 +183,7 @@ class Search:
         """One line of progress."""
         return f"searching: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} designs found"
 
-    def record(self, task: Task, reached: Reached) -> None:
+    def record(self, task: Task, reached: DesignFit) -> None:
         """Remember the least residual."""
         self.tried[task.N] = min(self.tried.get(task.N, np.inf), reached.residual)
         if reached.residual < self.best:
@@ -217,7 +217,7 @@ def search(
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
-    state.found.sort(key=lambda each: (each.reached.residual > each.task.start.tolerance, each.cost.weighted))
+    state.found.sort(key=lambda each: (each.fit.residual > each.task.start.tolerance, each.cost.weighted))
     return state
 
 
@@ -232,7 +232,7 @@ def _run_start(task: Task, start: Design, budget: Budget, state: Search) -> None
         return
     problem = refusal(task.space.stand_of(reached.design.y))
     if problem is not None:
-        state.refused.append(problem)
+        state.refusals.append(problem)
         return
     weights = task.freedom.weights
     state.found.append(Candidate(task, reached, cost_of(task, reached.design, weights)))  # before Ctrl-C may come
@@ -247,7 +247,7 @@ def random_start(task: Task, bias: Array, seed: int, k: int) -> Design:
     rng = np.random.default_rng([seed, task.N, k])
     y = task.space.random(rng)
     if k == 0:
-        y = task.space.current
+        y = task.space.start
     motion, N = task.motion, task.N
     if task.freedom.speeds is not None:
         turning = [n for n in task.freedom.speeds if n] if KINDS[k % len(KINDS)] == "spin" else []
@@ -288,9 +288,9 @@ class Point:
     residual: float
 
 
-def front(found: Sequence[Candidate], count: int, budget: Budget) -> list[Point]:
+def pareto_front(found: Sequence[Candidate], count: int, budget: Budget) -> list[Point]:
     """Points of the front by rising unbalance, from the designs of a search; fewer if some are beaten."""
-    points = [Point(each.task.freedom.weights, each.cost, each.reached.residual) for each in found]
+    points = [Point(each.task.freedom.weights, each.cost, each.fit.residual) for each in found]
     ratios = np.geomspace(1.0 / STEEPEST, STEEPEST, count)
     for each in found:
         unbalance, torque = (max(x, 1e-12) for x in _weighted_costs(each))
@@ -298,20 +298,20 @@ def front(found: Sequence[Candidate], count: int, budget: Budget) -> list[Point]
             if budget.exhausted:
                 break
             weights = Weights(float(ratio), unbalance / torque)  # equal weights at ratio 1
-            reached = reduce_cost(each.task, each.reached, weights, budget)
+            reached = reduce_cost(each.task, each.fit, weights, budget)
             if reached.residual <= each.task.freedom.quality and not breaks_limit(each.task, reached.design):
                 points.append(Point(weights, cost_of(each.task, reached.design, weights), reached.residual))
-    return not_dominated(points)
+    return pareto_points(points)
 
 
 def _weighted_costs(each: Candidate) -> tuple[float, float]:
     """Unbalance and torque of a design in the units of the weights."""
-    one = cost_of(each.task, each.reached.design, Weights(1.0, 0.0)).weighted
-    other = cost_of(each.task, each.reached.design, Weights(0.0, 1.0)).weighted
+    one = cost_of(each.task, each.fit.design, Weights(1.0, 0.0)).weighted
+    other = cost_of(each.task, each.fit.design, Weights(0.0, 1.0)).weighted
     return one, other
 
 
-def not_dominated(points: Sequence[Point]) -> list[Point]:
+def pareto_points(points: Sequence[Point]) -> list[Point]:
     """Points that no other beats in both unbalance and torque, by rising unbalance."""
     found: list[Point] = []
     for point in sorted(points, key=lambda each: (each.cost.unbalance, each.cost.torque)):

@@ -77,7 +77,7 @@ class Space:
         return len(self.owner)
 
     @property
-    def current(self) -> Array:
+    def start(self) -> Array:
         """y (P) of the given stand, clipped to the bounds."""
         return self.inside((self.original.ravel() - self.b)[list(self.owner)] if self.P else np.zeros(0))
 
@@ -118,7 +118,7 @@ class Space:
         )
         return replace(self.stand, flywheels=wheels)
 
-    def chain(self, y: Array, by_parameters: Array) -> Array:
+    def by_unknowns(self, y: Array, by_parameters: Array) -> Array:
         """Derivatives by y (..., P), from those (..., N, K) by `residual.PARAMETERS`."""
         x = self.numbers(y)
         own = [

@@ -17,7 +17,7 @@ from mahovik.use.design.space import Space, limit_rows
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.objective import RHO, Rows, bias_hinges, has_bounds, hinge_rows
 from mahovik.use.plan.problem import Grid, Periodic, Problem, uniform
-from mahovik.use.plan.residual import Linear, Mechanics, Norm, Prescribed, by_design, prescribe
+from mahovik.use.plan.residual import Linear, Mechanics, Norm, PrescribedMotion, by_design, prescribe
 
 
 class Design(NamedTuple):
@@ -27,11 +27,11 @@ class Design(NamedTuple):
     motion: Periodic
 
 
-class Evaluated(NamedTuple):
+class Evaluation(NamedTuple):
     """The problem of a design's stand, and (12) with its derivatives by the flywheels' motion at the nodes."""
 
     problem: Problem
-    at: Prescribed
+    at: PrescribedMotion
     linear: Linear
 
 
@@ -56,7 +56,7 @@ class Task:
     start: Problem
     torque: float
     _grids: dict[tuple[int, int, float], Grid] = field(default_factory=dict)
-    _latest: dict[bytes, Evaluated] = field(default_factory=dict)
+    _latest: dict[bytes, Evaluation] = field(default_factory=dict)
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion, freedom: Freedom) -> Task:
@@ -117,7 +117,7 @@ class Task:
         start = Periodic(
             like.period, like.winding, np.zeros_like(like.waves), np.where(self.start.free, 0.0, like.bias)
         )
-        return Design(self.space.inside(own[:P]), start.moved(own[P:], self.start.free))
+        return Design(self.space.inside(own[:P]), start.step(own[P:], self.start.free))
 
     def box(self, H: int) -> tuple[Array, Array]:
         """Lower and upper bounds of z."""
@@ -141,13 +141,13 @@ class Task:
         n = P + motion.waves.size + F
         angles = motion.at(grid.basis)
         weight = weighing.residual / np.sqrt(M)
-        parts, slopes = [weight * problem.norm.scaled(found.R).ravel()], []
+        parts, slopes = [weight * problem.norm.dimensionless(found.R).ravel()], []
         root = problem.norm.root / problem.norm.demand
         torque = Rows.torque(found)
         if differentiate:
             rates = by_design(at, grid.course, motion.bias, *angles)
             waves = grid.basis.chain(root @ found.by_phi, root @ found.by_phi_dot, root @ found.by_phi_ddot)
-            by_y = np.einsum("ij,mjk->mik", root, self.space.chain(y, rates.R)).reshape(6 * M, P)
+            by_y = np.einsum("ij,mjk->mik", root, self.space.by_unknowns(y, rates.R)).reshape(6 * M, P)
             slopes.append(weight * np.hstack([by_y, waves, problem.by_bias(grid, motion)]))
             torque = Rows.torque(found, self._by_owner(y, rates.tau))
         kinds = self._kinds(problem, grid, motion, torque, weighing)
@@ -167,14 +167,14 @@ class Task:
             slopes.append(np.hstack([lighter, np.zeros((len(light), n - P))]))
         return np.concatenate(parts), np.vstack(slopes) if differentiate else np.zeros((0, n))
 
-    def _linear(self, design: Design, grid: Grid) -> Evaluated:
+    def _linear(self, design: Design, grid: Grid) -> Evaluation:
         """(12) at a design; the latest is cached, since rows are needed first and then their derivatives."""
         y, motion = design
         key = b"".join(x.tobytes() for x in (y, motion.waves, motion.bias, motion.winding))
         if key not in self._latest:
             problem = self.problem(y)
             self._latest.clear()
-            self._latest[key] = Evaluated(problem, *problem.linear(grid, motion))
+            self._latest[key] = Evaluation(problem, *problem.linear(grid, motion))
         return self._latest[key]
 
     def _kinds(self, problem: Problem, grid: Grid, motion: Periodic, torque: Rows, weighing: Weighing) -> list[Rows]:
@@ -183,13 +183,13 @@ class Task:
         if has_bounds(self.motion.bounds):
             swing = angles.phi - motion.mean - grid.t[:, None] * (2.0 * np.pi / motion.period * motion.winding)
             given = hinge_rows(self.motion.bounds, angles, swing, torque, motion.winding)
-            found += [rows.scaled(1.0 / RHO) for rows in given.values()]
+            found += [rows.scale(1.0 / RHO) for rows in given.values()]
         if weighing.torque > 0.0:
-            tau = torque.scaled(1.0 / self.torque)
-            squared = tau.scaled(2.0 * tau.value)  # their squares sum fourth powers, which is near the peak
+            tau = torque.scale(1.0 / self.torque)
+            squared = tau.scale(2.0 * tau.value)  # their squares sum fourth powers, which is near the peak
             by = squared.by_bias
             found.append(
-                Rows.of(tau.value**2, squared.by_phi, squared.by_phi_dot, squared.by_phi_ddot, by).scaled(
+                Rows.of(tau.value**2, squared.by_phi, squared.by_phi_dot, squared.by_phi_ddot, by).scale(
                     weighing.torque
                 )
             )
@@ -200,7 +200,7 @@ class Task:
         M, N, K = rates.shape
         spread = np.zeros((M, N, N, K))
         spread[:, np.arange(N), np.arange(N)] = rates
-        return self.space.chain(y, spread)
+        return self.space.by_unknowns(y, spread)
 
     def _unbalance(self, y: Array, weight: float) -> tuple[Array, Array]:
         """Rows (N) whose squares add up to the total unbalance over that of the start, and derivatives (N, P)."""

@@ -19,10 +19,10 @@ class Budget:
 
     steps: int
     seconds: float | None = None
-    taken: int = 0
+    steps_taken: int = 0
     cut: bool = False
     interrupted: bool = False
-    _begun: float = field(default_factory=time.monotonic)
+    _start: float = field(default_factory=time.monotonic)
 
     def step(self) -> bool:
         """Count a step; False if none is left."""
@@ -30,7 +30,7 @@ class Budget:
             self.cut = True
         if self.exhausted:
             return False
-        self.taken += 1
+        self.steps_taken += 1
         return True
 
     def interrupt(self) -> None:
@@ -50,12 +50,12 @@ class Budget:
     @property
     def exhausted(self) -> bool:
         """Whether the search must end."""
-        return self.cut or self.interrupted or self.taken >= self.steps
+        return self.cut or self.interrupted or self.steps_taken >= self.steps
 
     @property
     def elapsed(self) -> float:
         """Time since the search began, s."""
-        return time.monotonic() - self._begun
+        return time.monotonic() - self._start
 
 
 @contextmanager

@@ -63,7 +63,7 @@ def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Progr
         "largest_multiplier": values.get("Floquet"),
         "floquet": floquet_multipliers(findings),
         "verification": items,
-        "warnings": [f"{each.name}: {each.words}" for each in findings if each.warns],
+        "warnings": [f"{each.name}: {each.words}" for each in findings if each.has_warning],
     }
     return replace(programme, report={**programme.report, **words})
 

@@ -15,7 +15,7 @@ from scipy.interpolate import BSpline
 from scipy.linalg import eigh, null_space
 
 from mahovik.core.motion.programme import Angles, Samples
-from mahovik.core.motion.required.course import Sampled
+from mahovik.core.motion.required.course import SampledCourse
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine
@@ -25,7 +25,7 @@ from mahovik.use.plan.search import Search
 
 _SMOOTH = 4
 """Derivatives that are continuous at the breaks."""
-PINNED = 1e12
+PINNED_ORDER = 1e12
 """Order of a mode that must not move."""
 
 
@@ -87,7 +87,7 @@ class SplineSpace:
         modes = allowed @ vectors * np.sqrt(self.span / 2.0)
         constant = np.ones((len(allowed), 1))
         if self.pinned:
-            return np.hstack([constant, modes]), np.concatenate([[PINNED], order])
+            return np.hstack([constant, modes]), np.concatenate([[PINNED_ORDER], order])
         return np.hstack([constant, modes[:, 1:]]), np.concatenate([[0.0], order[1:]])
 
     @property
@@ -117,7 +117,7 @@ DEGREES = (5, 7, 9, 11, 13)
 DRAWN, CHOSEN, REFINED, ROUNDS = 192, 32, 6, 8
 _SCORED, _CROWD, _STEPS = 8, 12, 15
 """Modes for the score; modes of the batch; its steps."""
-_VARIED = 0.1
+_VARIATION = 0.1
 """rad: variation of each mode for starts from given angles."""
 _MOST_UNKNOWNS = 2500
 _TABLE = 8192
@@ -156,7 +156,7 @@ class FiniteProblem(Problem):
         """Splines of a degree, with breaks at the samples of the motion."""
         if degree not in self._spaces:
             course = self.motion.course
-            breaks = course.t if isinstance(course, Sampled) else np.linspace(0.0, self.motion.span, 13)
+            breaks = course.t if isinstance(course, SampledCourse) else np.linspace(0.0, self.motion.span, 13)
             pinned = self.motion.bounds.start_phi is not None
             self._spaces[degree] = SplineSpace(self.motion.span, breaks, degree, pinned)
         return self._spaces[degree]
@@ -194,7 +194,7 @@ class SplineBatch(StartBatch):
 
 
 @dataclass(frozen=True, eq=False)
-class Solved:
+class FiniteSolution:
     """A finite programme: modes of a degree, its residual between the nodes."""
 
     motion: Periodic
@@ -209,9 +209,9 @@ def search_finite(
     budget: Budget,
     enough: int = 1,
     on_progress: OnProgress = lambda _: None,
-) -> Search[Solved]:
+) -> Search[FiniteSolution]:
     """Programmes of a finite motion, in the order found; `bias` (6): where starts begin. Ctrl-C ends the search."""
-    rng, state, N = np.random.default_rng(seed), Search[Solved](tried={"finite": 0}), problem.N
+    rng, state, N = np.random.default_rng(seed), Search[FiniteSolution](tried={"finite": 0}), problem.N
     bounds = problem.motion.bounds
     speed = np.array(bounds.start_phi_dot or (0.0,) * N) * problem.motion.span / (2.0 * np.pi)
     try:
@@ -224,7 +224,7 @@ def search_finite(
             waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (DRAWN, N))
             if bounds.start_phi is not None:
                 waves[:, :, 0] = bounds.start_phi
-                waves[1:, :, 1:] = _VARIED * rng.normal(size=waves[1:, :, 1:].shape)
+                waves[1:, :, 1:] = _VARIATION * rng.normal(size=waves[1:, :, 1:].shape)
             batch: StartBatch = SplineBatch(problem, np.tile(speed, (DRAWN, 1)), waves, bias)
             batch = batch.with_harmonics(np.argsort(batch.scores(), kind="stable")[:CHOSEN], _CROWD)
             batch.improve(_STEPS, budget)
@@ -247,10 +247,10 @@ def search_finite(
     return state
 
 
-def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved:
+def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> FiniteSolution:
     """Collocation at Gauss points in every interval, degree by degree, from modes of the lowest degree."""
     motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
-    found = Solved(start, DEGREES[0], np.inf)
+    found = FiniteSolution(start, DEGREES[0], np.inf)
     for degree in DEGREES:
         space = problem.space(degree)
         if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
@@ -263,7 +263,7 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved
         fine = problem.grid_between_nodes(degree, 3 * degree)
         residual = float(np.linalg.norm(problem.rows(fine, motion), axis=1).max())
         if residual < found.residual:
-            found = Solved(motion, degree, residual)
+            found = FiniteSolution(motion, degree, residual)
         if (
             residual < 0.1 * problem.tolerance
             or residual > 0.5 * before
@@ -275,7 +275,7 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Solved
     return found
 
 
-def table_of(problem: FiniteProblem, solved: Solved) -> Samples:
+def table_of(problem: FiniteProblem, solved: FiniteSolution) -> Samples:
     """The motion as a table for quintic Hermite interpolation, so fine that the residual stays accepted.
 
     Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.

@@ -27,7 +27,7 @@ from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import motor_cross
 
 
@@ -106,19 +106,19 @@ def integrate(rates: Array, spacing: float) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Eliminated:
+class BlockElimination:
     """x' = A x + g at 4 B + 1 nodes, eliminated block by block, for any g and start.
 
     inverse    (B, 4 n, 4 n): inverse of each block's equations
-    carried    (B, 4 n, n): nodes of a block as functions of its first node
+    transition (B, 4 n, n): nodes of a block as functions of its first node
     """
 
     spacing: float
     inverse: Array
-    carried: Array
+    transition: Array
 
     @staticmethod
-    def of(A: Array, spacing: float) -> Eliminated:
+    def of(A: Array, spacing: float) -> BlockElimination:
         """Eliminate A (4 B + 1, n, n; 1/s) at nodes `spacing` (s) apart."""
         at = split_blocks(A)
         B, n = len(at), A.shape[1]
@@ -126,14 +126,14 @@ class Eliminated:
         own[:, range(INTERVALS * n), range(INTERVALS * n)] += 1.0
         inverse = np.linalg.inv(own)
         first = spacing * np.einsum("j,bmn->bjmn", WEIGHTS[:, 0], at[:, 0]) + np.eye(n)
-        return Eliminated(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
+        return BlockElimination(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
 
     def solve(self, defects: Array, start: Array) -> Array:
         """x (4 B + 1, n, P) from `start` (n, P); `defects` (B, 4, n, P) are the right sides of the block equations."""
         B, n, P = len(self.inverse), *start.shape
         particular = self.inverse @ defects.reshape(B, INTERVALS * n, P)
         found = [start[None]]
-        for carried, own in zip(self.carried, particular, strict=True):
+        for carried, own in zip(self.transition, particular, strict=True):
             found.append((carried @ found[-1][-1] + own).reshape(INTERVALS, n, P))
         return np.concatenate(found)
 
@@ -151,7 +151,7 @@ class Chart:
     C: Array
 
     @staticmethod
-    def about(mechanics: Mechanics, course: Course) -> Chart:
+    def at_pose(mechanics: Mechanics, course: Course) -> Chart:
         """Chart about the single pose of `course` (M = 1)."""
         at = twists(mechanics.stand, course)
         return Chart(mechanics, at.O1[0], at.C[0])
@@ -221,11 +221,11 @@ class CarrierCourse:
     """y (M, 12) at uniform nodes, and the linear equations near it."""
 
     y: Array
-    near: Eliminated
+    near: BlockElimination
 
 
 def course(
-    chart: Chart, given: Drive, spacing: float, start: Array, guess: Array, near: Eliminated | None
+    chart: Chart, given: Drive, spacing: float, start: Array, guess: Array, near: BlockElimination | None
 ) -> CarrierCourse:
     """The course from `start` (12) under the flywheels' motion at 4 B + 1 nodes `spacing` (s) apart.
 
@@ -253,14 +253,14 @@ def course(
     raise StateError("the carrier moves too violently: its course cannot be computed")
 
 
-def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> Eliminated:
+def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> BlockElimination:
     """Linear equations near a course y (M, 12), by central differences at all nodes."""
     columns = []
     for i, step in enumerate(_STEPS):
         aside = np.zeros(12)
         aside[i] = step
         columns.append((chart.rate(given, y + aside) - chart.rate(given, y - aside)) / (2.0 * step))
-    return Eliminated.of(np.stack(columns, axis=2), spacing)
+    return BlockElimination.of(np.stack(columns, axis=2), spacing)
 
 
 def linearise_along(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Linear:
@@ -282,7 +282,7 @@ FREE_AT_REST = 1e-6
 _STEP = 1e-6
 """Step of central differences: m, rad."""
 _ITERATIONS, _LONGEST, _LAST = 50, 0.3, 1e-11
-_LEFT = 1e-6
+_REST_ACCELERATION = 1e-6
 """m/s2: an acceleration without stiffness to balance it that still counts as rest."""
 
 
@@ -290,12 +290,12 @@ _LEFT = 1e-6
 class Equilibrium:
     """y (12) at rest, V = 0, and its derivatives by the flywheels' angles (12, N).
 
-    held   (12, 12): projection that removes displacements in directions free at rest from state differences
+    projection   (12, 12): projection that removes displacements in directions free at rest from state differences
     """
 
     y: Array
     by_phi: Array
-    held: Array
+    projection: Array
 
 
 def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibrium:
@@ -318,7 +318,7 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     stand = chart.mechanics.stand
     left = root @ chart.acceleration(given, y)[0]
     size = float(np.linalg.norm(left)) / float(root[0, 0])
-    if not size <= _LEFT * max(1.0, float(np.linalg.norm(stand.gravity))):
+    if not size <= _REST_ACCELERATION * max(1.0, float(np.linalg.norm(stand.gravity))):
         why = "nothing holds it there" if free.size else "there is no equilibrium near the mean pose"
         raise CheckError(
             f"{stand.name}: no rest to run up from: with the flywheels stopped the carrier accelerates by {size:.3g} "

@@ -21,11 +21,11 @@ from mahovik.core.motion.programme import Angles
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Grid, Periodic, Problem
-from mahovik.use.plan.residual import Linear, Prescribed, linear, prescribe
+from mahovik.use.plan.residual import Linear, PrescribedMotion, linear, prescribe
 
 LONGEST = 1.5
 """rad: limit of the change of an angle in one step."""
-RENEWED = 8
+RENEWAL_STEPS = 8
 """Steps after which the derivatives by the bias are computed again."""
 _LEAST = 1e-12
 
@@ -41,7 +41,7 @@ class Rules:
 
 
 @dataclass(frozen=True, eq=False)
-class Reached:
+class LevenbergResult:
     """End of a run: the motion, its residual at the nodes, the damping, the number of steps."""
 
     motion: Periodic
@@ -55,7 +55,7 @@ def largest(rows: Array) -> float:
     return float(np.linalg.norm(rows, axis=1).max())
 
 
-def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: Budget) -> Reached:
+def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: Budget) -> LevenbergResult:
     """Take steps from `start` until the goal, the last step, a stall, or the end of the budget."""
     motion, lam = start, rules.damping
     rows = problem.rows(grid, motion)
@@ -64,7 +64,7 @@ def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: 
     history = [cost]
     taken = 0
     while taken < rules.steps and largest(rows) > rules.goal and budget.step():
-        if taken % RENEWED == 0 or biased is None:
+        if taken % RENEWAL_STEPS == 0 or biased is None:
             biased = problem.by_bias(grid, motion)
         J = jacobian(problem, grid, motion, biased)
         A, g = J.T @ J, J.T @ rows.ravel()
@@ -76,7 +76,7 @@ def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: 
             except LinAlgError:
                 lam = max(lam * 6.0, _LEAST)
                 continue
-            trial = motion.moved(step * step_factor(grid, problem.N, step), problem.free)
+            trial = motion.step(step * step_factor(grid, problem.N, step), problem.free)
             rows_there = problem.rows(grid, trial)
             cost_there = float(np.vdot(rows_there, rows_there))
             if cost_there < cost:
@@ -89,7 +89,7 @@ def refine(problem: Problem, grid: Grid, start: Periodic, rules: Rules, budget: 
         history.append(cost)
         if len(history) > 6 and cost > rules.stall**2 * history[-6]:
             break
-    return Reached(motion, largest(rows), lam, taken)
+    return LevenbergResult(motion, largest(rows), lam, taken)
 
 
 def jacobian(problem: Problem, grid: Grid, motion: Periodic, biased: Array) -> Array:
@@ -117,10 +117,10 @@ def step_factor(grid: Grid, N: int, step: Array) -> float:
     return min(1.0, LONGEST / change) if change > 0.0 else 1.0
 
 
-def refine_periodic(problem: Problem, start: Periodic, counts: tuple[int, ...], budget: Budget) -> Reached:
+def refine_periodic(problem: Problem, start: Periodic, counts: tuple[int, ...], budget: Budget) -> LevenbergResult:
     """`refine_harmonics` for periodic motions: enough nodes for the harmonics of the residual."""
     highest = max(problem.highest, int(np.abs(start.winding).max(initial=0)))
-    dense = 12 if problem.kinked else 3
+    dense = 12 if problem.has_kinks else 3
     return refine_harmonics(problem, start, counts, lambda H: max(64, dense * H + 4 * highest + 16), budget)
 
 
@@ -131,7 +131,7 @@ def refine_harmonics(
     nodes: Callable[[int], int],
     budget: Budget,
     hopeless: float = 0.3,
-) -> Reached:
+) -> LevenbergResult:
     """Refine with rising numbers of harmonics until the residual between the nodes is well below the tolerance.
 
     Gives up if the first number of harmonics ends above `hopeless`, or a later one does not halve the residual.
@@ -143,7 +143,7 @@ def refine_harmonics(
         rules = Rules(3e-3 if first else 1e-3 * problem.tolerance, 40 if first else 14, damping)
         found = refine(problem, grid, motion.with_harmonics(H), rules, budget)
         between = problem.relative(found.motion, 4)
-        if between < (0.01 if problem.kinked else 0.1) * problem.tolerance or budget.exhausted:
+        if between < (0.01 if problem.has_kinks else 0.1) * problem.tolerance or budget.exhausted:
             break
         if between > (hopeless if first else 0.5 * before):
             break
@@ -175,7 +175,7 @@ class StartBatch:
         self.grid = problem.grid(self.M, self.H)
         self.lam = np.full(self.K, 1e-2)
         one = prescribe(problem.mechanics, self.grid.course, bias)
-        self.at = Prescribed(
+        self.at = PrescribedMotion(
             one.mechanics,
             np.tile(one.balance, (self.K, 1)),
             np.tile(one.fixed, (1, 1, self.K, 1)),
@@ -202,7 +202,7 @@ class StartBatch:
 
     def rows(self, found: Linear) -> Array:
         """Scaled residual (K, 6 M); the sum of its squares is the mean over the times."""
-        return np.asarray(self.problem.norm.scaled(found.R).reshape(self.K, -1) / np.sqrt(self.M))
+        return np.asarray(self.problem.norm.dimensionless(found.R).reshape(self.K, -1) / np.sqrt(self.M))
 
     def jacobian(self, found: Linear) -> Array:
         """Derivatives (K, 6 M, N (2H + 1)) of the rows by the waves."""

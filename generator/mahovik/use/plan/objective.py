@@ -66,7 +66,7 @@ class Rows:
         """Rows of drive torques tau (N m) at a prescribed motion; `by_bias` if known."""
         return Rows(linear.tau, linear.tau_by_phi, linear.tau_by_phi_dot, linear.tau_by_phi_ddot, by_bias)
 
-    def scaled(self, factor: Array | float) -> Rows:
+    def scale(self, factor: Array | float) -> Rows:
         """Every row times a factor (one, N, or M x N)."""
         by_bias = None if self.by_bias is None else self.by_bias * np.broadcast_to(factor, self.value.shape)[..., None]
         value, a, b, c = (x * factor for x in (self.value, self.by_phi, self.by_phi_dot, self.by_phi_ddot))
@@ -192,7 +192,7 @@ class Cost:
         for kind, weight in self.weights.items():
             if weight.any():
                 rows = getattr(self, f"_{kind}")(angles, mean_speed, torque)
-                found[kind] = rows.scaled(np.sqrt(weight))
+                found[kind] = rows.scale(np.sqrt(weight))
         return found
 
     def value(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, float]:
@@ -206,7 +206,7 @@ class Cost:
         return Rows.of((angles.phi_dot - mean_speed) / self.Omega, by_phi_dot=1.0 / self.Omega)
 
     def _torque(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
-        return torque.scaled(1.0 / (self.spin_inertia * self.Omega**2))
+        return torque.scale(1.0 / (self.spin_inertia * self.Omega**2))
 
     def _power(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
         own, drives, speed = torque, self.drives, angles.phi_dot
@@ -220,7 +220,7 @@ class Cost:
             by_torque * own.by_phi_ddot,
             None if own.by_bias is None else by_torque[..., None] * own.by_bias,
         )
-        return power.scaled(1.0 / (self.spin_inertia * self.Omega**3))
+        return power.scale(1.0 / (self.spin_inertia * self.Omega**3))
 
 
 RHO = 100.0
@@ -295,7 +295,7 @@ def hinge_rows(
         active = over > 0.0
         factor = np.where(active, np.sign(y) * (RHO / (wider * limit)), 0.0)
         own = torque if kind == "torque" else Rows.of(y, *slopes[kind])
-        found[kind] = replace(own.scaled(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
+        found[kind] = replace(own.scale(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
     if bounds.speed_min is not None:
         found["speed_min"] = _least_speed(np.array(bounds.speed_min), angles.phi_dot, winding, wider)
     return found

@@ -72,7 +72,7 @@ class Candidates(Generic[Kind]):
     reason, words   why there are none, as in `Plan`
     """
 
-    found: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
+    motions: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
     reason: str = "SEARCH"
     words: Sequence[str] = ()
     interrupted: bool = False

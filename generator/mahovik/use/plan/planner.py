@@ -22,7 +22,7 @@ from mahovik.use.plan.certificate import (
     sign_changes,
     singular_values,
 )
-from mahovik.use.plan.finite import FiniteProblem, Solved, search_finite, table_of
+from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.ocp import requested_partition
 from mahovik.use.plan.outcome import Candidates, OnProgress, Plan, PlanOptions
@@ -90,17 +90,17 @@ def _plan_periodic(
         tell(found)
 
     chosen = choose(improver, found)
-    candidates = Candidates([(each, {}) for each in chosen], words=() if chosen else (not_found(found),))
+    candidates = Candidates([(each, {}) for each in chosen], words=() if chosen else (not_found_message(found),))
     if options.method != "fourier" and chosen and not found.interrupted:
         from mahovik.use.plan.ocp.plan import periodic_ocp
 
         candidates = periodic_ocp(improver, chosen, options, plus, budget, tell)
         found.interrupted |= candidates.interrupted
         found.cut |= candidates.cut
-    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.found]}
+    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.motions]}
 
     def programmes() -> Iterator[Programme]:
-        for each, told in candidates.found:
+        for each, told in candidates.motions:
             with defer_interrupt(whole.interrupt, again=True):
                 programme = _periodic_programme(problem, motion, each, {"search": effort, **told})
             programme = with_runup(problem.stand, motion, programme, options.seed, whole, say)
@@ -125,7 +125,9 @@ def _plan_finite(
     problem = FiniteProblem.from_problem(own)
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
     found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
-    candidates: Candidates[Solved] = Candidates([(each, {}) for each in found.found], words=[_finite_not_found(found)])
+    candidates: Candidates[FiniteSolution] = Candidates(
+        [(each, {}) for each in found.found], words=[_finite_not_found_message(found)]
+    )
     if options.method != "fourier" and found.found and not found.interrupted:
         from mahovik.use.plan.ocp.plan import finite_ocp
 
@@ -135,7 +137,7 @@ def _plan_finite(
         )
         found.interrupted |= candidates.interrupted
         found.cut = budget.cut or candidates.cut
-    reports = [{**_finite_report(problem, cost, each), **told} for each, told in candidates.found]
+    reports = [{**_finite_report(problem, cost, each), **told} for each, told in candidates.motions]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
     found.doing = "verifying"
@@ -143,7 +145,7 @@ def _plan_finite(
 
     def programmes() -> Iterator[Programme]:
         for k in order[: options.keep]:
-            solved, report = candidates.found[k][0], {**reports[k], "search": effort}
+            solved, report = candidates.motions[k][0], {**reports[k], "search": effort}
             table, bias = table_of(problem, solved), solved.motion.bias
             programme = make_programme(own.stand, own.motion, bias, (0,) * own.N, table, report)
             if options.verify:
@@ -159,7 +161,7 @@ def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[st
     return {
         "seed": options.seed,
         "starts": found.starts,
-        "steps": budget.taken,
+        "steps": budget.steps_taken,
         "windings_tried": dict(found.tried),
         "found": len(found.found),
         "best_residual": float(found.best),
@@ -177,7 +179,7 @@ def _verified_plan(
     keep: int,
 ) -> Plan:
     """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far."""
-    if not candidates.found:
+    if not candidates.motions:
         words, warnings = tuple(candidates.words), tuple(first.warnings)
         return Plan("NO_PROGRAM", candidates.reason, words, warnings, (), effort, found.interrupted)
     good: list[Programme] = []
@@ -198,23 +200,23 @@ def _verified_plan(
     return Plan("OK_LIMIT" if over else "OK", None, over, warnings, tuple(good), effort, interrupted)
 
 
-def not_found(found: Search[Candidate]) -> str:
+def not_found_message(found: Search[Candidate]) -> str:
     """Message of a search without success; it proves nothing."""
     tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
-    near = found.beyond[0].exceeded[:1] if found.beyond else ()
+    near = found.beyond[0].exceeded_bounds[:1] if found.beyond else ()
     bound = "".join(f"; the nearest attempt exceeds a bound, {each.words}" for each in near)
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried ({tried}), "
-        f"best relative residual {found.best:.3g}, {found.ended}{bound}; try {'wider bounds, ' if bound else ''}"
+        f"best relative residual {found.best:.3g}, {found.end_reason}{bound}; try {'wider bounds, ' if bound else ''}"
         "another seed, more time, another winding, a smaller motion or one more flywheel"
     )
 
 
-def _finite_not_found(found: Search[Solved]) -> str:
+def _finite_not_found_message(found: Search[FiniteSolution]) -> str:
     """Message that no programme was found for a finite motion."""
     return (
         f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
-        f"residual {found.best:.3g}, {found.ended}; try eight flywheels, a smaller or slower motion, or free means"
+        f"residual {found.best:.3g}, {found.end_reason}; try eight flywheels, a smaller or slower motion, or free means"
     )
 
 
@@ -227,8 +229,8 @@ def _periodic_programme(
         "kind": chosen.kind,
         "objective": chosen.objective,
         "objective_parts": dict(chosen.parts),
-        "bounds_used": chosen.used if has_bounds(motion.bounds) else None,
-        "exceeded": [each.words for each in chosen.exceeded],
+        "bounds_used": chosen.utilisation if has_bounds(motion.bounds) else None,
+        "exceeded": [each.words for each in chosen.exceeded_bounds],
         "harmonics": own.H,
         **figures(problem, chosen.motion),
         **told,
@@ -237,7 +239,7 @@ def _periodic_programme(
     return make_programme(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
 
 
-def _finite_report(problem: FiniteProblem, cost: Cost, solved: Solved) -> dict[str, Any]:
+def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -> dict[str, Any]:
     """Figures of a finite programme."""
     motion, span = solved.motion, problem.motion.span
     t = np.linspace(0.0, span, _TIMES)

@@ -15,7 +15,7 @@ import numpy as np
 from mahovik.core.motion.required import Course
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.problem import Problem, uniform
-from mahovik.use.plan.residual import Prescribed, prescribe
+from mahovik.use.plan.residual import PrescribedMotion, prescribe
 from mahovik.use.plan.residual.kinematics import in_E1, twists
 
 Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH", "SINGULAR_ATTITUDE"]
@@ -67,11 +67,11 @@ _FREE = 1e-6
 class MeanPose:
     """The bias with the least mean wrench, and the remaining wrench.
 
-    left     (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
+    wrench   (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
     """
 
     bias: Array
-    left: Array
+    wrench: Array
 
 
 def mean_pose(problem: Problem) -> MeanPose:
@@ -135,10 +135,10 @@ def _largest_moment(problem: Problem) -> float:
 
 def _uncarried_part(problem: Problem, pose: MeanPose) -> str | None:
     """`force` or `moment` that nothing carries at the mean pose; None: all is carried."""
-    force, moment = (np.concatenate(each)[None] for each in ((pose.left[:3], _ZERO), (_ZERO, pose.left[3:])))
+    force, moment = (np.concatenate(each)[None] for each in ((pose.wrench[:3], _ZERO), (_ZERO, pose.wrench[3:])))
     if problem.norm.relative(force) > problem.tolerance:
         return "force"
-    turning = float(np.linalg.norm(pose.left[3:]))
+    turning = float(np.linalg.norm(pose.wrench[3:]))
     return (
         "moment" if turning > _largest_moment(problem) and problem.norm.relative(moment) > problem.tolerance else None
     )
@@ -160,7 +160,7 @@ def _advice(problem: Problem) -> str:
 
 
 _ZERO = np.zeros(3)
-_TILTED = 0.1
+_TILT = 0.1
 """rad: a larger mean tilt causes a warning."""
 _TELLING = 1e-3
 """rad: angles larger than this are named in the warning."""
@@ -174,7 +174,7 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
     """
     if any(problem.mechanics.tables.damping):
         return
-    force, moment = pose.left[:3], pose.left[3:]
+    force, moment = pose.wrench[:3], pose.wrench[3:]
     able = _largest_moment(problem)
     left = _uncarried_part(problem, pose)
     if left == "force":
@@ -193,7 +193,7 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
             f"{_advice(problem) or 'a suspension that is stiff in rotation would help'}",
         )
     tilts = dict(zip(("psi", "theta", "phi"), pose.bias[3:].tolist(), strict=True))
-    if max(abs(x) for x in tilts.values()) > _TILTED:
+    if max(abs(x) for x in tilts.values()) > _TILT:
         words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
         found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
 
@@ -320,7 +320,7 @@ def _widest(G: Array) -> Array:
     return np.asarray(apart[np.argsort(sizes)[-20:]] + 1e-300)
 
 
-def check_bound_reach(problem: Problem, at: Prescribed, found: Preflight) -> None:
+def check_bound_reach(problem: Problem, at: PrescribedMotion, found: Preflight) -> None:
     """Refuses where y . (P - mean P) exceeds what flywheels can give along a wrench direction y at their bounds.
 
     Along y a flywheel gives at most |y . I_s| a_s + |y . I'_s| w_s^2 + |y . C_s| w_s + |y . A_s| of (12), each the
@@ -330,7 +330,7 @@ def check_bound_reach(problem: Problem, at: Prescribed, found: Preflight) -> Non
     if bounds.speed is None or bounds.acceleration is None or problem.N == 0 or found.refusal is not None:
         return
     w, a = np.array(bounds.speed), np.array(bounds.acceleration)
-    P = at.locked()
+    P = at.locked_wrench()
     varying = P - P.mean(axis=0)
     candidates = [np.eye(6)[k] for k in range(6)]
     candidates += [np.concatenate([u, np.zeros(3)]) for u in np.linalg.svd(varying[:, :3], full_matrices=False)[2]]
@@ -338,7 +338,9 @@ def check_bound_reach(problem: Problem, at: Prescribed, found: Preflight) -> Non
     worst, words = 1.0, ""
     for y in candidates:
         need = float(np.abs(varying @ y).max())
-        have = float((_largest(problem.mechanics.still, y) * a + _largest(problem.mechanics.spun, y) * w**2).sum())
+        have = float(
+            (_largest(problem.mechanics.coupling, y) * a + _largest(problem.mechanics.coupling_slope, y) * w**2).sum()
+        )
         have += float((_largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
         if need > worst * have and need > 1e-9 * problem.norm.demand:
             worst, words = need / max(have, 1e-300), _bound_words(y, need, have)
@@ -372,12 +374,12 @@ def preflight(problem: Problem) -> Preflight:
     found = Preflight(np.zeros(6))
     pose = mean_pose(problem)
     found.bias = pose.bias
-    if problem.kinked:
+    if problem.has_kinks:
         found.warnings.append(f"damping by |V| has kinks: a relative residual up to {problem.tolerance:g} is accepted")
     if motion.periodic:
         check_mean_wrench(problem, pose, found)
     at = prescribe(problem.mechanics, course, found.bias)
-    P = at.locked()
+    P = at.locked_wrench()
     check_span(problem, P, found)
     if motion.periodic and not any(problem.mechanics.tables.damping):
         C = twists(problem.stand, course._replace(q=course.q + found.bias)).C

@@ -19,7 +19,7 @@ from mahovik.core.motion.programme import Angles
 from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Linear, Mechanics, Norm, Prescribed, linear, prescribe, residual
+from mahovik.use.plan.residual import Linear, Mechanics, Norm, PrescribedMotion, linear, prescribe, residual
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 
 
@@ -56,7 +56,7 @@ class Periodic:
         wide[:, H + 1 : H + 1 + kept] = self.waves[:, self.H + 1 : self.H + 1 + kept]
         return replace(self, waves=wide)
 
-    def moved(self, step: Array, free: Array) -> Periodic:
+    def step(self, step: Array, free: Array) -> Periodic:
         """The motion after a step of the unknowns; `free` (6, bool): which components of the bias are unknowns."""
         n = self.waves.size
         bias = self.bias.copy()
@@ -136,7 +136,7 @@ def uniform(period: float, M: int, shift: float = 0.0) -> Array:
 
 EXACT = 1e-6
 """Relative residual up to which a programme is accepted."""
-KINKED = 1e-5
+EXACT_WITH_KINKS = 1e-5
 """EXACT with |V| in the damping laws: their second derivative jumps, so Fourier coefficients fall slowly."""
 
 _STEP = 1e-6
@@ -183,7 +183,7 @@ class Problem:
             mechanics,
             Norm.of(demanded, motion.span),
             free,
-            KINKED if stand.kinked else EXACT,
+            EXACT_WITH_KINKS if stand.has_kinks else EXACT,
         )
 
     @property
@@ -192,9 +192,9 @@ class Problem:
         return self.mechanics.N
 
     @property
-    def kinked(self) -> bool:
+    def has_kinks(self) -> bool:
         """Whether forces have kinks, so that sums over few nodes alias."""
-        return self.tolerance == KINKED
+        return self.tolerance == EXACT_WITH_KINKS
 
     @property
     def highest(self) -> int:
@@ -215,9 +215,9 @@ class Problem:
 
     def scaled_residual(self, grid: Grid, bias: Array, angles: Angles) -> Array:
         """Relative residual (M, 6) at given angles and bias."""
-        return self.norm.scaled(residual(prescribe(self.mechanics, grid.course, bias), *angles))
+        return self.norm.dimensionless(residual(prescribe(self.mechanics, grid.course, bias), *angles))
 
-    def linear(self, grid: Grid, motion: Periodic) -> tuple[Prescribed, Linear]:
+    def linear(self, grid: Grid, motion: Periodic) -> tuple[PrescribedMotion, Linear]:
         """R, tau and their derivatives at the times of a grid, unscaled."""
         at = prescribe(self.mechanics, grid.course, motion.bias)
         return at, linear(at, *motion.at(grid.basis))
@@ -244,21 +244,21 @@ class Problem:
 
 
 class BiasPerturbations(NamedTuple):
-    """Prescribed at 2 F shifts of the bias, first forth and then back, of its F free components `moved`."""
+    """Prescribed at 2 F shifts of the bias, first forth and then back, of its F free `components`."""
 
     problem: Problem
-    moved: NDArray[np.intp]
-    at: Prescribed
+    components: NDArray[np.intp]
+    at: PrescribedMotion
 
     def rates(self, angles: Angles) -> tuple[Array, Array]:
         """Derivatives of the relative residual (M, 6, 6) and of tau (M, N, 6) by the bias; fixed components: 0."""
-        F, (M, N) = len(self.moved), angles.phi.shape
+        F, (M, N) = len(self.components), angles.phi.shape
         R, tau = np.zeros((M, 6, 6)), np.zeros((M, N, 6))
         if F == 0:
             return R, tau
         W = flywheel_wrenches(self.at, *(np.tile(x, (2 * F, 1)) for x in angles))
-        sides = self.problem.norm.scaled(self.at.balance - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
-        R[..., self.moved] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
+        sides = self.problem.norm.dimensionless(self.at.balance - W[:6].sum(axis=2).T).reshape(2, F, M, 6)
+        R[..., self.components] = np.moveaxis((sides[0] - sides[1]) / (2 * _STEP), 0, 2)
         torque = W[6].reshape(2, F, M, N)
-        tau[..., self.moved] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
+        tau[..., self.components] = np.moveaxis((torque[0] - torque[1]) / (2 * _STEP), 0, 2)
         return R, tau

@@ -18,7 +18,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine, refine_periodic
 from mahovik.use.plan.objective import Cost, ExceededBound, has_bounds
-from mahovik.use.plan.optimise import Improved, approach_bounds, estimate, evaluate, exceeded_by, finish, improve
+from mahovik.use.plan.optimise import ImprovedMotion, approach_bounds, estimate, evaluate, exceeded_by, finish, improve
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order
@@ -46,37 +46,37 @@ ROUNDS_IN_BOUNDS = 15
 
 
 @dataclass(frozen=True, eq=False)
-class Candidate(Improved):
+class Candidate(ImprovedMotion):
     """Result of refining a start.
 
     exact      whether its residual between the nodes is accepted, which makes it a programme
-    exceeded   bounds that it exceeds, largest excess first
+    exceeded_bounds   those that it exceeds, largest excess first
     free       the motion before the bounds began to push it, where it is known
     """
 
     kind: Kind
     exact: bool
-    exceeded: tuple[ExceededBound, ...]
+    exceeded_bounds: tuple[ExceededBound, ...]
     free: Periodic | None = None
 
     @property
-    def accepted(self) -> bool:
+    def is_programme(self) -> bool:
         """Whether it is a programme inside the bounds."""
-        return self.exact and not self.exceeded
+        return self.exact and not self.exceeded_bounds
 
 
-Found = TypeVar("Found")
+Solution = TypeVar("Solution")
 
 
 @dataclass
-class Search(Generic[Found]):
+class Search(Generic[Solution]):
     """State of a search. `best`: least relative residual seen, found or not.
 
     found   programmes inside the bounds; `beyond`: those that exceed the bounds least, smallest excess first
     tried   number of starts by kind of winding
     """
 
-    found: list[Found] = field(default_factory=list)
+    found: list[Solution] = field(default_factory=list)
     beyond: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
@@ -95,7 +95,7 @@ class Search(Generic[Found]):
         self.best = min(self.best, residual)
 
     @property
-    def ended(self) -> str:
+    def end_reason(self) -> str:
         """Why the search ended, in words."""
         return "cut by time" if self.cut else "interrupted" if self.interrupted else "out of budget"
 
@@ -171,11 +171,11 @@ def _round(
         candidate = improver.polish(chosen.motion(int(k)), kind, budget)
         if candidate is not None:
             state.remember(candidate.residual)
-            here += candidate.accepted
-            if candidate.accepted:
+            here += candidate.is_programme
+            if candidate.is_programme:
                 state.found.append(candidate)
             else:
-                state.beyond = sorted([*state.beyond, candidate], key=lambda each: each.used)[:SPARE]
+                state.beyond = sorted([*state.beyond, candidate], key=lambda each: each.utilisation)[:SPARE]
     on_progress(state)
 
 
@@ -221,7 +221,7 @@ class Improver:
         if near.residual > _HOPELESS:
             return None
         found = improve(self.problem, self.cost, near.motion, budget)
-        if found.used > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
+        if found.utilisation > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
             return self.candidate(found, kind, near.motion)
         found = finish(self.problem, self.cost, found, budget)
         if found.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
@@ -229,11 +229,11 @@ class Improver:
             found = evaluate(self.problem, self.cost, exact, found.steps)
         return self.candidate(found, kind, near.motion)
 
-    def candidate(self, found: Improved, kind: Kind, free: Periodic | None = None) -> Candidate:
+    def candidate(self, found: ImprovedMotion, kind: Kind, free: Periodic | None = None) -> Candidate:
         """The candidate with the bounds that it exceeds."""
-        exceeded = exceeded_by(self.problem, self.cost, found.motion) if found.used > 1.0 else ()
+        exceeded = exceeded_by(self.problem, self.cost, found.motion) if found.utilisation > 1.0 else ()
         exact = found.residual < self.problem.tolerance
-        own = (found.motion, found.objective, found.parts, found.used, found.residual, found.steps)
+        own = (found.motion, found.objective, found.parts, found.utilisation, found.residual, found.steps)
         return Candidate(*own, kind, exact, exceeded, free)
 
     def rescue(self, beyond: Candidate, seconds: float | None) -> Candidate | None:
@@ -246,7 +246,7 @@ class Improver:
             again = self.exact(beyond, beyond.motion, seconds)
         return again if again.exact else None
 
-    def nearer(self, beyond: Candidate, seconds: float | None) -> Candidate:
+    def bring_nearer(self, beyond: Candidate, seconds: float | None) -> Candidate:
         """The exact programme beyond the bounds, brought as near to them as a reserve of steps goes."""
         reserve = Budget(_RESERVE, seconds)
         return self.candidate(approach_bounds(self.problem, self.cost, beyond, reserve), beyond.kind, beyond.free)
@@ -270,8 +270,8 @@ def choose(improver: Improver, found: Search[Candidate], seconds: float | None =
             return [least]
     # bounds far below what the motion needs leave no exact motion near them: then from one that disregards them
     free = [improver.exact(each, each.free, seconds) for each in found.beyond if each.free is not None]
-    best = sorted((each for each in free if each.exact), key=lambda each: each.used)[:1]
-    return [improver.nearer(each, seconds) for each in best]
+    best = sorted((each for each in free if each.exact), key=lambda each: each.utilisation)[:1]
+    return [improver.bring_nearer(each, seconds) for each in best]
 
 
 def is_same_programme(a: Candidate, b: Candidate) -> bool:

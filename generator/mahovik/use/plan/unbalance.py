@@ -38,7 +38,7 @@ _ROUNDS, _SETTLED = 40, 1e-13
 
 
 @dataclass(frozen=True, eq=False)
-class Shaken:
+class UnbalanceEffect:
     """Motion of the carrier of the stand beside that of its mean stand, at times t (M, s).
 
     turn  (M, 3): rotation vector from the course of the programme to the carrier's attitude, rad, in E1
@@ -70,7 +70,7 @@ def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
     return np.asarray(V + np.linalg.solve(K, (K0 - K) @ V + (I0 - I) @ phi_dot))
 
 
-def shaken(stand: Stand, motion: RequiredMotion, programme: Programme) -> Shaken | None:
+def unbalance_effect(stand: Stand, motion: RequiredMotion, programme: Programme) -> UnbalanceEffect | None:
     """Motion of the stand itself by a finite programme of its mean stand; None: the flywheels turn too often for it.
 
     Raises StateError: the carrier is lost.
@@ -97,7 +97,7 @@ def shaken(stand: Stand, motion: RequiredMotion, programme: Programme) -> Shaken
         turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ here.C).as_rotvec())
         shifts.append(here.O1 - wanted.O1)
         O1, C, V = here.O1[-1], here.C[-1], y[-1, 6:]
-    return Shaken(t, np.vstack(turns), np.vstack(shifts))
+    return UnbalanceEffect(t, np.vstack(turns), np.vstack(shifts))
 
 
 def _block(chart: Chart, programme: Programme, t: Array, spacing: float, start: Array) -> Array:

@@ -31,7 +31,7 @@ class CMotion:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        reacting = {case.stand.carrier.name} if case.regime.mixed else set()
+        reacting = {case.stand.carrier.name} if case.regime.mixes_speed_and_torque else set()
         self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting), case.real)
         name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
         self._name = f"{name}_carried" if case.carried else name
@@ -44,8 +44,8 @@ class CMotion:
         self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
         self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
         self._drive = np.zeros(max(N, 1), dtype=kind)
-        self._given = np.array(case.regime.given, dtype=bool)
-        self._locked = np.array([*map(int, case.regime.given), 0], dtype=np.intc)
+        self._given = np.array(case.regime.has_speed_law, dtype=bool)
+        self._locked = np.array([*map(int, case.regime.has_speed_law), 0], dtype=np.intc)
         self._wrench = np.zeros(6 * max(len(self.c.inputs), 1), dtype=kind)
         self._rate = np.zeros(N)
         self._turns = np.zeros(N)
@@ -54,7 +54,7 @@ class CMotion:
         self._view[:13] = [*start.position, *attitude, *start.V]
         self._view[self._phi] = wrap_phases(case.phi0)
         self._view[self._phi_dot] = case.phi_dot0
-        self._reaction = Reaction(self.c, self._x) if case.regime.mixed else None
+        self._reaction = Reaction(self.c, self._x) if case.regime.mixes_speed_and_torque else None
         self._steepness = Steepness(case)
         self._mobility: Mobility | None = None
         if self._steepness.matters:
@@ -102,12 +102,12 @@ class CMotion:
         if begin == 0.0:
             self._rate = self._accelerations(0.0)[1]
         if self._mobility is None:
-            turned = self._driven(times)
+            turned = self._torque_steps(times)
         else:
             turned = np.zeros(len(phi))
             for one, next_ in itertools.pairwise(times):
                 parts = self._steepness.parts(h, self._mobility.matrix(), view[self._phi_dot], self._rate)
-                turned += self._driven(np.linspace(one, next_, parts + 1))
+                turned += self._torque_steps(np.linspace(one, next_, parts + 1))
         return np.where(self._given, case.motion(times[-1:])[0][0], phi + turned)
 
     def _given_speeds(self, times: Array) -> Array:
@@ -125,7 +125,7 @@ class CMotion:
         view[self._phi], view[self._phi_dot] = states[-1], speeds[-1]
         return np.asarray(given[-1])
 
-    def _driven(self, times: Array) -> Array:
+    def _torque_steps(self, times: Array) -> Array:
         """Steps of equal length under torques; return the angles turned by the flywheels."""
         case, view, held = self.case, self._view, self._given
         h = float(times[1] - times[0])
@@ -222,7 +222,7 @@ def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
     )
 
 
-BOUND = 0.1
+TORQUE_STEP = 0.1
 """Largest (fall of torque by speed) (turning acceleration by torque) dt of a step.
 
 The torque of a step is taken at a speed extrapolated from the previous step. Such a scheme is stable below 1; at 0.1
@@ -267,7 +267,7 @@ class Steepness:
 
 def _parts(h: float, mobility: Array, falls: Array) -> int:
     fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
-    return max(1, math.ceil(h * fastest / BOUND))
+    return max(1, math.ceil(h * fastest / TORQUE_STEP))
 
 
 def result_view(c: CBackend, x: Any, function: str, member: str, **given: Any) -> tuple[Callable[[], int], Array]:

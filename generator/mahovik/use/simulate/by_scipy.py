@@ -27,7 +27,7 @@ class SciPyMotion:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        self._given = np.array(case.regime.given, dtype=bool)
+        self._given = np.array(case.regime.has_speed_law, dtype=bool)
         self._free = np.flatnonzero(~self._given)
 
     def moments(self, mounts: bool) -> Iterator[Moment]:

@@ -159,7 +159,7 @@ class _Bytes:
     def reals(self, count: int) -> Reals:
         return np.frombuffer(self.take(count * self.dtype.itemsize), dtype=self.dtype)
 
-    def checked(self) -> bool:
+    def check_matches(self) -> bool:
         """Whether the next bytes are the check of the record so far."""
         computed = fnv1a(self._data[self._begin : self.at])
         return self.number("I") == computed
@@ -249,7 +249,7 @@ class _Reader:
         table_hash, count = read.number("I"), read.number("I")
         state = {member: read.reals(n) for member, n in members(flywheels).items()}
         table = read.take(read.number("I"))
-        if not read.checked():
+        if not read.check_matches():
             return self._damage_at(at), at
         self._start = Start(
             *(at, version, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
@@ -305,7 +305,7 @@ class _Reader:
         six = 6 * start.wrenches
         wrench = read.reals(six) if flags & FLAGS["WRENCH"] else np.zeros(six, dtype=read.dtype)
         status, after = read.number("b"), read.number("I")
-        if not read.checked():
+        if not read.check_matches():
             return None
         driven, carried = (bool(flags & FLAGS[name]) for name in ("DRIVEN", "CARRIED"))
         return Step(

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.motion.motor import available, needed
+from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
 from mahovik.errors import StateError, UsageError
@@ -62,10 +62,10 @@ def column_values(stand: Stand, moment: Moment) -> list[float]:
 
 def _motor(motor: Motor, tau: float, speed: float) -> Iterator[float]:
     """Torque of the motor itself, and how much more it could give."""
-    own = needed(motor, tau, speed)
+    own = required_torque(motor, tau, speed)
     yield own
     if motor.torque is not None:
-        most = available(motor, own, speed)
+        most = available_torque(motor, own, speed)
         yield most - abs(own) if math.isfinite(most) else 0.0
 
 

@@ -19,7 +19,7 @@ GROWING = 1e-6
 SECANTS = 4
 """Secant steps from the grid to a crossing."""
 
-MET = 1e-6
+MEETING_DISTANCE = 1e-6
 """Relative distance of an order from a natural frequency up to which they meet; otherwise that frequency appears or
 ends there.
 """
@@ -126,7 +126,7 @@ def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[C
         high, at_high = np.where(same, high, x), np.where(same, at_high, at)
         settled = at_low == at_high
         at_high = np.where(settled, at_low + 1.0, at_high)
-    met = np.abs(at) <= MET * found[rows, k]
+    met = np.abs(at) <= MEETING_DISTANCE * found[rows, k]
     return [
         Crossing(order, int(k[j]) + 1, float(x[j]), float(found[j, k[j]]), float(damping[j, k[j]]))
         for j in np.flatnonzero(met)

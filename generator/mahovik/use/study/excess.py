@@ -10,7 +10,7 @@ from mahovik.core.stand.model import COMPONENTS, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import inverse
 
@@ -64,7 +64,7 @@ def excess(stand: Stand) -> Excess | None:
         held = inverse(at, np.zeros(6)).phi_ddot  # what gravity alone asks is no part of the demand
         for i in range(6):
             phi_ddot = inverse(at, SMALL * np.eye(6)[i]).phi_ddot - held
-            found[k, i, :, 0] = shares(stand, at, forward(at, phi_ddot), phi_ddot)
+            found[k, i, :, 0] = motor_shares(stand, at, forward(at, phi_ddot), phi_ddot)
             found[k, i, :, 1] = np.abs(phi_ddot)
     needed = np.median(found, axis=0)
     i, s = divmod(int(np.argmax(needed[:, :, 0])), len(stand.flywheels))

@@ -15,13 +15,14 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, solve_symmetric
-from mahovik.proof.reference.bodies import Spinning, spatial_inertia
+from mahovik.proof.reference.bodies import SpinningFlywheel, spatial_inertia
 from mahovik.proof.reference.mass import bodies_matrix, coupling, coupling_bias, mass_matrix_rate, velocity_matrix
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 from mahovik.proof.reference.torque import mount_on_flywheel
-from mahovik.proof.reference.wrenches import body_wrench, body_wrenches, run_time_wrench
+from mahovik.proof.reference.wrench_kinds import body_wrench
+from mahovik.proof.reference.wrenches import body_wrenches, run_time_wrench
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +62,7 @@ class Exchange:
             "mounts": block_diagonal(C1(s.phi)) @ mount,
         }
 
-    def _wrench(self, at: Pieces, state: State, s: Spinning) -> Array:
+    def _wrench(self, at: Pieces, state: State, s: SpinningFlywheel) -> Array:
         """The other's P of (7), in its frame about its origin, less the flywheel's."""
         kinds = body_wrenches(self.body, s.L[:3, :3].T @ at.gravity, s.twist(at.V_r), run_time_wrench(state, self.body))
         return body_wrench(kinds) - at.P[s.body.name]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.motor import available
+from mahovik.core.motion.motor import available_torque
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.summary import UnbalanceRow, summarize
 from mahovik.use.plan.array import Array
@@ -33,7 +33,7 @@ class Reach:
         return np.array([row.speed for row in self.rows])
 
     @property
-    def driven(self) -> bool:
+    def has_torque_limits(self) -> bool:
         """Whether some motor has a torque limit."""
         return any(s.motor is not None and s.motor.torque is not None for s in self.stand.flywheels)
 
@@ -62,12 +62,14 @@ class Reach:
         torque = np.zeros((len(speed), len(self.rows)))
         for k, s in enumerate(self.stand.flywheels):
             if s.motor is not None and s.motor.torque is not None:
-                torque[:, k] = [available(s.motor, s.motor.torque, x) for x in speed.tolist()]
+                torque[:, k] = [available_torque(s.motor, s.motor.torque, x) for x in speed.tolist()]
         return np.asarray(torque @ np.abs(self.axes).T)
 
 
 def reach(stand: Stand) -> Reach:
     """The reach of a stand."""
     own = Mechanics.of(stand)
-    unbalance = np.hypot(own.spun[1, :6, 0], own.spun[2, :6, 0])  # of the first harmonic, the only one
+    unbalance = np.hypot(
+        own.coupling_slope[1, :6, 0], own.coupling_slope[2, :6, 0]
+    )  # of the first harmonic, the only one
     return Reach(stand, summarize(stand).unbalance, unbalance, own.tables.axis.T)

@@ -23,7 +23,7 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Bodies, Placed, bodies_of
+from mahovik.proof.reference.bodies import Bodies, PlacedBody, bodies_of
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.screw import Phi, f, spin
 from mahovik.proof.verify.scales.magnitudes import inverse_magnitude
@@ -126,7 +126,7 @@ def _lengths(screw: Array) -> Array:
     return np.repeat([np.linalg.norm(screw[:3]), np.linalg.norm(screw[3:])], 3)
 
 
-def _bodies(at: reference.Pieces) -> tuple[Placed, ...]:
+def _bodies(at: reference.Pieces) -> tuple[PlacedBody, ...]:
     return (*at.fixed, *at.flywheels)
 
 

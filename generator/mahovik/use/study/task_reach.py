@@ -12,11 +12,11 @@ from mahovik.core.stand.task import row_name
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import CUTS, inverse_root
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.task import Demanded, demanded, task_demand, task_inverse
+from mahovik.proof.reference.task import TaskRows, task_demand, task_inverse, task_rows
 from mahovik.use.study.excess import POSITIONS, SMALL
 
 _SEED = 20
@@ -71,13 +71,13 @@ def task_shortfalls(stand: Stand) -> list[Shortfall]:
 
 def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) -> Shortfall | None:
     places = [pieces(stand, state, bodies) for state in states]
-    rows = [demanded(at, stand, task) for at in places]
+    rows = [task_rows(at, stand, task) for at in places]
     missing = [_missing(at, row) for at, row in zip(places, rows, strict=True)]
     names = tuple(map(row_name, task.rows))
     if all(each is not None for each in missing):
         assert missing[0] is not None
         return Shortfall(task.name, names, tuple(map(float, missing[0])), "", np.inf)
-    needed = np.median([_needed(stand, at, row) for at, row in zip(places, rows, strict=True)], axis=0)
+    needed = np.median([_needed_share(stand, at, row) for at, row in zip(places, rows, strict=True)], axis=0)
     i, s = divmod(int(np.argmax(needed)), len(stand.flywheels))
     if not needed[i, s] > 1.0:
         return None
@@ -85,7 +85,7 @@ def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) ->
     return Shortfall(task.name, names, direction, stand.flywheels[s].name, float(needed[i, s]))
 
 
-def _missing(at: Pieces, rows: Demanded) -> Array | None:
+def _missing(at: Pieces, rows: TaskRows) -> Array | None:
     """The demand (m, unit length, largest part positive) that is least reached, if it is not reached at all."""
     m = len(rows.S)
     asked = task_demand(at, rows, np.zeros(m))
@@ -97,9 +97,9 @@ def _missing(at: Pieces, rows: Demanded) -> Array | None:
     return np.asarray(np.sign(largest) * direction / np.linalg.norm(direction), dtype=np.float64)
 
 
-def _needed(stand: Stand, at: Pieces, rows: Demanded) -> Array:
+def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
     """Share (m x N) of what each flywheel has, for SMALL of each row, beyond what no demand needs."""
     m = len(rows.S)
     held = task_inverse(at, rows, rows.s).phi_ddot
     found = [task_inverse(at, rows, rows.s + SMALL * unit).phi_ddot - held for unit in np.eye(m)]
-    return np.array([shares(stand, at, forward(at, phi_ddot), phi_ddot) for phi_ddot in found])
+    return np.array([motor_shares(stand, at, forward(at, phi_ddot), phi_ddot) for phi_ddot in found])

@@ -11,7 +11,7 @@ from mahovik.core.lower.task.inverse import inverse_task
 from mahovik.core.lower.task.rows import Rows
 from mahovik.core.lower.task.torque_demand import torque_demand
 from mahovik.core.lower.task.torque_for import torque_for_task
-from mahovik.core.routines.jacobi import numbered
+from mahovik.core.routines.jacobi import name_for_rows
 
 
 def add_tasks(lib: Library) -> None:
@@ -22,7 +22,7 @@ def add_tasks(lib: Library) -> None:
         lib.add(demand_turning(lib))
         lib.add(scale_turning(lib))
     for rows in tasks:
-        if numbered("allocate", len(rows)) not in lib:
+        if name_for_rows("allocate", len(rows)) not in lib:
             lib.add(
                 routines.orthogonalise(layout.inverse_work, layout.count, lib["sqrt"], layout.precision.name, len(rows))
             )

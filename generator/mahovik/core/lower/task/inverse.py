@@ -18,7 +18,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Convert, Not, Place, and_, integer, or_, real, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
-from mahovik.core.routines.jacobi import numbered
+from mahovik.core.routines.jacobi import name_for_rows
 
 FREE_NOTE = "A row is free where its flag in the options is 0; its demand must be a number nevertheless."
 
@@ -68,7 +68,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     body.set(wanted, real(0))
     with body.loop("i", m) as i:
         body.add(wanted, work.r[i] * work.r[i])
-    body.call(lib[numbered("orthogonalise", m)], work)
+    body.call(lib[name_for_rows("orthogonalise", m)], work)
     sort(body, work, m)
     asked = body.local("asked", (m,), comment="the demand in these rows, before damping")
     with body.loop("i", m) as i:
@@ -78,7 +78,7 @@ def inverse_task(lib: Library, rows: Rows) -> Function:
     damped = body.local("damping")
     body.set(flags, integer(0))
     choose_rank(lib, body, p, work, rank, damped, flags, m)
-    body.call(lib[numbered("allocate", m)], work, p, rank, answer, limited)
+    body.call(lib[name_for_rows("allocate", m)], work, p, rank, answer, limited)
     with body.loop("s", layout.count) as s, body.when(limited[s] > 0):
         body.set(flags, flag(flags, "LIMITED"))
     with body.when(and_(rank < demanded, rank < integer(int(layout.count)))):

@@ -50,7 +50,7 @@ class Samples:
     phi_dot: Array
     phi_ddot: Array
 
-    def closed(self, period: float, turn: Array) -> Samples:
+    def over_whole_period(self, period: float, turn: Array) -> Samples:
         """The table with its first row repeated one period later, `turn` (N, rad) further on."""
         return Samples(
             np.append(self.t, self.t[0] + period),

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme.course import Angles, Array, Fourier, Samples
 from mahovik.core.stand.mean import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
@@ -57,7 +57,7 @@ class Programme:
     runup: RunUpTable | None = None
     rundown: RunUpTable | None = None
     report: Mapping[str, Any] = field(default_factory=dict)
-    carrier: Followed | None = None
+    carrier: PlannedCourse | None = None
     unbalance: Unbalance = "resisted"
 
     def planned_for(self, stand: Stand) -> Stand:
@@ -79,10 +79,10 @@ class Programme:
             return Angles(found.phi + (t / self.span)[:, None] * turn, found.phi_dot + turn / self.span, found.phi_ddot)
         first = float(self.course.t[0])
         periods = np.floor((t - first) / self.span)
-        found = self._closed.at(t - periods * self.span)
+        found = self._whole_period.at(t - periods * self.span)
         return Angles(found.phi + periods[:, None] * turn, found.phi_dot, found.phi_ddot)
 
     @cached_property
-    def _closed(self) -> Samples:
+    def _whole_period(self) -> Samples:
         assert isinstance(self.course, Samples)
-        return self.course.closed(self.span, 2 * np.pi * np.array(self.winding, dtype=np.float64))
+        return self.course.over_whole_period(self.span, 2 * np.pi * np.array(self.winding, dtype=np.float64))

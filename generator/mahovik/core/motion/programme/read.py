@@ -8,9 +8,9 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, Times, choice, context_validator, integers, listed, rows
+from mahovik.core.motion.fields import NOT_NULL, Times, any_list, choice, context_validator, integers, rows
 from mahovik.core.motion.programme.course import Array, Fourier, Samples
 from mahovik.core.motion.programme.model import Programme, RunUpTable
 from mahovik.core.stand.content import TABLE
@@ -23,7 +23,7 @@ from mahovik.errors import ProgrammeError
 
 
 def _names(raw: Any) -> tuple[str, ...]:
-    if not all(isinstance(name, str) for name in listed(raw)):
+    if not all(isinstance(name, str) for name in any_list(raw)):
         raise QuantityError("expected names")
     if not raw:
         raise QuantityError("expected at least one name")
@@ -199,7 +199,7 @@ def _samples(table: SamplesTable, span: float, periodic: bool, problems: Problem
     return Samples(np.array(table.t), *columns.values())
 
 
-def _carrier(table: CarrierTable, span: float, periodic: bool, problems: Problems) -> Followed | None:
+def _carrier(table: CarrierTable, span: float, periodic: bool, problems: Problems) -> PlannedCourse | None:
     columns = {key: np.array(getattr(table, key), dtype=np.float64) for key in ("q", "q_dot", "q_ddot")}
     for key, column in columns.items():
         if len(column) != len(table.t):
@@ -209,7 +209,7 @@ def _carrier(table: CarrierTable, span: float, periodic: bool, problems: Problem
     if reason is not None:
         problems.add("carrier", "t", reason)
         return None
-    return Followed(np.array(table.t), *columns.values())
+    return PlannedCourse(np.array(table.t), *columns.values())
 
 
 def _times(t: Array, span: float, periodic: bool) -> str | None:

@@ -3,7 +3,7 @@
 from mahovik.core.motion.course import Course
 from mahovik.core.motion.required.limits import with_winding
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
-from mahovik.core.motion.required.read import load_motion, load_required, read_motion, read_required
+from mahovik.core.motion.required.read import load_motion, load_motion_or_slew, read_motion, read_motion_or_slew
 from mahovik.core.motion.required.slew import Slew
 
 __all__ = [
@@ -14,8 +14,8 @@ __all__ = [
     "Slew",
     "Winding",
     "load_motion",
-    "load_required",
+    "load_motion_or_slew",
     "read_motion",
-    "read_required",
+    "read_motion_or_slew",
     "with_winding",
 ]

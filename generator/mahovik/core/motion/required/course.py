@@ -43,7 +43,7 @@ class Harmonics:
 
 
 @dataclass(frozen=True, eq=False)
-class Sampled:
+class SampledCourse:
     """Quintic spline through samples q (M, 6) at t (M, s) over `span` s: periodic, or from rest to rest.
 
     Rest: q' = q'' = 0 at both ends of a finite course; outside it nothing moves.

@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from mahovik.core.motion.course import Array, Course, Followed
+from mahovik.core.motion.course import Array, Course, PlannedCourse
 from mahovik.core.motion.required.bounds import Bounds, Each
-from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.motion.required.slew import Slew
 
 __all__ = ["Bounds", "Each", "Objective", "RequiredMotion", "Winding"]
@@ -42,7 +42,7 @@ class RequiredMotion:
     periodic: bool
     span: float
     mean: Array
-    course: Harmonics | Sampled | Followed
+    course: Harmonics | SampledCourse | PlannedCourse
     free_mean: tuple[bool, ...]
     winding: Winding
     bounds: Bounds

@@ -19,10 +19,10 @@ from mahovik.core.motion.fields import (
     short_integer,
 )
 from mahovik.core.motion.required import limits, reach, samples
-from mahovik.core.motion.required.course import Harmonics, Sampled
+from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.motion.required.model import Bounds, Objective, RequiredMotion, Winding
 from mahovik.core.motion.required.slew import Slew
-from mahovik.core.motion.required.slew_read import read_slew, resolved
+from mahovik.core.motion.required.slew_file import motion_of_slew, read_slew
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.echoes import echo
 from mahovik.core.stand.fields import Table, Text, require_bounds, scalar, validator
@@ -256,12 +256,12 @@ def load_motion(path: str | Path, stand: Stand, programme: Programme | None = No
 
 def read_motion(text: str, stand: Stand, source: str = "motion", programme: Programme | None = None) -> RequiredMotion:
     """Read and check a motion given as text; `source` names it in messages. Raises MotionError."""
-    found = read_required(text, stand, source)
+    found = read_motion_or_slew(text, stand, source)
     if isinstance(found, RequiredMotion):
         return found
     if programme is None:
         raise MotionError([f"{source}: is a slew, whose course `mahovik plan` finds: give its programme as well"])
-    motion = resolved(found, programme)
+    motion = motion_of_slew(found, programme)
     problems = Problems(source)
     reach.check(motion, stand, problems)
     if problems.lines:
@@ -269,13 +269,13 @@ def read_motion(text: str, stand: Stand, source: str = "motion", programme: Prog
     return motion
 
 
-def load_required(path: str | Path, stand: Stand) -> RequiredMotion | Slew:
+def load_motion_or_slew(path: str | Path, stand: Stand) -> RequiredMotion | Slew:
     """The motion file at `path`, whose course is known or, of a slew, to be found. Raises MotionError."""
     path = Path(path)
-    return read_required(text_of(path, TABLE, MotionError), stand, path.name)
+    return read_motion_or_slew(text_of(path, TABLE, MotionError), stand, path.name)
 
 
-def read_required(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:
+def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:
     """The motion that a text describes, whose course is known or, of a slew, to be found. Raises MotionError."""
     document = document_of(text, source, MotionError)
     if "stand" in document and "flywheels" in document:
@@ -344,13 +344,13 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
         )
 
 
-def _course(table: MotionTable, periodic: bool, span: float, problems: Problems) -> Harmonics | Sampled | None:
+def _course(table: MotionTable, periodic: bool, span: float, problems: Problems) -> Harmonics | SampledCourse | None:
     if table.samples is not None:
         t, q = np.array(table.samples.t), np.array(table.samples.q).reshape(-1, 6)
         if len(t) != len(q):
             problems.add("samples", "q", f"{len(q)} rows, but t has {len(t)} numbers")
             return None
-        found = Sampled(span, periodic, t, q)
+        found = SampledCourse(span, periodic, t, q)
         reason = samples.problem(found)
         if reason is not None:
             problems.add("samples", *reason)

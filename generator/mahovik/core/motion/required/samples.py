@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.course import Array
-from mahovik.core.motion.required.course import Sampled, quintic
+from mahovik.core.motion.required.course import SampledCourse, quintic
 
 FEWEST = 12
 """Samples: every second one must still make a quintic spline."""
@@ -26,12 +26,12 @@ _SMALL = 1e-6
 """Smallest range of a moving coordinate, as a part of the largest range of its kind: less is noise."""
 
 
-def problem(given: Sampled) -> tuple[str, str] | None:
+def problem(given: SampledCourse) -> tuple[str, str] | None:
     """Key and reason why the samples are refused, or None."""
     return _times(given) or _smooth(given) or (None if given.periodic else _rest(given))
 
 
-def _times(given: Sampled) -> tuple[str, str] | None:
+def _times(given: SampledCourse) -> tuple[str, str] | None:
     t, q = given.t, given.q
     if len(t) < FEWEST:
         return "t", f"{len(t)} samples, expected at least {FEWEST}"
@@ -67,7 +67,7 @@ def _moving(q: Array) -> tuple[Array, Array]:
     return ranges, ranges > _SMALL * kinds
 
 
-def _smooth(given: Sampled) -> tuple[str, str] | None:
+def _smooth(given: SampledCourse) -> tuple[str, str] | None:
     """Largest distance of the other samples from a spline through every second one."""
     t, q = given.t, given.q
     kept = np.arange(len(t)) % 2 == 0
@@ -88,7 +88,7 @@ def _smooth(given: Sampled) -> tuple[str, str] | None:
     )
 
 
-def _rest(given: Sampled) -> tuple[str, str] | None:
+def _rest(given: SampledCourse) -> tuple[str, str] | None:
     """Speeds and accelerations at the ends, by a spline without end conditions."""
     from scipy.interpolate import make_interp_spline
 

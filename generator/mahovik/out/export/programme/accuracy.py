@@ -17,15 +17,15 @@ from mahovik.out.export.programme.tables import Array, Table
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.torque import torque
 from mahovik.proof.verify.programme.mechanics import Scale, instants, pieces_at, scale_of, twist
+from mahovik.proof.verify.programme.phase_spread import spread_phases
 from mahovik.proof.verify.programme.simulation import rest_near, simulate
-from mahovik.proof.verify.programme.spread import spread_phases
 
 STEP_ERROR = 1e-7
 """Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
 
 
 @dataclass(frozen=True, eq=False)
-class Prescribed:
+class RequiredCourse:
     """A stand whose carrier makes the required motion of a programme, with the mean shifted by the programme's bias."""
 
     stand: Stand
@@ -102,12 +102,14 @@ class Errors:
     added: float | None = None
 
     @property
-    def judged(self) -> float:
+    def decisive(self) -> float:
         """The error that is compared with the limit."""
         return self.relative if self.added is None else self.added
 
 
-def errors(player: Player, course: Course, table: Table, precision: Precision, prescribed: Prescribed | None) -> Errors:
+def errors(
+    player: Player, course: Course, table: Table, precision: Precision, prescribed: RequiredCourse | None
+) -> Errors:
     """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
     phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
     t = phases * table.span

@@ -26,7 +26,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.out.export.programme.accuracy import Errors, Prescribed, errors
+from mahovik.out.export.programme.accuracy import Errors, RequiredCourse, errors
 from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding, tolerance_for
@@ -38,7 +38,7 @@ LIMITS = {"double": 1e-6, "float": 1e-3}
 NODES = {"double": 256, "float": 64}
 """Default number of nodes per period of a quintic table."""
 
-LOST = 0.1
+ANGLE_LIMIT = 0.1
 """rad: an angle further from the programme is on another turn."""
 
 WRONG = 10.0
@@ -49,12 +49,12 @@ LEAST, MOST_NODES = 32, 1 << 14
 
 
 @dataclass(frozen=True)
-class Exported:
+class ProgrammeExport:
     """Files by name; messages, one line each; the tables and their program, to run it."""
 
     files: dict[str, str]
     lines: tuple[str, ...]
-    made: ProgrammeProgram
+    program: ProgrammeProgram
     tables: tuple[Table, ...]
     errors: tuple[Errors, ...]
 
@@ -69,7 +69,7 @@ def export_programme(
     limit: float | None = None,
     source: str = "programme",
     called: str = "programme",
-) -> Exported:
+) -> ProgrammeExport:
     """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
     measured; without it, the error of the accelerations. Without `nodes` a finite programme has as many as the limit
     needs. `source` names the programme in messages, `called` in the names of the C.
@@ -87,10 +87,10 @@ def export_programme(
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
-    prescribed = None if motion is None else Prescribed(programme.planned_for(stand), motion, programme)
+    prescribed = None if motion is None else RequiredCourse(programme.planned_for(stand), motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
-    while nodes is None and not programme.periodic and _rough(found[0][1], most) and count < MOST_NODES:
+    while nodes is None and not programme.periodic and _is_coarse(found[0][1], most) and count < MOST_NODES:
         count *= 2
         first = _course(programme, layout, prescribed, kind, count)
         found = [_measure_errors(layout, first, prescribed)]
@@ -101,7 +101,7 @@ def export_programme(
             f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
             f"{accepted:g} it would): `mahovik verify-programme` says more; nothing was written"
         )
-    if found[0][1].judged > most:
+    if found[0][1].decisive > most:
         raise CheckError(_too_coarse(source, first, found[0][1], most, real))
     for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
         if finite is not None:
@@ -114,13 +114,13 @@ def export_programme(
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
     facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in found), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
-    return Exported(files, (*lines, f"limit {most:g}"), made, tables, measured)
+    return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tables, measured)
 
 
-def _rough(found: Errors, most: float) -> bool:
+def _is_coarse(found: Errors, most: float) -> bool:
     """Whether a finite table needs more nodes: for what it adds to the residual, for its torques, or for turns lost."""
     torque = found.tau is not None and found.tau_peak is not None and found.tau > most * found.tau_peak
-    return found.judged > most or torque or found.phi > LOST
+    return found.decisive > most or torque or found.phi > ANGLE_LIMIT
 
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
@@ -137,7 +137,7 @@ def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | N
         raise CheckError(f"{source}: {wanted.words}: give the motion that it was planned for; nothing was written")
 
 
-def _course(programme: Programme, layout: Layout, prescribed: Prescribed | None, kind: str, count: int) -> Table:
+def _course(programme: Programme, layout: Layout, prescribed: RequiredCourse | None, kind: str, count: int) -> Table:
     """The table of the programme itself."""
     torques: Torques | None = None if prescribed is None else prescribed.torques
     if kind == "fourier":
@@ -146,7 +146,7 @@ def _course(programme: Programme, layout: Layout, prescribed: Prescribed | None,
     return quintic_table(form, programme.at, programme.span, programme.winding, torques)
 
 
-def _measure_errors(layout: Layout, table: Table, prescribed: Prescribed | None) -> tuple[Table, Errors]:
+def _measure_errors(layout: Layout, table: Table, prescribed: RequiredCourse | None) -> tuple[Table, Errors]:
     """A table with its errors."""
     made = lower_programme(layout, [table.form])
     player = Player(made, {table.form.part: table.value})
@@ -161,7 +161,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
     while True:
         form = Form(part, "quintic", rows, False, False, layout.count)
         table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
-        error = _measure_errors(layout, table, None)[1].judged
+        error = _measure_errors(layout, table, None)[1].decisive
         if error <= most:
             return table
         if rows >= MOST_NODES:
@@ -172,7 +172,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
         rows *= 2
 
 
-def _with_torques(table: Table, finite: RunUpTable, prescribed: Prescribed | None, source: str) -> Table:
+def _with_torques(table: Table, finite: RunUpTable, prescribed: RequiredCourse | None, source: str) -> Table:
     """A run-up or run-down with drive torques, for a carrier that moves freely meanwhile."""
     if prescribed is None:
         return table
@@ -195,7 +195,9 @@ def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str
         remedies.append(f"more nodes (--nodes {2 * table.form.rows})")
     remedies += ["--real double"] if real == "float" else []
     remedies.append("a larger --limit")
-    return f"{source}: {what} is {found.judged:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+    return (
+        f"{source}: {what} is {found.decisive:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+    )
 
 
 def _table_facts(table: Table, found: Errors) -> dict[str, Any]:

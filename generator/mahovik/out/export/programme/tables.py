@@ -69,12 +69,12 @@ def fourier_table(programme: Programme, count: NamedCount, torques: Torques | No
     mean, cos, sin = _angles(programme)
     order = np.arange(1.0, len(cos) + 1.0)[:, None]
     sizes = order**2 * np.hypot(cos, sin)
-    rows = kept = _enough(sizes, float(np.max(sizes)) * TAIL[real])
+    rows = kept = _harmonic_count(sizes, float(np.max(sizes)) * TAIL[real])
     value: dict[str, Any] = {"omega": 2 * np.pi / span, "mean": list(map(float, mean))}
     if torques is not None:
         tau = torques(np.arange(float(_TORQUES)) / _TORQUES * span)
         tau_mean, tau_cos, tau_sin = coefficients(tau)
-        rows = max(rows, _enough(np.hypot(tau_cos, tau_sin), float(np.max(np.abs(tau))) * TAIL[real]))
+        rows = max(rows, _harmonic_count(np.hypot(tau_cos, tau_sin), float(np.max(np.abs(tau))) * TAIL[real]))
         value["tau_mean"] = list(map(float, tau_mean))
     rows = max(1, rows)
     cos, sin = (np.where(order <= kept, part, 0.0) for part in (cos, sin))
@@ -110,7 +110,7 @@ def coefficients(samples: Array) -> tuple[Array, Array, Array]:
     return found[0].real, 2 * first.real, -2 * first.imag
 
 
-def _enough(sizes: Array, least: float) -> int:
+def _harmonic_count(sizes: Array, least: float) -> int:
     """Number of harmonics after which the rest sum to less than `least`."""
     tails = np.cumsum(np.max(sizes, axis=1)[::-1])[::-1]
     above = np.flatnonzero(tails > least)

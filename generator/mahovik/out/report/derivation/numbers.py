@@ -52,7 +52,7 @@ class Quantity:
     noise: float
 
     @property
-    def labelled(self) -> list[tuple[str, tuple[float, ...]]]:
+    def labelled_rows(self) -> list[tuple[str, tuple[float, ...]]]:
         """Rows with their labels."""
         return list(zip(self.labels, self.rows, strict=True))
 

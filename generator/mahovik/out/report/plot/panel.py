@@ -182,7 +182,7 @@ def envelope(y: Array, bins: int = BINS) -> NDArray[np.intp]:
 MOST = 12
 """Most lines that a reader can distinguish in one frame."""
 
-NAMED = 6
+NAMED_LINES = 6
 """Lines named if there are more: those that reach furthest up or down."""
 
 
@@ -209,7 +209,7 @@ def condense_lines(lines: tuple[Line, ...]) -> tuple[Band | None, tuple[Line, ..
     )
     top, bottom = (np.argsort(x, kind="stable") for x in (-_peak(values), _peak(values, np.fmin)))
     order = dict.fromkeys(np.stack([top, bottom], axis=1).ravel().tolist())
-    chosen = sorted(list(order)[:NAMED])
+    chosen = sorted(list(order)[:NAMED_LINES])
     kept = tuple(Line(own[k].name, own[k].x, own[k].y, i) for i, k in enumerate(chosen))
     others = tuple(line for line in lines if all(line is not each for each in own))
     return Band(len(own), own[0].x, low, high), (*kept, *others)

@@ -45,7 +45,7 @@ def panels(found: Sweep) -> list[Panel]:
 
 
 def _speed_title(found: Sweep) -> str:
-    asked = found.asked
+    asked = found.plan
     return "speed, rpm" if asked.swept is None else f"speed of {asked.names[asked.swept]}, rpm"
 
 

@@ -161,7 +161,7 @@ def _flywheels(quantity: str, t: Array, columns: Mapping[str, Array], kind: str,
     return Panel(quantity, tuple(found))
 
 
-SHOWN = 300
+LAST_SAMPLES = 300
 """Samples at the end of a run in which one sees the motion itself."""
 
 _POSE = (("O1, mm", ("x", "y", "z"), "m"), ("attitude, mrad", ("psi", "theta", "phi"), "rad"))
@@ -175,13 +175,13 @@ def follows_programme(columns: Mapping[str, Array]) -> bool:
 
 def last_samples(columns: Mapping[str, Array]) -> dict[str, Array]:
     """The last samples of all columns."""
-    return {name: values[-SHOWN:] for name, values in columns.items()}
+    return {name: values[-LAST_SAMPLES:] for name, values in columns.items()}
 
 
 def following_panels(columns: Mapping[str, Array]) -> list[Panel]:
     """Motion about its mean over the last samples, with what is required; errors about their mean at the end."""
     t = columns["t [s]"]
-    last = slice(max(0, len(t) - SHOWN), len(t))
+    last = slice(max(0, len(t) - LAST_SAMPLES), len(t))
     motion, errors = [], []
     for quantity, names, unit in _POSE:
         achieved, required = (

@@ -23,7 +23,7 @@ from mahovik.out.report.stand.material import Material, Section, generate_once
 from mahovik.proof.cost.measure import TargetCost, measure
 from mahovik.proof.verify.targets import parse_targets
 
-COMPILED = (("m7", "double"),)
+COMPILED_TARGETS = (("m7", "double"),)
 """Compiled for where nothing was measured: code and stack are the compiler's, and need no emulator."""
 
 
@@ -149,9 +149,9 @@ def _target_figures(given: TargetCost) -> Figures:
 
 
 def _compile_sizes(stand: Stand, missing: list[str]) -> list[Figures]:
-    """Code and stack by the compilers of COMPILED; those that are not here are added to `missing`."""
+    """Code and stack by the compilers of COMPILED_TARGETS; those that are not here are added to `missing`."""
     found = []
-    for name, real in COMPILED:
+    for name, real in COMPILED_TARGETS:
         target = TARGETS[name]
         if shutil.which(target.compiler[0]) is None:
             missing.append(f"{name}, {real}: no {target.compiler[0]}: apt-get install {' '.join(target.packages)}")

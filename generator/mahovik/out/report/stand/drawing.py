@@ -11,7 +11,7 @@ from mahovik.out.report.stand.shape import Shape, shape_of
 from mahovik.out.report.stand.views import (
     DYNAMIC,
     STATIC,
-    Magnified,
+    ArrowScale,
     View,
     axis_length,
     is_cut,
@@ -57,7 +57,7 @@ def basis(shape: Shape) -> Array:
     return np.stack([right, np.cross(up, right), up])
 
 
-def magnify(shape: Shape) -> Magnified:
+def magnify(shape: Shape) -> ArrowScale:
     """The largest unbalance of each kind as long as the largest disc is wide, or a tenth of the stand."""
     largest = max((d.radius for d in shape.flywheels), default=0.0)
     wide = max(1.2 * largest, 0.1 * shape.size)
@@ -66,7 +66,7 @@ def magnify(shape: Shape) -> Magnified:
         most = max((float(np.hypot(*each)) for each in of), default=0.0)
         return wide / most if most else 0.0
 
-    return Magnified(times([d.static for d in shape.flywheels]), 0.8 * times([d.dynamic for d in shape.flywheels]))
+    return ArrowScale(times([d.static for d in shape.flywheels]), 0.8 * times([d.dynamic for d in shape.flywheels]))
 
 
 def draw(shape: Shape) -> tuple[str, int]:
@@ -105,7 +105,7 @@ def draw(shape: Shape) -> tuple[str, int]:
     return svg, max(each.left_out for each in views)
 
 
-def _extent(shape: Shape, axes: Array, length: Magnified) -> tuple[Array, Array]:
+def _extent(shape: Shape, axes: Array, length: ArrowScale) -> tuple[Array, Array]:
     """Least and largest coordinates of all that is drawn, along right, depth, up; m."""
     low, high = [np.zeros(3)], [np.zeros(3)]
 
@@ -131,7 +131,7 @@ def _extent(shape: Shape, axes: Array, length: Magnified) -> tuple[Array, Array]
     return np.min(low, axis=0), np.max(high, axis=0)
 
 
-def _keys(shape: Shape, scale: float, length: Magnified, at: tuple[float, float]) -> str:
+def _keys(shape: Shape, scale: float, length: ArrowScale, at: tuple[float, float]) -> str:
     """Scale bar, arrows of known size, and the sign of third-angle projection."""
     x, y = at
     bar = round_length(0.6 * KEYS[0] / scale)

@@ -16,7 +16,7 @@ from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 
 Rows = NDArray[np.intp]
 

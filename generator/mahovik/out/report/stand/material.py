@@ -20,7 +20,7 @@ from mahovik.core.stand.summary import summarize
 from mahovik.errors import UsageError
 from mahovik.out.report.plot.run import SUFFIXES, identity, read
 from mahovik.out.report.stand.run import Run, refuse_foreign_run
-from mahovik.proof.cost.page import read_accepted
+from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.verify.delivery import FIGURES, accepted_figures
 from mahovik.proof.verify.programme.finding import motion_finding, stand_finding
 from mahovik.proof.verify.targets import parse_targets
@@ -182,7 +182,7 @@ def _costs(folder: Path, stand: Stand) -> tuple[Mapping[str, Any], ...]:
             raise UsageError(
                 f"--cost {folder}: figures of another stand: {key} is {whole.get(key)}, of the stand {ours}"
             )
-    return tuple(read_accepted(text, str(folder / FIGURES), whole.get("lanes", 1)))
+    return tuple(read_accepted_costs(text, str(folder / FIGURES), whole.get("lanes", 1)))
 
 
 def _refuse_foreign_programme(source: str, stand: Stand, programme: Programme, motion: RequiredMotion | None) -> None:

@@ -145,7 +145,7 @@ def section(material: Material) -> Section | None:
         carrier=carrier,
         flywheels=flywheels,
         **_reach(stand, state),
-        **_generalized(stand, state, at),
+        **_generalized_form(stand, state, at),
         balance=_balance(at, state),
         stream=at.u.any(),
     )
@@ -194,7 +194,7 @@ def _reach(stand: Stand, state: State) -> dict[str, Any]:
     return {"sigma": [figure(float(x), 4) for x in found["sigma"]], "rank": found["rank"]}
 
 
-def _generalized(stand: Stand, state: State, at: reference.Pieces) -> dict[str, Any]:
+def _generalized_form(stand: Stand, state: State, at: reference.Pieces) -> dict[str, Any]:
     """A, D of (10), I0, J0 of (11); or why there are none: the attitude is singular."""
     try:
         found = reference.evaluate(stand, state, ["generalized"], at)

@@ -139,7 +139,7 @@ class Box:
     x1: float
     y1: float
 
-    def shared(self, others: Array) -> float:
+    def overlap(self, others: Array) -> float:
         """Area in common with others (M, 4: x0, y0, x1, y1), px2, summed over them."""
         width = np.minimum(self.x1, others[:, 2]) - np.maximum(self.x0, others[:, 0])
         height = np.minimum(self.y1, others[:, 3]) - np.maximum(self.y0, others[:, 1])
@@ -182,9 +182,9 @@ class Places:
                 y = float(anchor[1]) + distance * dy - HEIGHT / 2 * (1 - dy)
                 box = Box(x, y, x + width, y + HEIGHT)
                 price = 0.35 * step + 0.08 * abs(turn)
-                if (best is not None and price >= best[0]) or not box.inside(self.frame) or box.shared(taken):
+                if (best is not None and price >= best[0]) or not box.inside(self.frame) or box.overlap(taken):
                     continue
-                price += box.shared(self._busy) / (width * HEIGHT)
+                price += box.overlap(self._busy) / (width * HEIGHT)
                 if best is None or price < best[0]:
                     best = (price, box)
         if best is None:

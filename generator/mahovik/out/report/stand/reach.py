@@ -56,7 +56,7 @@ def panels(found: Reach) -> list[Panel]:
         _panel("unbalance force of each flywheel, m e ω²", "N", names, speed, force, top),
         _panel("dynamic unbalance moment of each flywheel", "N m", names, speed, moment, top),
     ]
-    if found.driven:
+    if found.has_torque_limits:
         about = [f"about {a}" for a in AXES]
         shown.append(_panel("reaction moment of all drives", "N m", about, speed, found.reaction(speed), top))
     return [panel for panel in shown if panel is not None]
@@ -105,20 +105,20 @@ def _table(found: Reach) -> Markup:
     (f, force), (g, moment) = factors
     head = ["flywheel", "at, rpm>", f"m e ω², {force}>", *(f"{a}, {force}>" for a in AXES)]
     head += [f"about {a}, {moment}>" for a in AXES]
-    if found.driven:
+    if found.has_torque_limits:
         head.append("motor, N m>")
     rows = []
     for k, row in enumerate(found.rows):
         motor = found.stand.flywheels[k].motor
         cells = [row.name, figure(RPM * row.speed), figure(f * row.force)]
         cells += [figure(float(x)) for x in (*(f * _clean(alone[:3])[:, k]), *(g * _clean(alone[3:])[:, k]))]
-        if found.driven:
+        if found.has_torque_limits:
             cells.append("–" if motor is None or motor.torque is None else figure(motor.torque))
         rows.append(cells)
     total = alone.sum(axis=1)
     foot = ["together", "", figure(f * math.fsum(row.force for row in found.rows))]
     foot += [figure(float(x)) for x in (*(f * _clean(total[:3])), *(g * _clean(total[3:])))]
-    if found.driven:
+    if found.has_torque_limits:
         foot.append("")
     words = "Each flywheel at its limit of speed; along E1, moments about O1"
     if len(rows) <= LONG:

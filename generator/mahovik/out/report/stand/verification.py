@@ -29,7 +29,7 @@ from mahovik.proof.verify.targets import TargetsReport, parse_targets, verify_ta
 STATES = 16
 """Random and extreme, of three derivations; `mahovik verify` takes more."""
 
-JUDGED = 8
+JUDGED_STATES = 8
 """States of each outside judge."""
 
 
@@ -37,7 +37,7 @@ def section(material: Material) -> Section | None:
     """Three derivations, judges that are installed, targets where they were asked for; then what was not run."""
     stand, file = material.stand, material.stand_file or f"{material.stand.name}.toml"
     open_ = list[tuple[str, str]]()
-    three, reason = _three(stand)
+    three, reason = _compare_three(stand)
     if reason:
         open_.append((f"the compiled C: {reason}", f"mahovik verify {file}"))
     outside: dict[str, Report] = {}
@@ -55,7 +55,7 @@ def section(material: Material) -> Section | None:
     tools = [f"NumPy {version('numpy')}", f"CasADi {version('casadi')}"]
     if three.judged == "generated C":
         tools.insert(0, program_version(find_compiler()[0]))
-    open_ += _further(material, file)
+    open_ += _checks_beyond(material, file)
     lines: list[list[Cell]] = [[sentence(what), Markup("<code>{}</code>").format(command)] for what, command in open_]
     html = markup_of(
         "verification",
@@ -91,7 +91,7 @@ def _summary(
     return failures, summary
 
 
-def _three(stand: Stand) -> tuple[Report, str]:
+def _compare_three(stand: Stand) -> tuple[Report, str]:
     """Compiled C, reference and second derivation; without a compiler, the interpreted program and the reason."""
     try:
         find_compiler()
@@ -113,7 +113,7 @@ def _outside(stand: Stand, name: str) -> Report:
     bare = bare_stand(stand)
     judges = load_judges(bare, [name])
     return compare_with_judges(
-        bare, judges, count=JUDGED, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
+        bare, judges, count=JUDGED_STATES, until=0.0, backend=NumpyBackend(bare), judged="the literal reference"
     )
 
 
@@ -127,7 +127,7 @@ def _on_targets(material: Material) -> tuple[TargetsReport | None, str]:
         return None, f": {error}"
 
 
-def _further(material: Material, file: str) -> list[tuple[str, str]]:
+def _checks_beyond(material: Material, file: str) -> list[tuple[str, str]]:
     """Checks that take too long for a report."""
     found = [
         ("the true error, by enclosures of the exact answer", f"mahovik verify {file} --rigorous"),

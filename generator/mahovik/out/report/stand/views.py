@@ -36,7 +36,7 @@ STATIC, DYNAMIC = "var(--bad)", "var(--accent)"
 
 
 @dataclass(frozen=True)
-class Magnified:
+class ArrowScale:
     """Length of unbalance arrows: m of the stand per kg m (static), per kg m2 (dynamic)."""
 
     static: float
@@ -86,7 +86,7 @@ class View:
     frame: Box
     left_out: int = 0
 
-    def draw(self, shape: Shape, magnified: Magnified) -> str:
+    def draw(self, shape: Shape, magnified: ArrowScale) -> str:
         """The view as SVG."""
         sight = self.projection.towards
         bodies = [(float(s.center @ sight), self._solid(s, s is shape.carrier)) for s in shape.instruments]
@@ -134,7 +134,7 @@ class View:
     def _axis(self, disc: Disc, index: int) -> str:
         return self._vector(disc.center, spin_length(disc) * disc.C[:, 0], colour(index), width=1.5)
 
-    def _unbalance(self, disc: Disc, magnified: Magnified) -> str:
+    def _unbalance(self, disc: Disc, magnified: ArrowScale) -> str:
         across = disc.C[:, 1:]
         found = ""
         for of, times, paint, dashed, heads in (
@@ -173,7 +173,7 @@ class View:
         found += [sign("triangle", point(mark.at)) for mark in shape.marks]
         return "".join([*found, sign("center-of-mass", point(shape.center_of_mass))])
 
-    def _words(self, shape: Shape, magnified: Magnified) -> str:
+    def _words(self, shape: Shape, magnified: ArrowScale) -> str:
         busy = []
         for d in shape.flywheels:
             middle, tip = (self.projection.point(d.center + k * spin_length(d) * d.C[:, 0]) for k in (0.0, 0.95))

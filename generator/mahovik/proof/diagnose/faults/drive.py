@@ -10,7 +10,7 @@ import numpy as np
 from mahovik.proof.diagnose.edits import Motion, drive, each_wheel, minus, mount_wrench, state, value, values
 from mahovik.proof.diagnose.fault import Case, Fault
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.bodies import Spinning
+from mahovik.proof.reference.bodies import SpinningFlywheel
 from mahovik.proof.reference.coupled import spin_up_torque
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.pieces import Pieces
@@ -18,33 +18,35 @@ from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import Phi, block_diagonal, f, spin
 
 
-def base(P_s: Array, s: Spinning, at: Motion) -> Array:
+def base(P_s: Array, s: SpinningFlywheel, at: Motion) -> Array:
     """Theta_s Ls^T V* (6)."""
     return np.asarray(s.Theta @ s.L.T @ at.V_dot)
 
 
-def spin_up(P_s: Array, s: Spinning, at: Motion) -> Array:
+def spin_up(P_s: Array, s: SpinningFlywheel, at: Motion) -> Array:
     """Theta_s f phi_s'' (6)."""
     return np.asarray(s.Theta @ f * at.phi_ddot)
 
 
-def transport(P_s: Array, s: Spinning, at: Motion) -> Array:
+def transport(P_s: Array, s: SpinningFlywheel, at: Motion) -> Array:
     """-phi_s' Theta_s [<e>] Ls^T V (6)."""
     return np.asarray(-s.phi_dot * s.Theta @ spin @ s.L.T @ at.V)
 
 
-def gyroscopic(P_s: Array, s: Spinning, at: Motion) -> Array:
+def gyroscopic(P_s: Array, s: SpinningFlywheel, at: Motion) -> Array:
     """Phi(V_s) Z_s (6)."""
     V_s = s.twist(at.V)
     return np.asarray(Phi(V_s) @ s.Theta @ V_s)
 
 
-def twice(part: Callable[[Array, Spinning, Motion], Array]) -> Callable[[Array, Spinning, Motion], Array]:
+def doubled(
+    part: Callable[[Array, SpinningFlywheel, Motion], Array],
+) -> Callable[[Array, SpinningFlywheel, Motion], Array]:
     """A part of the equation two times: without it, its sign is wrong."""
     return lambda P_s, s, at: 2 * part(P_s, s, at)
 
 
-def about_mass_center(at: Pieces, number: int, s: Spinning) -> Pieces:
+def about_mass_center(at: Pieces, number: int, s: SpinningFlywheel) -> Pieces:
     """The pieces with the spin inertia about an axis through the centre of mass."""
     _, y, z = s.body.center_of_mass
     Theta_ff = at.Theta_ff.copy()
@@ -69,13 +71,13 @@ FAULTS = (
     Fault("transport term of V_s* missing", "tau", "flywheels", [drive(transport)],
           "The drive torque lacks the turning of the flywheel's axes in V_s*: - phi' [<e>] Ls^T V",
           "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
-    Fault("transport term of V_s*, sign", "tau", "flywheels", [drive(twice(transport))],
+    Fault("transport term of V_s*, sign", "tau", "flywheels", [drive(doubled(transport))],
           "The transport term of V_s*, phi' [<e>] Ls^T V, has the wrong sign",
           "V_s* = Ls^T V* - phi' [<e>] Ls^T V + f phi''"),
     Fault("torque without Phi(V_s) Z_s", "tau", "flywheels", [drive(gyroscopic)],
           "The drive torque lacks the gyroscopic terms Phi(V_s) Z_s",
           "omega_s x h_s + v_s x p_s about the spin axis: zero only for a symmetric, balanced flywheel"),
-    Fault("Phi(V_s) Z_s of torque, sign", "tau", "flywheels", [drive(twice(gyroscopic))],
+    Fault("Phi(V_s) Z_s of torque, sign", "tau", "flywheels", [drive(doubled(gyroscopic))],
           "The gyroscopic terms Phi(V_s) Z_s of the drive torque have the wrong sign",
           "tau = f^T (Theta_s V_s* + Phi(V_s) Z_s) - f^T P_s"),
     Fault("torque without P_s", "tau", "flywheels", [drive(lambda P_s, s, at: -P_s)],

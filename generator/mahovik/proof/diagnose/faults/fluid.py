@@ -10,7 +10,7 @@ from mahovik.core.stand.model import Instrument
 from mahovik.proof.diagnose.edits import added_mass, convection, pieces, stand, value, vector, wrench, zero
 from mahovik.proof.diagnose.fault import Case, Edit, Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import Phi, force_at
 
@@ -21,7 +21,7 @@ MUNK = np.kron(np.array([[0.0, 0.0], [1.0, 0.0]]), np.ones((3, 3)))
 """Factor that keeps the block <v> of Phi."""
 
 
-def with_added_weight(P: Array, k: Placed, at: Pieces) -> Array:
+def with_added_weight(P: Array, k: PlacedBody, at: Pieces) -> Array:
     """Weight (6) with that of the mean translational added mass."""
     given = getattr(k.body, "added_mass", None)
     if given is None:

@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Body
 from mahovik.proof.diagnose.edits import FORCE, MOMENT, body, column_of_I, column_of_J, inertia, tensor, theta, zero
 from mahovik.proof.diagnose.fault import Edit, Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed, Spinning, inertia_about_origin
+from mahovik.proof.reference.bodies import PlacedBody, SpinningFlywheel, inertia_about_origin
 from mahovik.proof.reference.screw import cross
 
 E, OFF = np.eye(3), 1.0 - np.eye(3)
@@ -34,7 +34,7 @@ def rows(J: Array) -> Any:
     return tuple(tuple(float(x) for x in row) for row in J)
 
 
-def as_read(factor: Array) -> Any:
+def scaled_tensor(factor: Array) -> Any:
     """A body whose tensor is read times a factor, element by element."""
     return body(lambda k: replace(k, inertia=rows(factor * np.array(k.inertia))))
 
@@ -45,7 +45,7 @@ def parallel_axes(J: Array, k: Body, share: float) -> Array:
     return J if k.inertia_about == "origin" else J - share * k.mass * cross(rc) @ cross(rc)
 
 
-def without_arm(right: Array, k: Placed) -> Array:
+def without_arm(right: Array, k: PlacedBody) -> Array:
     """L Theta L^T (6x6) with its moments of inertia left about the body's own origin."""
     found, C = right.copy(), k.L[:3, :3]
     found[3:, 3:] = C @ k.Theta[3:, 3:] @ C.T
@@ -63,16 +63,16 @@ INERTIA_FAULTS = (
     Fault("spin inertia doubled", "(2)", "flywheels", [tensor(lambda J, k: J + J[0, 0] * np.diag([1.0, 0.0, 0.0]))],
           "The moment of inertia of the flywheels about their spin axis, J11, is doubled",
           "J11 counted in the rotor and in the motor; a radius of gyration taken for a radius"),
-    Fault("products of inertia, sign", "(2)", "all", [as_read(E - OFF)],
+    Fault("products of inertia, sign", "(2)", "all", [scaled_tensor(E - OFF)],
           "The products of inertia of all bodies have the wrong sign",
           "J12 = -int(xy) in a stand file; a CAD program may give +int(xy)"),
-    Fault("products of inertia, sign, flywheels", "(2)", "flywheels", [as_read(E - OFF)],
+    Fault("products of inertia, sign, flywheels", "(2)", "flywheels", [scaled_tensor(E - OFF)],
           "The products of inertia of the flywheels have the wrong sign",
           "J12 = -int(xy) in a stand file; a CAD program may give +int(xy)"),
-    Fault("products of inertia, sign, carrier", "(2)", "fixed", [as_read(E - OFF)],
+    Fault("products of inertia, sign, carrier", "(2)", "fixed", [scaled_tensor(E - OFF)],
           "The products of inertia of carrier and instruments have the wrong sign",
           "J12 = -int(xy) in a stand file; a CAD program may give +int(xy)"),
-    Fault("products of inertia missing, carrier", "(2)", "fixed", [as_read(E)],
+    Fault("products of inertia missing, carrier", "(2)", "fixed", [scaled_tensor(E)],
           "The products of inertia of carrier and instruments are missing",
           "a diagonal taken where the stand file has a tensor"),
     Fault("parallel axis theorem missing", "(2)", "all", [body(lambda k: replace(k, inertia_about="origin"))],
@@ -144,7 +144,7 @@ def exchange(J: Array, _: object) -> Array:
     return found
 
 
-def about_Os(wrench: Array, s: Spinning) -> Array:
+def about_Os(wrench: Array, s: SpinningFlywheel) -> Array:
     """A wrench (6) in E1 without the moment of its force about O1."""
     arm = s.L[3:, :3] @ s.L[:3, :3].T
     return np.concatenate([wrench[:3], wrench[3:] - arm @ wrench[:3]])

@@ -11,12 +11,12 @@ from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Mount
 from mahovik.proof.diagnose.edits import body, mounting, place, wheel
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Fixed, Mounted
+from mahovik.proof.reference.bodies import FixedBody, MountedFlywheel
 from mahovik.proof.reference.rotation import C1, C2, C3
 from mahovik.proof.reference.screw import T, wrench_to_parent
 
 
-def in_other_order(s: Mounted) -> Array:
+def in_other_order(s: MountedFlywheel) -> Array:
     """C2(theta) C3(psi) C1(zero) of a mounting by angles."""
     given = s.body.mounting
     return C2(given.theta) @ C3(given.psi) @ C1(given.zero) if isinstance(given, MountingAngles) else s.C
@@ -35,13 +35,13 @@ def from_zero(s: Flywheel) -> Flywheel:
     return replace(s, mounting=replace(s.mounting, zero=0.0)) if isinstance(s.mounting, MountingAngles) else s
 
 
-def not_normalised(s: Mounted) -> Array:
+def with_long_axis(s: MountedFlywheel) -> Array:
     """The mounting with a first axis as long as `axis`."""
     given = s.body.mounting
     return s.C * np.array([math.hypot(*given.axis), 1.0, 1.0]) if isinstance(given, MountingAxes) else s.C
 
 
-def transpose_rotation(k: Fixed) -> Fixed:
+def transpose_rotation(k: FixedBody) -> FixedBody:
     """An instrument whose axes are the rows of its rotation."""
     if not isinstance(k.body, Instrument):
         return k
@@ -98,7 +98,7 @@ FAULTS = (
     Fault("instrument rotation transposed", "(2): Lp", "fixed", [place(transpose_rotation)],
           "The rotation of the instruments is transposed, for themselves; flywheels and points on them are right",
           "columns of Cp are the instrument's axes in E1"),
-    Fault("axis of any length not normalised", "(2): Ls", "flywheels", [mounting(not_normalised)],
+    Fault("axis of any length not normalised", "(2): Ls", "flywheels", [mounting(with_long_axis)],
           "The spin axis given by its direction is not brought to unit length",
           "`axis` and `zero` of a mounting have any length"),
 )

@@ -20,7 +20,7 @@ from mahovik.proof.reference.rotation import carrier_rotation, flywheel_mounting
 from mahovik.proof.reference.screw import block_diagonal
 
 
-def absolute(phi_dot: float, s: Flywheel, case: Case) -> float:
+def absolute_speed(phi_dot: float, s: Flywheel, case: Case) -> float:
     """phi_s' less the turning of the carrier about the flywheel's axis."""
     axis = mount_transfer(case.stand, s.mount)[:3, :3] @ flywheel_mounting(s)[:, 0]
     return phi_dot - float(axis @ np.array(case.state.V[3:]))
@@ -61,7 +61,7 @@ READING_FAULTS = (
     Fault("phi' ignored", "state", "flywheels", [wheel("phi_dot", lambda phi_dot: 0.0)],
           "The speeds of the flywheels are ignored",
           "whether phi_dot reaches the equations"),
-    Fault("phi' taken as absolute", "state", "flywheels", [wheel_at("phi_dot", absolute)],
+    Fault("phi' taken as absolute", "state", "flywheels", [wheel_at("phi_dot", absolute_speed)],
           "The speed of a flywheel is taken as its absolute one: "
           "the carrier's turning about the axis is left out of it",
           "phi' is relative to the mount: omega_s = Cs^T omega + e1 phi'"),

@@ -9,11 +9,11 @@ import numpy as np
 from mahovik.proof.diagnose.edits import column_of_J, convection, drive, minus, pieces, rate, reaction, wheel, zero
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Spinning
+from mahovik.proof.reference.bodies import SpinningFlywheel
 from mahovik.proof.reference.screw import Phi, f, spin
 
 
-def first_half(s: Spinning) -> Array:
+def first_half(s: SpinningFlywheel) -> Array:
     """Ls [<e>] Theta_s Ls^T phi_s' (6x6) of (6)."""
     return np.asarray(s.L @ spin @ s.Theta @ s.L.T * s.phi_dot)
 

@@ -7,24 +7,24 @@ import numpy as np
 from mahovik.proof.diagnose.edits import minus, wrench, wrench_on_carrier, zero
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed, Spinning
+from mahovik.proof.reference.bodies import PlacedBody, SpinningFlywheel
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.rotation import C1
 from mahovik.proof.reference.screw import block_diagonal
 
 
-def at_mass_center(P: Array, k: Placed, at: Pieces) -> Array:
+def at_mass_center(P: Array, k: PlacedBody, at: Pieces) -> Array:
     """A wrench (6) whose force acts at the centre of mass."""
     return np.concatenate([P[:3], P[3:] + np.cross(np.array(k.body.center_of_mass), P[:3])])
 
 
-def in_axes_at_zero(P: Array, k: Placed, at: Pieces) -> Array:
+def in_axes_at_zero(P: Array, k: PlacedBody, at: Pieces) -> Array:
     """A wrench (6) of the flywheel's axes at phase zero, in Es."""
-    assert isinstance(k, Spinning)
+    assert isinstance(k, SpinningFlywheel)
     return block_diagonal(C1(k.phi)).T @ P
 
 
-def rotated_wrench(P: Array, k: Placed) -> Array:
+def rotated_wrench(P: Array, k: PlacedBody) -> Array:
     """A wrench (6) in the axes of E1, about the body's own origin."""
     return block_diagonal(k.L[:3, :3]) @ P
 

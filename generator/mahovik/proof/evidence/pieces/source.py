@@ -17,18 +17,18 @@ from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.reading import spans
-from mahovik.core.toolchain.eva import proved
+from mahovik.core.toolchain.eva import prove_each
 from mahovik.core.toolchain.eva import version as eva_version
 from mahovik.core.toolchain.static_checks import (
     ANALYSER,
     COMPILERS,
     CPPCHECK,
     DEVIATIONS,
-    KNOWN,
-    counted,
+    STANDING_FINDINGS,
+    count_by_rule,
     findings,
     version,
-    warned,
+    warnings_of,
 )
 from mahovik.core.toolchain.static_checks import WARNINGS as WARNING_FLAGS
 from mahovik.proof.evidence.piece import Outcome, Piece, Subject, Table, Tell, program, verdict_of
@@ -118,7 +118,7 @@ EQUATIONS = Piece(
 def _compile_strictly(subject: Subject, tell: Tell) -> Outcome:
     tell("gcc, clang, clang --analyze")
     files = [*subject.sources, f"{subject.stand.name}_selftest.c"]
-    found = warned(subject.c, files)
+    found = warnings_of(subject.c, files)
     figure = f"{len(found)} complaints" if found else f"{len(files)} files, no complaint"
     output = {"output.txt": "".join(f"{line}\n" for line in found) or "no complaint\n"}
     tools = tuple(version(each) for each in COMPILERS)
@@ -146,7 +146,7 @@ WARNINGS = Piece(
 def _check_misra(subject: Subject, tell: Tell) -> Outcome:
     tell("cppcheck")
     found = findings(subject.c, subject.sources)
-    reasons, counts = {**DEVIATIONS, **KNOWN}, counted(found)
+    reasons, counts = {**DEVIATIONS, **STANDING_FINDINGS}, count_by_rule(found)
     unlisted = sorted(rule for rule in counts if rule not in reasons)
     order = [*unlisted, *(rule for rule in reasons if rule in counts)]
     rows = tuple((rule, str(counts[rule]), reasons.get(rule, "NOT LISTED")) for rule in order)
@@ -183,7 +183,7 @@ def _run_eva(subject: Subject, tell: Tell) -> Outcome:
     script, logs = subject.c / f"{subject.stand.name}_eva.sh", subject.scratch / "eva"
     wanted, proofs = _drivers(subject), []
     tell(wanted[0])
-    for proof in proved(script, wanted, subject.choose(300, 1800), logs):  # s a driver may take
+    for proof in prove_each(script, wanted, subject.choose(300, 1800), logs):  # s a driver may take
         proofs.append(proof)
         tell(f"{len(proofs)} of {len(wanted)} drivers")
     rows = tuple((p.function, p.set, "no end" if p.alarms is None else str(p.alarms), str(p.unproved)) for p in proofs)

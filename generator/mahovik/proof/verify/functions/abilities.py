@@ -51,7 +51,7 @@ def excess_rows(case: Case, function: str) -> Iterator[Row]:
         wrong = due != ("EXCESSIVE" in status_bits(status))
         words = ("expected" if due else "not expected") if wrong else ""
         row.note_difference(np.inf if wrong else 0.0, words, name)
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def _answer(case: Case, given: Mapping[str, Any], options: Mapping[str, Any], function: str) -> tuple[int, Array]:

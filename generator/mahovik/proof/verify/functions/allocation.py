@@ -26,7 +26,7 @@ from mahovik.proof.reference.allocation import (
 )
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.inverse import demand, inverse_root
-from mahovik.proof.reference.task import Demanded, demanded
+from mahovik.proof.reference.task import TaskRows, task_rows
 from mahovik.proof.reference.task import task_of as task_named
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Case, Comparison, Setting
@@ -34,7 +34,7 @@ from mahovik.proof.verify.functions.diagnoses import Diagnoses
 from mahovik.proof.verify.scales.magnitudes import Magnitudes
 from mahovik.proof.verify.scales.wants import inverse as inverse_scales
 
-DEMANDED = {"v": 5.0, "w": 20.0}
+DEMAND_DEVIATION = {"v": 5.0, "w": 20.0}
 """m/s2, rad/s2: spread of demanded accelerations and angular accelerations."""
 
 NEAR, DAMPING = 0.9, 0.3
@@ -46,7 +46,7 @@ FAST_DAMPING = 2.0**-4
 SQUARED_CONDITION = {"double": 1e9, "float": 1e3}
 """Largest condition of the normal equations at which `inverse_fast` is compared."""
 
-BOUNDED = 1e-6
+EXCESS_LIMIT = 1e-6
 """Accepted excess of a bounded answer's residual over the least, relative to the demand (SciPy stops there)."""
 
 
@@ -67,7 +67,7 @@ def scale_of(scaled: ScaledDemand, weight: Array, rank: int, answer: Array) -> A
     return np.asarray(np.abs(scaled.to_phi_ddot * root) @ np.full(len(answer), condition * moved))
 
 
-def scale_of_damped(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], rank: int, answer: Array) -> Array:
+def damped_scale(case: Case, scaled: ScaledDemand, options: Mapping[str, Any], rank: int, answer: Array) -> Array:
     """Scale (N, rad/s2) of a damped answer, likewise: by the condition of the damped problem.
 
     V g(sigma) U^T r with g = sigma/(sigma^2 + lambda^2) moves by |r| times the largest slope of g, which is at most
@@ -129,12 +129,12 @@ def _demands(case: Case, task: str = "") -> Iterator[tuple[int, str, State, Scal
             yield number, name, state, scaled_demand(case.at(state), np.array(state.V_dot))
 
 
-def with_demand(case: Setting, number: int, state: State, task: str) -> tuple[State, Demanded]:
+def with_demand(case: Setting, number: int, state: State, task: str) -> tuple[State, TaskRows]:
     """The state with a random demand of a task, and the rows of this."""
     wanted = task_named(case.stand, task)
-    sizes = [DEMANDED[row.component[0]] for row in wanted.rows]
+    sizes = [DEMAND_DEVIATION[row.component[0]] for row in wanted.rows]
     demand = case.nearest_numbers(case.random(300 + number).normal(size=len(sizes)) * sizes)
-    return replace(state, task=task, demand=tuple(demand)), demanded(case.at(state), case.stand, wanted)
+    return replace(state, task=task, demand=tuple(demand)), task_rows(case.at(state), case.stand, wanted)
 
 
 def answer_of(
@@ -161,7 +161,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
     plain = Comparison("inverse", "phi_ddot, with weights", accepted)
     damped = Comparison("inverse", "phi_ddot, with damping", accepted)
     damped_by = Comparison("inverse", "damped_by", accepted)
-    limited = Comparison("inverse", "residual, with limits", BOUNDED if case.real == "double" else 1e-3)
+    limited = Comparison("inverse", "residual, with limits", EXCESS_LIMIT if case.real == "double" else 1e-3)
     for number, name, state, scaled in _demands(case):
         given = case.backend.arguments(state)
         options = options_of(case, number)
@@ -178,7 +178,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
             near, damping = options["near"], options["damping"]
             status, found = answer_of(case, given, options)
             answer = weighted_solution(scaled, weight, rank, near, damping)
-            scale = scale_of_damped(case, scaled, options, rank, answer)
+            scale = damped_scale(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, near, damping)
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
@@ -190,7 +190,7 @@ def inverse_rows(case: Case) -> Iterator[Row]:
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, damped, damped_by, limited):
-        yield row.finished()
+        yield row.with_verdict()
     yield from beside.rows()
 
 
@@ -213,7 +213,7 @@ def _left_over(case: Case, beside: Diagnoses) -> Iterator[Row]:
             hardest.note(found["hardest"], wanted / length, natural / length, name)
         beside.note(state, given["options"], status, found, scaled, name)
     for row in (residual, hardest):
-        yield row.finished()
+        yield row.with_verdict()
 
 
 def least_residual(scaled: ScaledDemand, limit: Array) -> float:
@@ -293,7 +293,7 @@ def fast_rows(
     if not plain.row.states:
         plain.row.reason = f"condition of its equations above {SQUARED_CONDITION[case.real]:.0e}; see their residual"
     for row in (plain, damped, solved, status_row):
-        yield row.finished()
+        yield row.with_verdict()
 
 
 def note_fast(

@@ -39,7 +39,7 @@ def quaternion_rows(case: Case) -> Iterator[Row]:
     for name, angles in _angles(case):
         found = case.call("quaternion", {"angles": list(angles)})["attitude"]
         row.note(quaternion_rotation(*found), attitude(case.stand.angles, *angles), np.ones((3, 3)), name)
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def coordinate_rows(case: Case) -> Iterator[Row]:
@@ -74,7 +74,7 @@ def coordinate_rows(case: Case) -> Iterator[Row]:
         row.note(found["x"]["V"], A @ q_dot, S_A @ np.abs(q_dot), f"{name}, V")
         scale = S_A @ np.abs(q_ddot) + S_D @ np.abs(q_dot)
         row.note(found["V_dot"], A @ q_ddot + D @ q_dot, scale, f"{name}, V_dot")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def _singular(sequence: Sequence, angles: Array) -> bool:

@@ -42,8 +42,8 @@ def carried_rows(case: Case, function: str) -> Iterator[Row]:
                 many.note_difference(off, "", name)
         except StateError as error:
             few.note_refusal(error, name)
-    yield few.finished()
-    yield many.finished()
+    yield few.with_verdict()
+    yield many.with_verdict()
     yield coarse_row(case, function)
 
 

@@ -111,7 +111,7 @@ class Comparison:
     tolerance: float
     floor: float = 1e-290
     row: Row = field(init=False)
-    refused: list[tuple[str, str]] = field(default_factory=list, init=False)
+    refusals: list[tuple[str, str]] = field(default_factory=list, init=False)
 
     def __post_init__(self) -> None:
         self.row = Row(self.function, self.quantity, tolerance=self.tolerance)
@@ -133,15 +133,15 @@ class Comparison:
 
     def note_absence(self, error: Exception, where: str) -> None:
         """Note a case that the judge itself refused: a failure if it answers others, else the row is not compared."""
-        self.refused.append((f"its judge refused: {error}", where))
+        self.refusals.append((f"its judge refused: {error}", where))
 
-    def finished(self) -> Row:
+    def with_verdict(self) -> Row:
         """The row with its verdict; a row without any case is not compared."""
         row = self.row
-        if self.refused and not row.states:
-            row.reason = self.refused[0][0]
-        elif self.refused:
-            self.note_difference(np.inf, *self.refused[0])
+        if self.refusals and not row.states:
+            row.reason = self.refusals[0][0]
+        elif self.refusals:
+            self.note_difference(np.inf, *self.refusals[0])
         if not row.states:
             row.verdict, row.reason = "not compared", row.reason or "no state where its judge has an answer"
         else:

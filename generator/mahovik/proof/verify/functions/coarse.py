@@ -45,4 +45,4 @@ def coarse_row(case: Case, function: str) -> Row:
     missing = [f"order {order}" for (order, side, _), answers in count.items() if side > 0 and not answers]
     if row.row.states and missing:
         row.row.reason = row.row.reason or f"no step above the bound answered: {', '.join(dict.fromkeys(missing))}"
-    return row.finished()
+    return row.with_verdict()

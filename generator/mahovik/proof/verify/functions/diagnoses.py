@@ -10,7 +10,7 @@ import numpy as np
 from mahovik.contract.status import BITS, status_bits
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.allocation import ScaledDemand
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import forward
 from mahovik.proof.reference.inverse import demand, inverse_root
 from mahovik.proof.reference.pieces import Pieces
@@ -41,7 +41,7 @@ class Diagnoses:
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.finished() for row in (self.status, self.members, self.hardest)]
+        return [row.with_verdict() for row in (self.status, self.members, self.hardest)]
 
     def note(
         self, state: State, options: Mapping[str, Any], status: int, found: Mapping[str, Any], asked: ScaledDemand,
@@ -100,7 +100,7 @@ class Diagnoses:
         off = float(np.linalg.norm(np.abs(root) @ (bounds.of("inverse", "residual") * natural["residual"])))
         most = bounds.cuts.reached * float(np.linalg.norm(asked.r))
         expected["UNREACHABLE"] = None if abs(left - most) <= off else left > most
-        needed = shares(self._case.stand, at, forward(at, phi_ddot), phi_ddot)
+        needed = motor_shares(self._case.stand, at, forward(at, phi_ddot), phi_ddot)
         undecided = np.any(np.abs(needed - 1.0) < EXCESS_MARGIN) and not np.any(needed > 1.0 + EXCESS_MARGIN)
         expected["EXCESSIVE"] = None if undecided else bool(np.any(needed > 1.0))
         has = status_bits(status)

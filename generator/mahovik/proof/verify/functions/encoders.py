@@ -47,7 +47,7 @@ def wrap_rows(case: Case) -> Iterator[Row]:
         found = case.call("wrap", {"phi": phi})["wrapped"]
         off = _distance(found, _DIGITS.mpf(phi)) + _beyond_half_a_turn(found, case.unit)
         row.note_difference(off, "", f"phi = {phi:g}")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def phase_rows(case: Case) -> Iterator[Row]:
@@ -64,7 +64,7 @@ def phase_rows(case: Case) -> Iterator[Row]:
         off = _distance(found, angle) / max(abs(found), float(np.finfo(np.float32).tiny))
         off = 0.0 if abs(found) < case.unit and _distance(found, angle) < case.unit else off
         row.note_difference(off + _beyond_half_a_turn(found, case.unit), "", f"count {count} of {per_turn}")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def speed_rows(case: Case) -> Iterator[Row]:
@@ -77,7 +77,7 @@ def speed_rows(case: Case) -> Iterator[Row]:
         found = case.call("speed_of_counts", {"moved": moved, "per_turn": per_turn, "dt": dt})["phi_dot"]
         exact = 2 * math.pi * moved / (per_turn * dt)
         row.note(found, exact, abs(exact), f"{moved} of {per_turn} in {dt:g} s")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def accumulate_rows(case: Case) -> Iterator[Row]:
@@ -98,7 +98,7 @@ def accumulate_rows(case: Case) -> Iterator[Row]:
             off = 0.0 if encoder == expected else math.inf
             reason = "" if not off else f"{encoder} where exact integers give {expected}"
             row.note_difference(off, reason, f"reading {number}, {per_turn} a turn, {bits} bits")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def _counter(true: int, bits: int, size: int) -> int:

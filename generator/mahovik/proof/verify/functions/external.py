@@ -22,7 +22,7 @@ def wrench_rows(case: Case) -> Iterator[Row]:
             row.note(case.call("wrench", case.backend.arguments(state))["F"], at.F, scale, name)
         except StateError as error:
             row.note_refusal(error, name)
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def rows_of_given_sines(case: Case, function: str) -> Iterator[Row]:

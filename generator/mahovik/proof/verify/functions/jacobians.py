@@ -48,7 +48,7 @@ def jacobian_rows(case: Case, function: str) -> Iterator[Row]:
             continue
         for quantity in names:
             row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    yield row.finished()
+    yield row.with_verdict()
     if want == "coupled":
         yield _row_with_locks(case, names, by)
 
@@ -85,4 +85,4 @@ def _row_with_locks(case: Case, names: Sequence[str], by: Sequence[str]) -> Row:
         scale = derivative_scales(case, state, "coupled", by)
         for quantity in names:
             row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    return row.finished()
+    return row.with_verdict()

@@ -38,4 +38,4 @@ def rows_with_locks(case: Case, function: str = "coupled") -> Iterator[Row]:
             continue
         for quantity in names:
             row.note(found[quantity], expected[quantity], scale[quantity], f"{name}, {quantity}")
-    yield row.finished()
+    yield row.with_verdict()

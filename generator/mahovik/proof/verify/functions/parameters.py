@@ -125,7 +125,7 @@ def _row(case: Case, function: str, wants: tuple[str, ...]) -> Row:
         for found in judge.rows():
             off = found.excess * case.bounds.default
             row.note_difference(off, found.reason, f"{found.state}, {found.quantity}")
-    return row.finished()
+    return row.with_verdict()
 
 
 def _compare(case: Case, function: str, judge: Judge, request: Request, parameters: object) -> None:

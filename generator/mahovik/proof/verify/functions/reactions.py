@@ -58,8 +58,8 @@ def mount_rows(case: Case) -> Iterator[Row]:
             _note_motion(motion, case, bare, moving, at, wrenches, np.array(natural["mounts"]["mount_wrench"]), name)
         except StateError as error:  # such as that of a carrier without inertia
             motion.note_absence(error, name)
-    yield torque.finished()
-    yield motion.finished()
+    yield torque.with_verdict()
+    yield motion.with_verdict()
 
 
 def _note_motion(

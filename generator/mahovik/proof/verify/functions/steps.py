@@ -71,18 +71,18 @@ def step_rows(case: Case, function: str) -> Iterator[Row]:
             if off is not None:
                 agreement.note_difference(off, "", name)
             for order in set(sought) - set(seen):
-                found = motion.first(ORDER_OVER, partial(motion.order_seen, order))
+                found = motion.first(ORDER_OVER, partial(motion.observed_order, order))
                 if found is not None:
                     seen[order] = found, name
         except StateError as error:
             agreement.note_refusal(error, name)
-    yield agreement.finished()
+    yield agreement.with_verdict()
     for order, row in orders.items():
         if order in seen:
             row.note_difference(abs(seen[order][0] - order), f"{seen[order][0]:.2f}", seen[order][1])
         else:
             row.row.reason = "rounding, or a law with |V|, hides the order"
-        yield row.finished()
+        yield row.with_verdict()
     yield coarse_row(case, function)
 
 
@@ -95,7 +95,7 @@ class Motion:
         self._start = _flat(state, carrier_rotation(case.stand, state))
         # a power of two, so that a float has it and its halves exactly
         self.time = 2.0 ** math.floor(math.log2(RADIANS / self._rate()))
-        self._smooth = not case.stand.kinked
+        self._smooth = not case.stand.has_kinks
         self._kink_within = math.inf  # s: shortest time known to have a kink
 
     def first(self, parts: Sequence[float], judged: Callable[[float], float | None]) -> float | None:
@@ -160,7 +160,7 @@ class Motion:
                 break
         return off
 
-    def order_seen(self, order: int, time: float) -> float | None:
+    def observed_order(self, order: int, time: float) -> float | None:
         """The power of the step with which errors fall; None where they are hidden by rounding, or far from small."""
         errors = [self.error(order, n, time) for n in COARSE[order]]
         if errors[-1] < 100 * self._case.unit or errors[0] > LARGE:

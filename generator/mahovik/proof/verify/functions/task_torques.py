@@ -17,7 +17,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.allocation import ScaledDemand, weighted_solution
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coupled import coupled_with_locks
-from mahovik.proof.reference.task import Demanded
+from mahovik.proof.reference.task import TaskRows
 from mahovik.proof.reference.task_torque import TorqueDemand, torque_demand
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions import allocation
@@ -36,12 +36,12 @@ RATE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
+class TorqueCase:
     """A demand: the state, the rows, the equation in torques, bounds of the torques (N, N m), locked flywheels."""
 
     state: State
-    rows: Demanded
-    scaled: TorqueDemand
+    rows: TaskRows
+    demand: TorqueDemand
     least: Array
     most: Array
     locked: Array
@@ -49,23 +49,23 @@ class Asked:
     @property
     def bounds(self) -> tuple[Array, Array]:
         """Bounds of y; a locked flywheel has none but 0."""
-        low, high = self.scaled.scaled(self.least), self.scaled.scaled(self.most)
+        low, high = self.demand.from_torque(self.least), self.demand.from_torque(self.most)
         return np.where(self.locked, 0.0, low), np.where(self.locked, 0.0, high)
 
     def y(self, tau: Array) -> Array:
         """Scaled answer of torques."""
-        return np.where(self.locked, 0.0, self.scaled.scaled(tau))
+        return np.where(self.locked, 0.0, self.demand.from_torque(tau))
 
     def error(self, tau: Array) -> float:
         """Error in the norm of the demand."""
-        return float(np.linalg.norm(self.scaled.r - self.scaled.W @ self.y(tau)))
+        return float(np.linalg.norm(self.demand.r - self.demand.W @ self.y(tau)))
 
 
 def torque_rows(case: Case, function: str) -> Iterator[Row]:
     """tau without bounds; the motion; within bounds the least error, or the largest share of the demand."""
     double = case.real == "double"
     plain = Comparison(function, "tau, without bounds", case.bounds.default)
-    bounded = Comparison(function, "residual, within bounds", allocation.BOUNDED if double else 1e-3)
+    bounded = Comparison(function, "residual, within bounds", allocation.EXCESS_LIMIT if double else 1e-3)
     shared = Comparison(function, "share, in the direction of the demand", 1e-6 if double else 1e-3)
     results = Results(case, function)
     for number, (name, state) in enumerate(case.states):
@@ -83,7 +83,7 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
             options |= {"motor_torque": [float(np.float32(torque))] * case.count}
             tight = asked_of(case, asked, rows, options, locked)
             status, found = allocation.answer_of(case, given, options, function)
-            note_bounded(case, bounded, tight, found, name)
+            note_excess(case, bounded, tight, found, name)
             results.note(tight, status, found, name)
             status, found = allocation.answer_of(case, given, options | {"keep_direction": 1}, function)
             _note_share(case, shared, tight, found, name)
@@ -91,7 +91,7 @@ def torque_rows(case: Case, function: str) -> Iterator[Row]:
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, bounded, shared):
-        yield row.finished()
+        yield row.with_verdict()
     yield from results.rows()
 
 
@@ -120,7 +120,7 @@ def _locks(case: Case, number: int) -> Array:
     return locked
 
 
-def preferred(state: State, options: Mapping[str, Any]) -> Array:
+def preferred_accelerations(state: State, options: Mapping[str, Any]) -> Array:
     """Wanted accelerations (N, rad/s2): rate times what is missing to the wanted speed, which avoids those near 0."""
     wanted = []
     for given, speed in zip(options["target_speed"], state.phi_dot, strict=True):
@@ -143,17 +143,19 @@ def torque_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Arra
     return np.where(speed < 0, -driving, -whole), np.where(speed > 0, driving, whole)
 
 
-def asked_of(case: Setting, state: State, rows: Demanded, options: Mapping[str, Any], locked: Array) -> Asked:
+def asked_of(case: Setting, state: State, rows: TaskRows, options: Mapping[str, Any], locked: Array) -> TorqueCase:
     """The demand of a state as the judges see it, with these options and locks."""
-    scaled = torque_demand(case.at(state), rows, np.array(state.demand), preferred(state, options), locked)
-    return Asked(state, rows, scaled, *torque_bounds(state, options), locked)
+    scaled = torque_demand(
+        case.at(state), rows, np.array(state.demand), preferred_accelerations(state, options), locked
+    )
+    return TorqueCase(state, rows, scaled, *torque_bounds(state, options), locked)
 
 
 def note_plain(
-    case: Setting, row: Comparison, asked: Asked, options: Mapping[str, Any], found: Mapping[str, Any], name: str
+    case: Setting, row: Comparison, asked: TorqueCase, options: Mapping[str, Any], found: Mapping[str, Any], name: str
 ) -> Array:
     """Count an answer that no bound touches; returns the expected one (N, N m)."""
-    scaled, weight, at = asked.scaled, np.array(options["weight"]), case.at(asked.state)
+    scaled, weight, at = asked.demand, np.array(options["weight"]), case.at(asked.state)
     demand = ScaledDemand(scaled.W, scaled.r, np.diag(scaled.to_torque), scaled.root)
     rank = int(np.linalg.matrix_rank(scaled.W, rtol=1e-9))
     given = weighted_solution(demand, weight, rank)
@@ -175,7 +177,7 @@ def _is_weak(case: Setting, W: Array) -> bool:
     return bool(np.any(kept < WEAK * np.sqrt(THRESHOLDS[case.real].bounded) * sigma[0]))
 
 
-def note_bounded(case: Setting, row: Comparison, asked: Asked, found: Mapping[str, Any], name: str) -> None:
+def note_excess(case: Setting, row: Comparison, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
     """Count an answer within bounds: by how much its error exceeds the least, relative to the demand."""
     tau = np.array(found["tau"])
     slack = 8 * case.unit * (asked.most - asked.least)  # rounding of the bounds
@@ -185,24 +187,24 @@ def note_bounded(case: Setting, row: Comparison, asked: Asked, found: Mapping[st
         return
     low, high = asked.bounds
     free = low < high
-    if _is_weak(case, asked.scaled.W):
+    if _is_weak(case, asked.demand.W):
         return
-    least = np.linalg.norm(asked.scaled.r)
+    least = np.linalg.norm(asked.demand.r)
     if np.any(free):
-        W = asked.scaled.W[:, free]
-        rest = asked.scaled.r - asked.scaled.W[:, ~free] @ low[~free]
+        W = asked.demand.W[:, free]
+        rest = asked.demand.r - asked.demand.W[:, ~free] @ low[~free]
         best = lsq_linear(W, rest, (low[free], high[free]), method="bvls", tol=1e-14, max_iter=200)
         least = np.sqrt(2 * best.cost)
-    size = float(np.linalg.norm(asked.scaled.r))
+    size = float(np.linalg.norm(asked.demand.r))
     row.note_difference(max(asked.error(tau) - float(least), 0.0) / max(size, 1e-290), "", name)
 
 
-def _note_share(case: Setting, row: Comparison, asked: Asked, found: Mapping[str, Any], name: str) -> None:
+def _note_share(case: Setting, row: Comparison, asked: TorqueCase, found: Mapping[str, Any], name: str) -> None:
     """Count a share: the answer against the share, and this against SciPy's linear programme.
 
     SciPy meets the equations to 1e-7 of their terms, too little to judge shares where a direction is weak.
     """
-    scaled, share = asked.scaled, float(found["share"])
+    scaled, share = asked.demand, float(found["share"])
     towards = scaled.root @ np.array(asked.state.demand)
     start = scaled.r - towards
     low, high = asked.bounds
@@ -236,9 +238,9 @@ class Results:
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.finished() for row in (self.motion, self.status)]
+        return [row.with_verdict() for row in (self.motion, self.status)]
 
-    def note(self, asked: Asked, status: int, found: Mapping[str, Any], name: str) -> None:
+    def note(self, asked: TorqueCase, status: int, found: Mapping[str, Any], name: str) -> None:
         """Count one good answer."""
         case, at, tau = self._case, self._case.at(asked.state), np.array(found["tau"], dtype=np.float64)
         V_dot, phi_ddot = coupled_with_locks(at, tau, asked.locked)
@@ -250,14 +252,16 @@ class Results:
         self.motion.note(found["phi_ddot"], phi_ddot, of_phi, name)
         reached = np.abs(asked.rows.S) @ of_V + np.abs(asked.rows.s) + np.abs(asked.state.demand)
         reached += np.abs(asked.rows.S) @ (np.sum(np.abs(at.V)) ** 2 * np.ones(6))  # omega x v of a point
-        self.motion.note(found["residual"], np.array(asked.state.demand) - asked.rows.reached(V_dot), reached, name)
+        self.motion.note(
+            found["residual"], np.array(asked.state.demand) - asked.rows.acceleration(V_dot), reached, name
+        )
         held = np.array(found["limited"], dtype=bool)
         at_bound = (tau == case.nearest_numbers(asked.least)) | (tau == case.nearest_numbers(asked.most))
         expected: dict[str, bool | None] = dict.fromkeys(BITS, False)
         expected["LIMITED"] = bool(held.any())
-        size, off = float(np.linalg.norm(asked.scaled.r)), case.bounds.default
+        size, off = float(np.linalg.norm(asked.demand.r)), case.bounds.default
         left, most = asked.error(tau), case.bounds.cuts.reached * size
-        margin = off * (size + float(np.linalg.norm(asked.scaled.W)) * float(np.linalg.norm(asked.y(tau))))
+        margin = off * (size + float(np.linalg.norm(asked.demand.W)) * float(np.linalg.norm(asked.y(tau))))
         expected["UNREACHABLE"] = None if abs(left - most) <= 10 * margin else left > most
         has = status_bits(status)
         wrong = [bit for bit, wanted in expected.items() if wanted is not None and wanted != (bit in has)]

@@ -15,10 +15,10 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.allocation import ScaledDemand, largest_damping, scaled_task, weighted_solution
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.excess import shares
+from mahovik.proof.reference.excess import motor_shares
 from mahovik.proof.reference.forward import bias, forward
 from mahovik.proof.reference.inverse import inverse_root
-from mahovik.proof.reference.task import Demanded
+from mahovik.proof.reference.task import TaskRows
 from mahovik.proof.verify.compare import EXCESS_MARGIN, Row
 from mahovik.proof.verify.functions import allocation
 from mahovik.proof.verify.functions.abilities import excess_rows
@@ -38,7 +38,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
     damped = Comparison(function, "phi_ddot, with damping", accepted)
     damped_by = Comparison(function, "damped_by", accepted)
     freed = Comparison(function, "phi_ddot, with rows freed", accepted)
-    limited = Comparison(function, "residual, with limits", allocation.BOUNDED if case.real == "double" else 1e-3)
+    limited = Comparison(function, "residual, with limits", allocation.EXCESS_LIMIT if case.real == "double" else 1e-3)
     beside = _Diagnoses(case, function)
     for number, (name, state) in enumerate(case.states):
         asked, rows = allocation.with_demand(case, number, state, task)
@@ -51,7 +51,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             expected = _note_plain(plain, case, asked, scaled, options, found, name)
             beside.note(asked, rows, everything, options, status, found, scaled, name)
             use = _some_rows(case, number, len(rows.s))
-            part = scaled_task(case.at(asked), Demanded(rows.S[use], rows.s[use]), demand[use])
+            part = scaled_task(case.at(asked), TaskRows(rows.S[use], rows.s[use]), demand[use])
             with_free = options | {f"use_{task}": [int(each) for each in use]}
             status, found = allocation.answer_of(case, given, with_free, function)
             _note_plain(freed, case, asked, part, options, found, name)
@@ -61,7 +61,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
             status, found = allocation.answer_of(case, given, options, function)
             rank = int(found["rank"])
             answer = weighted_solution(scaled, np.array(options["weight"]), rank, options["near"], options["damping"])
-            scale = allocation.scale_of_damped(case, scaled, options, rank, answer)
+            scale = allocation.damped_scale(case, scaled, options, rank, answer)
             damped.note(found["phi_ddot"], answer, scale, name)
             share = largest_damping(scaled, rank, options["near"], options["damping"])
             damped_by.note(found["damped_by"], share, np.linalg.norm(scaled.W), name)
@@ -73,7 +73,7 @@ def inverse_rows(case: Case, function: str) -> Iterator[Row]:
         except StateError as error:
             plain.note_refusal(error, name)
     for row in (plain, freed, damped, damped_by, limited):
-        yield row.finished()
+        yield row.with_verdict()
     yield from beside.rows()
     yield from excess_rows(case, function)
 
@@ -87,12 +87,12 @@ def fast_rows(case: Case, function: str) -> Iterator[Row]:
         asked, rows = allocation.with_demand(case, number, state, task)
         use = _some_rows(case, number, len(rows.s))
         demand = np.array(asked.demand)[use]
-        part = scaled_task(case.at(asked), Demanded(rows.S[use], rows.s[use]), demand)
+        part = scaled_task(case.at(asked), TaskRows(rows.S[use], rows.s[use]), demand)
         options = allocation.options_of(case, number)
         free = options | {f"use_{task}": [int(each) for each in use]}
         status, found = case.backend.call(function, case.backend.arguments(asked) | {"options": free})
         allocation.note_fast(freed, case, part, options, status, found, name, _loss(case, asked, part))
-    yield freed.finished()
+    yield freed.with_verdict()
     yield from excess_rows(case, function)
 
 
@@ -148,10 +148,10 @@ class _Diagnoses:
 
     def rows(self) -> list[Row]:
         """The rows with their verdicts."""
-        return [row.finished() for row in (self.motion, self.members, self.status, self.hardest)]
+        return [row.with_verdict() for row in (self.motion, self.members, self.status, self.hardest)]
 
     def note(
-        self, state: State, rows: Demanded, use: Rows, options: Mapping[str, Any], status: int,
+        self, state: State, rows: TaskRows, use: Rows, options: Mapping[str, Any], status: int,
         found: Mapping[str, Any], scaled: ScaledDemand, name: str, *, free: bool = True
     ) -> None:  # fmt: skip
         """Count one good answer; `use`: rows that are demanded; `free`: no limits are among the options."""
@@ -164,7 +164,7 @@ class _Diagnoses:
         self.motion.note(found["V_dot"], V_dot, scale, name)
         reached = np.abs(rows.S) @ scale + np.abs(rows.s) + np.abs(state.demand)
         reached += np.abs(rows.S) @ (np.sum(np.abs(at.V)) ** 2 * np.ones(6))  # omega x v of a point
-        left = np.where(use, np.array(state.demand) - rows.reached(V_dot), 0.0)
+        left = np.where(use, np.array(state.demand) - rows.acceleration(V_dot), 0.0)
         self.members.note(found["residual"], left, reached, name)
         rank, sigma = int(found["rank"]), np.asarray(np.linalg.svd(scaled.W, compute_uv=False), dtype=np.float64)
         padded = np.zeros(len(found["sigma"]))
@@ -175,7 +175,7 @@ class _Diagnoses:
             self.members.note(found["damped_by"], 0.0, None, name)
         if free:
             self.members.note(list(found["limited"]), [0] * case.count, None, name)
-        self._note_status(options, status, found, scaled, shares(case.stand, at, V_dot, phi_ddot), sigma, name)
+        self._note_status(options, status, found, scaled, motor_shares(case.stand, at, V_dot, phi_ddot), sigma, name)
         if rank and len(scaled.r):
             self._note_hardest(found, use, scaled, rank, name)
 

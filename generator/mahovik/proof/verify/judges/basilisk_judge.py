@@ -70,7 +70,7 @@ class BasiliskJudge:
         """K, V_dot, phi_ddot of `tau`; nothing of a state with a run-time wrench."""
         if state.wrench:
             return {}
-        C = self._set(state)
+        C = self._set_state(state)
         self.craft.equationsOfMotion(0.0, 1.0)
         acceleration, omega_dot = self._rate("hubVelocity"), self._rate("hubOmega")
         v, omega = np.split(np.array(state.V), 2)
@@ -80,9 +80,9 @@ class BasiliskJudge:
             "phi_ddot": self._rate(self._effector.nameOfReactionWheelOmegasState) if self._wheels else np.zeros(0),
         }
 
-    def moved(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
+    def move(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
         """See MovingJudge; by Basilisk's own integrator."""
-        self._set(state)
+        self._set_state(state)
         until = self._clock + round(seconds * 1e9)
         while self._clock < until:
             self._clock = min(self._clock + STEP, until)
@@ -95,17 +95,17 @@ class BasiliskJudge:
         phi, phi_dot = map(self._value, names)
         return self._value("hubPosition"), C, V, phi, phi_dot
 
-    def _set(self, state: State) -> Array:
+    def _set_state(self, state: State) -> Array:
         """Put the state into Basilisk's; returns C."""
         turn = attitude(self.stand, state)
         C = np.asarray(turn.as_matrix())
-        self._put("hubPosition", state.position)
-        self._put("hubVelocity", C @ np.array(state.V[:3]))
-        self._put("hubSigma", turn.as_mrp())
-        self._put("hubOmega", state.V[3:])
+        self._put_state("hubPosition", state.position)
+        self._put_state("hubVelocity", C @ np.array(state.V[:3]))
+        self._put_state("hubSigma", turn.as_mrp())
+        self._put_state("hubOmega", state.V[3:])
         if self._wheels:
-            self._put(self._effector.nameOfReactionWheelOmegasState, state.phi_dot)
-            self._put(self._effector.nameOfReactionWheelThetasState, state.phi)
+            self._put_state(self._effector.nameOfReactionWheelOmegasState, state.phi_dot)
+            self._put_state(self._effector.nameOfReactionWheelThetasState, state.phi)
         for wheel, tau in zip(self._wheels, state.tau, strict=True):
             wheel.u_current = tau
         return C
@@ -117,7 +117,7 @@ class BasiliskJudge:
         first = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         return np.block([[mass * np.eye(3), -first], [first, J]])
 
-    def _put(self, name: str, numbers: Any) -> None:
+    def _put_state(self, name: str, numbers: Any) -> None:
         self.craft.dynManager.getStateObject(name).setState(_column(numbers))
 
     def _value(self, name: str) -> Array:

@@ -97,7 +97,7 @@ def end_of_motion(
     q = y[3:7] / np.linalg.norm(y[3:7])
     own = (y[:3], _matrix(q), y[7:13], y[13 : 13 + N], y[13 + N :])
     if isinstance(judge, MovingJudge):
-        other = judge.moved(state, until)
+        other = judge.move(state, until)
     else:
         theirs = integrate(lambda y: judge.rates(y, tau), judge.own_coordinates(state), until)
         other = judge.pose_and_velocity(theirs)

@@ -44,7 +44,7 @@ class MujocoJudge:
     def evaluate(self, state: State) -> Values:
         """See OutsideJudge."""
         model, data = self.model, self.data
-        C, phi_ddot = self._set(state), np.array(state.phi_ddot)
+        C, phi_ddot = self._set_state(state), np.array(state.phi_ddot)
         turning = self._turning(C, state)
         data.qfrc_applied[self._v] = [0.0] * 6 + list(state.tau)
         mujoco.mj_forward(model, data)
@@ -96,7 +96,7 @@ class MujocoJudge:
 
     def own_coordinates(self, state: State) -> Array:
         """See OutsideJudge."""
-        self._set(state)
+        self._set_state(state)
         return np.concatenate([self.data.qpos[self._q], self.data.qvel[self._v]])
 
     def pose_and_velocity(self, y: Array) -> tuple[Array, Array, Array, Array, Array]:
@@ -105,7 +105,7 @@ class MujocoJudge:
         C = _matrix(qpos[3:7] / np.linalg.norm(qpos[3:7]))
         return qpos[:3], C, np.concatenate([C.T @ qvel[:3], qvel[3:6]]), qpos[7:], qvel[6:]
 
-    def _set(self, state: State) -> Array:
+    def _set_state(self, state: State) -> Array:
         """Put the state into MuJoCo's; returns C."""
         turn = attitude(self.stand, state)
         C, data = turn.as_matrix(), self.data

@@ -42,7 +42,7 @@ class StateJudge(Protocol):
 class MovingJudge(StateJudge, Protocol):
     """One that integrates by itself."""
 
-    def moved(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
+    def move(self, state: State, seconds: float) -> tuple[Array, Array, Array, Array, Array]:
         """Position (3), C (3x3), V (6), phi (N), phi_dot (N) after a motion under the drive torques of the state."""
 
 

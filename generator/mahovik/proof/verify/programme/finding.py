@@ -32,7 +32,7 @@ class Finding:
     multipliers: tuple[complex, ...] = ()
 
     @property
-    def warns(self) -> bool:
+    def has_warning(self) -> bool:
         """Whether it has passed with a value above its limit."""
         return self.passed and not self.value <= self.limit
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.motor import available, needed
+from mahovik.core.motion.motor import available_torque, required_torque
 from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import attitude
-from mahovik.proof.reference.task import demanded
+from mahovik.proof.reference.task import task_rows
 from mahovik.proof.verify.programme.finding import Finding, check_limit, largest
 from mahovik.proof.verify.programme.mechanics import pieces_at, twist, twist_rate
 from mahovik.proof.verify.programme.table import EXCEEDED
@@ -38,9 +38,9 @@ def slew_findings(stand: Stand, motion: RequiredMotion, programme: Programme) ->
     found = [check_limit("slew start", begins, 1e-9, "pose and twist at t = 0: m, rad, s")]
     rates, accelerations = [], []
     for q, q_dot, q_ddot, v, phi, phi_dot in zip(*course, V, angles.phi, angles.phi_dot, strict=True):
-        rows = demanded(pieces_at(stand, q, v, phi, phi_dot), stand, slew.task)
+        rows = task_rows(pieces_at(stand, q, v, phi, phi_dot), stand, slew.task)
         rates.append(rows.S @ v)
-        accelerations.append(rows.reached(twist_rate(stand, q, q_dot, q_ddot)))
+        accelerations.append(rows.acceleration(twist_rate(stand, q, q_dot, q_ddot)))
     return [*found, *_turn(slew, C), *_rows(slew, np.array(rates), np.array(accelerations))]
 
 
@@ -103,7 +103,7 @@ def motor_torques(stand: Stand, angles: Angles, tau: Array) -> Array:
     for s, wheel in enumerate(stand.flywheels):
         if wheel.motor is not None:
             pairs = zip(tau[:, s], angles.phi_dot[:, s], strict=True)
-            found[:, s] = [needed(wheel.motor, float(drive), float(speed)) for drive, speed in pairs]
+            found[:, s] = [required_torque(wheel.motor, float(drive), float(speed)) for drive, speed in pairs]
     return found
 
 
@@ -114,8 +114,8 @@ def motor_findings(stand: Stand, t: Array, angles: Angles, tau: Array) -> list[F
         if wheel.motor is None:
             continue
         for now, speed, drive in zip(t, angles.phi_dot[:, s], tau[:, s], strict=True):
-            own = needed(wheel.motor, float(drive), float(speed))
-            most = available(wheel.motor, own, float(speed))
+            own = required_torque(wheel.motor, float(drive), float(speed))
+            most = available_torque(wheel.motor, own, float(speed))
             share = abs(own) / most if most > 0.0 else np.inf * (own != 0.0)
             if share > worst["motor torque"][0]:
                 worst["motor torque"] = (share, f"{wheel.name} at t = {now:.5g} s: {abs(own):.6g} of {most:.6g} N m")

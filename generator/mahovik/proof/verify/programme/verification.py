@@ -10,7 +10,6 @@ from mahovik.core.motion.programme import Angles, Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.proof.verify.programme.compiled import compiled_findings
 from mahovik.proof.verify.programme.finding import (
     Finding,
     Tolerance,
@@ -20,6 +19,7 @@ from mahovik.proof.verify.programme.finding import (
     tolerance_for,
 )
 from mahovik.proof.verify.programme.mechanics import residual_finding, residuals, scale_of
+from mahovik.proof.verify.programme.programme_c import compiled_findings
 from mahovik.proof.verify.programme.runup import runup_findings
 from mahovik.proof.verify.programme.simulation import floquet_finding, simulation_finding
 from mahovik.proof.verify.programme.slew import motor_findings, motor_torques, slew_findings

@@ -11,7 +11,7 @@ from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Placed
+from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pose import Pose
 from mahovik.proof.verify.scales.parts import length
 
@@ -52,6 +52,6 @@ def twist_scale(stand: Stand, at: Pieces, body: Body) -> Array:
 
 def _arm(at: Pieces, name: str) -> float:
     """Distance of a body's origin from O1."""
-    placed: tuple[Placed, ...] = (*at.fixed, *at.flywheels)
+    placed: tuple[PlacedBody, ...] = (*at.fixed, *at.flywheels)
     L = next(k.L for k in placed if k.body.name == name)
     return length(L[3:, :3].ravel()) / math.sqrt(2.0)  # |<O>| of Frobenius is sqrt(2) |O|

@@ -33,11 +33,11 @@ class CompiledServo:
         return BOUNDS[self.real]
 
     @property
-    def trimmed(self) -> bool:
+    def has_trim(self) -> bool:
         """Whether the folder's servo has a trim."""
         return self.library.has("trim_default")
 
-    def rounded(self, values: Any) -> Array:
+    def round(self, values: Any) -> Array:
         """The nearest numbers that the element type has."""
         kind = np.float32 if self.real == "float" else np.float64
         with np.errstate(over="ignore"):

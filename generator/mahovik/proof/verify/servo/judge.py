@@ -29,7 +29,7 @@ class ServoCase:
 
     stand: Stand
     servo: Servo
-    made: CompiledServo
+    compiled: CompiledServo
     seed: int
     count: int
 
@@ -40,11 +40,11 @@ class ServoCase:
 
 
 JUDGES: dict[str, Callable[[ServoCase], Iterable[Row]]] = {
-    "servo_reset": lambda case: [reset_row(case.made, "servo_reset", "servo_state")],
-    "servo_step": lambda case: step_rows(case.made, case.seed, case.count),
-    "trim_reset": lambda case: [reset_row(case.made, "trim_reset", "trim_state")],
-    "trim_step": lambda case: trim_rows(case.made, case.seed),
-    "trim_coordinates": lambda case: coordinate_rows(case.made, case.stand, case.coordinates, case.seed),
+    "servo_reset": lambda case: [reset_row(case.compiled, "servo_reset", "servo_state")],
+    "servo_step": lambda case: step_rows(case.compiled, case.seed, case.count),
+    "trim_reset": lambda case: [reset_row(case.compiled, "trim_reset", "trim_state")],
+    "trim_step": lambda case: trim_rows(case.compiled, case.seed),
+    "trim_coordinates": lambda case: coordinate_rows(case.compiled, case.stand, case.coordinates, case.seed),
 }
 """The judge of each public function."""
 
@@ -95,16 +95,16 @@ def _check_programme(stand: Stand, motion: RequiredMotion | None, programme: Pro
 
 
 def _rows(case: ServoCase, motion: RequiredMotion | None, programme: Programme | None) -> Iterator[Row]:
-    made, trim = case.made, case.servo.trim
+    made, trim = case.compiled, case.servo.trim
     public = made.library.functions()
     yield from gain_rows(made, case.stand, case.servo)
-    if (trim is not None) != made.trimmed:
+    if (trim is not None) != made.has_trim:
         words = "the servo file has a trim, the C has none" if trim is not None else "the C has a trim, not the file"
         yield Row("trim_default", "trim", verdict="FAILED", reason=f"{words}: export the servo again")
     elif trim is not None:
         yield from design_rows(made, case.stand, case.servo, trim, motion, programme)
     yield time_row(made, case.servo, motion)
-    for function in (*SERVO, *(TRIM if made.trimmed else ())):
+    for function in (*SERVO, *(TRIM if made.has_trim else ())):
         if function in public:
             yield from JUDGES[function](case)
         else:

@@ -20,7 +20,7 @@ WHOLE = 3.0
 
 
 @dataclass(frozen=True)
-class Expected:
+class LawResult:
     """Results by name, their scales, and whether a limit was met (None: rounding decides)."""
 
     values: dict[str, Array]
@@ -39,14 +39,14 @@ def within_half_a_turn(angle: Array) -> Array:
     return np.array([math.remainder(each, math.tau) for each in angle])
 
 
-def limit_is_met(excess: Array, doubt: Array) -> bool | None:
+def exceeds(excess: Array, doubt: Array) -> bool | None:
     """Whether any excess is above zero; None if one is nearer to zero than its doubt and the others are below."""
     if np.any(excess > doubt):
         return True
     return None if np.any(excess >= -doubt) else False
 
 
-def servo_sample(g: Values, state: Values, wanted: Values, phi: Array, phi_dot: Array, tolerance: float) -> Expected:
+def servo_sample(g: Values, state: Values, wanted: Values, phi: Array, phi_dot: Array, tolerance: float) -> LawResult:
     """One sample of all servos.
 
     g         members of the gains, (N) each or a number
@@ -72,10 +72,10 @@ def servo_sample(g: Values, state: Values, wanted: Values, phi: Array, phi_dot: 
     tau_scale = u_scale + reached
     rest = z + g["integral"] * e + g["back"] * (tau - u)
     z_scale = np.abs(z) + g["integral"] * e_scale + g["back"] * (tau_scale + u_scale)
-    return Expected(
+    return LawResult(
         {"tau": tau, "torque": tau, "speed": f, "integral": np.clip(rest, -g["limit"], g["limit"])},
         {"tau": tau_scale, "torque": tau_scale, "speed": f_scale, "integral": z_scale},
-        limit_is_met(np.maximum(low - u, u - high), tolerance * tau_scale),
+        exceeds(np.maximum(low - u, u - high), tolerance * tau_scale),
     )
 
 
@@ -98,7 +98,7 @@ class TrimLaw:
     sample: int = field(default=0, init=False)
     error: Array = field(init=False)
     error_scale: Array = field(init=False)
-    _seen: list[tuple[float, Array]] = field(default_factory=list, init=False)
+    _samples: list[tuple[float, Array]] = field(default_factory=list, init=False)
 
     def __post_init__(self) -> None:
         shape = (self.count, self.terms)
@@ -112,7 +112,7 @@ class TrimLaw:
         return int(np.shape(self.design["target"])[1])
 
     @property
-    def measured(self) -> bool:
+    def ends_window(self) -> bool:
         """Whether the last sample was the end of a window, so that the error of the round is known."""
         return self.sample == self._start + self._window
 
@@ -124,12 +124,12 @@ class TrimLaw:
     def _window(self) -> int:
         return int(self.design["window"])
 
-    def take(self, phase: float, q: Array, given: Values) -> Expected:
+    def take(self, phase: float, q: Array, given: Values) -> LawResult:
         """The next sample: coordinates q measured at a phase; `given` are `phi`, `phi_dot`, `tau` of the programme."""
         limited: bool | None = False
         if self._start <= self.sample < self._start + self._window:
-            self._seen.append((phase, q))
-            if len(self._seen) == self._window:
+            self._samples.append((phase, q))
+            if len(self._samples) == self._window:
                 self._compare()
         elif self.sample >= self._start + self._window:
             limited = self._correct(self.sample - self._start - self._window)
@@ -141,8 +141,8 @@ class TrimLaw:
 
     def _compare(self) -> None:
         """The error of the round: Fourier coefficients of the window less the target."""
-        phases = np.array([phase for phase, _ in self._seen])
-        q = np.array([each for _, each in self._seen])
+        phases = np.array([phase for phase, _ in self._samples])
+        q = np.array([each for _, each in self._samples])
         self.error, self.error_scale = np.zeros_like(self.error), np.abs(np.asarray(self.design["target"]))
         for k in range(self.terms // 2 + 1):
             spun = np.exp(-2j * math.pi * k * phases)
@@ -153,7 +153,7 @@ class TrimLaw:
                 self.error[:, i] = part
                 self.error_scale[:, i] += size
         self.error = self.error - self.design["target"]
-        self._seen.clear()
+        self._samples.clear()
 
     def _correct(self, s: int) -> bool | None:
         """The corrections of flywheel s lose matrix times error, inside the limit."""
@@ -163,9 +163,9 @@ class TrimLaw:
         scale = self.size[s] + np.abs(rows) @ self.error_scale.ravel()
         self.wanted[s] = np.clip(free, -limit, limit)
         self.size[s] = scale
-        return limit_is_met(np.abs(free) - limit, self.tolerance * scale)
+        return exceeds(np.abs(free) - limit, self.tolerance * scale)
 
-    def _corrected_demand(self, phase: float, given: Values, limited: bool | None) -> Expected:
+    def _corrected_demand(self, phase: float, given: Values, limited: bool | None) -> LawResult:
         """Angle, speed and torque with the corrections: a Fourier series and its derivatives by time."""
         k = np.arange(1, self.terms // 2 + 1)
         turn = k * self.design["omega"]
@@ -182,7 +182,7 @@ class TrimLaw:
             "phi_dot": (turn * size).sum(axis=1),
             "tau": inertia * (turn**2 * size).sum(axis=1),
         }
-        return Expected(
+        return LawResult(
             {name: given[name] + added[name] for name in added},
             {name: np.abs(given[name]) + scales[name] for name in added},
             limited,

@@ -62,7 +62,7 @@ def _calls(made: CompiledServo) -> Iterator[_Call]:
     sample = {"gains": made.library.default("servo_default"), "state": state("servo_state"), **wanted}
     yield _Call("servo_reset", {"state": state("servo_state")})
     yield _Call("servo_step", {**sample, "invalid": ffi.NULL, "tau": numbers()}, ("invalid",), ("tau",))
-    if not made.trimmed:
+    if not made.has_trim:
         return
     design = made.library.default("trim_default")
     many = len(made.default("trim_default")["target"])

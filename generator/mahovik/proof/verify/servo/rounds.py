@@ -17,7 +17,7 @@ from mahovik.proof.verify.servo.folder import CompiledServo
 from mahovik.proof.verify.servo.law import Array, TrimLaw
 from mahovik.proof.verify.servo.samples import check_status
 
-GIVEN = ("phi", "phi_dot", "tau")
+INPUTS = ("phi", "phi_dot", "tau")
 ROUNDS = ((3, 20, True, 0.1), (0, 7, True, 10.0), (2, 11, False, 1.0), (5, 1, False, 0.05))
 """Samples of settling and of a window, whether the numbers are the folder's, and the size of what is measured."""
 
@@ -39,7 +39,7 @@ def _design(made: CompiledServo, rng: np.random.Generator, settling: int, window
         found |= {"smoothing": rng.uniform(0.1, 1.0), "limit": rng.uniform(0.1, 0.5), "omega": rng.uniform(10, 100)}
         found |= {name: rng.normal(size=np.shape(found[name])) for name in ("inertia", "target", "matrix")}
         found |= {"inertia": np.abs(found["inertia"])}
-    inputs = {name: made.rounded(value) for name, value in found.items()}
+    inputs = {name: made.round(value) for name, value in found.items()}
     return inputs | {"settling": settling, "window": window}
 
 
@@ -49,13 +49,13 @@ def trim_rows(made: CompiledServo, seed: int) -> Iterator[Row]:
     terms = int(np.shape(made.default("trim_default")["target"])[1])
     # cosine and sine of k theta are sums of k angles: their rounding grows with k
     tolerance = made.bounds.default * max(1, terms // 2)
-    rows = {name: Comparison("trim_step", name, tolerance) for name in (*GIVEN, "wanted", "present", "error")}
+    rows = {name: Comparison("trim_step", name, tolerance) for name in (*INPUTS, "wanted", "present", "error")}
     status_row, counts = Row("trim_step", "status", verdict="ok"), Row("trim_step", "sample, rounds", verdict="ok")
     for settling, window, own, size in ROUNDS:
         design = _design(made, rng, settling, window, own)
         name = f"{'its' if own else 'drawn'} numbers, window {window}"
         _run(made, rng, design, size, name, (rows, status_row, counts))
-    yield from (each.finished() for each in rows.values())
+    yield from (each.with_verdict() for each in rows.values())
     yield from (status_row, counts, _last_round_row(made))
 
 
@@ -75,20 +75,20 @@ def _run(
     amplitude = size * float(design["limit"]) / max(float(np.abs(design["matrix"]).sum(axis=1).max()), 1e-12)
     for number in range(ROUNDS_EACH * (design["settling"] + design["window"] + made.count)):
         phase = (0.0, 0.5, 1.0 - 2.0**-20)[number % 7] if number % 7 < 3 else float(rng.uniform())
-        phase = min(float(made.rounded(phase)), 1.0 - 2.0**-24)
+        phase = min(float(made.round(phase)), 1.0 - 2.0**-24)
         course = _series(np.asarray(design["target"]), phase)
-        q = made.rounded(course + amplitude * rng.normal(size=len(course)))
-        given = {key: made.rounded(rng.normal(size=made.count)) for key in GIVEN}
+        q = made.round(course + amplitude * rng.normal(size=len(course)))
+        given = {key: made.round(rng.normal(size=made.count)) for key in INPUTS}
         changed = {key: made.reals(value) for key, value in given.items()}
         status = made.call("trim_step", table, state, phase, made.reals(q), *changed.values())
         expected, found, where = law.take(phase, q, given), made.members(state), f"{name}, sample {number}"
         check_status(status_row, status, expected.limited, where)
-        for key in GIVEN:
+        for key in INPUTS:
             rows[key].note(made.read(changed[key]), expected.values[key], expected.scales[key], where)
         largest = law.size.max(axis=1, keepdims=True)
         rows["wanted"].note(found["wanted"], law.wanted, law.size, where)
         rows["present"].note(found["present"], law.present, np.broadcast_to(largest, law.present.shape), where)
-        if law.measured:
+        if law.ends_window:
             rows["error"].note(found["sum"], law.error, law.error_scale, where)
         counts.states += 1
         if (found["sample"], found["rounds"]) != (law.sample, law.rounds) and not counts.failed:
@@ -109,7 +109,7 @@ def _last_round_row(made: CompiledServo) -> Row:
     design = made.default("trim_default") | {"settling": 0, "window": 1}
     state = made.library.ffi.new(f"{made.prefix}_trim_state *")
     state.sample, state.rounds = made.count, MOST_ROUNDS  # the last flywheel's correction
-    zeros = [made.reals(np.zeros(made.count)) for _ in GIVEN]
+    zeros = [made.reals(np.zeros(made.count)) for _ in INPUTS]
     q = made.reals(np.zeros(len(design["target"])))
     status = made.call("trim_step", made.struct("trim_design", design), state, 0.25, q, *zeros)
     if status < 0 or (state.sample, state.rounds) != (0, MOST_ROUNDS):
@@ -125,11 +125,11 @@ def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, .
     many = len(made.default("trim_default")["target"])
     if many != len(coordinates):
         row.note_difference(math.inf, f"the C measures {many} coordinates, the servo file {len(coordinates)}", "")
-        yield row.finished()
+        yield row.with_verdict()
         return
     for number in range(200):
-        position = made.rounded(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
-        attitude = made.rounded(_turn(rng, number))
+        position = made.round(rng.normal(size=3) * (1.0 if number % 2 else 1e3))
+        attitude = made.round(_turn(rng, number))
         w, x, y, z = attitude
         angles = Rotation.from_quat([x, y, z, w]).as_euler(SEQUENCES[stand.angles])
         away = abs(math.sin(angles[1]) if stand.angles == "euler" else math.cos(angles[1]))
@@ -145,7 +145,7 @@ def coordinate_rows(made: CompiledServo, stand: Stand, coordinates: tuple[int, .
         turns = np.where(angular, np.round((found - expected) / math.tau), 0.0)
         scale = np.where(angular, math.pi / away, np.maximum(np.abs(expected), 1e-300))
         row.note(found - math.tau * turns, expected, scale, f"pose {number}")
-    yield row.finished()
+    yield row.with_verdict()
 
 
 def _turn(rng: np.random.Generator, number: int) -> Array:

@@ -13,11 +13,11 @@ from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.proof.verify.compare import Row
 from mahovik.proof.verify.functions.case import Comparison
 from mahovik.proof.verify.servo.folder import CompiledServo
-from mahovik.proof.verify.servo.law import Array, Expected, servo_sample
+from mahovik.proof.verify.servo.law import Array, LawResult, servo_sample
 
-WANTED = ("phi_ref", "phi_dot_ref", "tau_ff")
+SETPOINTS = ("phi_ref", "phi_dot_ref", "tau_ff")
 STATE = ("integral", "speed", "torque")
-LOST = (math.nan, math.inf, -math.inf, 1e300)
+INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
 """Readings of an encoder that has none."""
 
 
@@ -61,7 +61,7 @@ class _Samples:
         for name, every in (("limit", 3), ("change", 4)):
             if number // 2 % every == 0:
                 drawn[name] = np.full(n, BOUNDS["MAX_WRENCH"].value)
-        return {name: self._made.rounded(value) for name, value in drawn.items()}
+        return {name: self._made.round(value) for name, value in drawn.items()}
 
     def torque(self, g: dict[str, Array]) -> Array:
         """Magnitude of torques that limits cut now and then."""
@@ -72,7 +72,7 @@ class _Samples:
         size, n = self.torque(g), self._made.count
         drawn = {name: self._rng.uniform(-1, 1, n) * size for name in ("integral", "torque")}
         drawn["speed"] = self._rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6)
-        return {name: self._made.rounded(value) for name, value in drawn.items()}
+        return {name: self._made.round(value) for name, value in drawn.items()}
 
     def inputs(self, g: dict[str, Array], number: int) -> dict[str, Array]:
         """Wanted and measured values; errors small, of many turns, and just below and above half turns."""
@@ -91,7 +91,7 @@ class _Samples:
             "phi": phi_ref - error,
             "phi_dot": phi_dot_ref - 0.3 * rng.normal(size=n) * size / np.maximum(g["speed"], 1e-6),
         }
-        return {name: self._made.rounded(value) for name, value in drawn.items()}
+        return {name: self._made.round(value) for name, value in drawn.items()}
 
     def mask(self) -> list[int]:
         """Flags of readings that are not good, of any value but 0."""
@@ -105,12 +105,12 @@ def _step(
 ) -> tuple[int, dict[str, Array]]:
     """Status and results of one sample of the C: `tau` and the members of the state."""
     kept, tau = made.struct("servo_state", state), made.reals(np.zeros(made.count))
-    given = [made.reals(row[name]) for name in (*WANTED, "phi", "phi_dot")]
+    given = [made.reals(row[name]) for name in (*SETPOINTS, "phi", "phi_dot")]
     status = made.call("servo_step", made.struct("servo_gains", g), kept, *given, made.flags(flags), tau)
     return status, {"tau": made.read(tau), **made.members(kept)}
 
 
-def _compare(rows: dict[str, Comparison], found: dict[str, Array], expected: Expected, where: str) -> None:
+def _compare(rows: dict[str, Comparison], found: dict[str, Array], expected: LawResult, where: str) -> None:
     """Note every result against the law."""
     for name, row in rows.items():
         row.note(found[name], expected.values[name], expected.scales[name], where)
@@ -133,7 +133,7 @@ def step_rows(made: CompiledServo, seed: int, count: int) -> Iterator[Row]:
         _compare(rows, found, expected, where)
         flags = drawn.mask()
         lost = np.array(flags) != 0
-        none = LOST[number % len(LOST)]
+        none = INVALID_READINGS[number % len(INVALID_READINGS)]
         blind = row | {name: np.where(lost, none, row[name]) for name in ("phi", "phi_dot")}
         phi, phi_dot = np.where(lost, row["phi_ref"], row["phi"]), np.where(lost, row["phi_dot_ref"], row["phi_dot"])
         expected = servo_sample(g, state, row, phi, phi_dot, tolerance)
@@ -144,5 +144,5 @@ def step_rows(made: CompiledServo, seed: int, count: int) -> Iterator[Row]:
         if any(np.any(without[name][~lost] != found[name][~lost]) for name in ("tau", *STATE)) and not alone.failed:
             alone.verdict, alone.state = "FAILED", f"{where}, flags {flags}"
             alone.reason = "flywheels with a good reading have other bits than beside good ones"
-    yield from (each.finished() for each in (*rows.values(), masked))
+    yield from (each.with_verdict() for each in (*rows.values(), masked))
     yield from (status_row, alone)

@@ -27,7 +27,7 @@ from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 TIME = 1e-9
 """Accepted relative error of what depends on the period: samples and periods in it are whole numbers below 2^31."""
 
-SETTLED = 8.0
+SETTLING_CONSTANTS = 8.0
 """Time constants of the corrections' smoothing in the settling."""
 
 RESTING = 1e-3
@@ -76,7 +76,7 @@ def gain_rows(made: CompiledServo, stand: Stand, servo: Servo) -> Iterator[Row]:
             row.note(value, expected[name], np.abs(expected[name]), "")
         else:
             row.note_difference(math.inf, "no such number in the law", "")
-        yield row.finished()
+        yield row.with_verdict()
 
 
 def design_rows(
@@ -94,7 +94,7 @@ def design_rows(
     expected: dict[str, Any] = {
         "settling": settling,
         "window": round(trim.averaging * samples),
-        "smoothing": 1.0 - math.exp(-SETTLED / settling) if settling > SETTLED else 1.0,
+        "smoothing": 1.0 - math.exp(-SETTLING_CONSTANTS / settling) if settling > SETTLING_CONSTANTS else 1.0,
         "limit": trim.limit,
         "omega": math.tau / span,
         "inertia": _inertia(stand),
@@ -117,7 +117,7 @@ def design_rows(
             row.note(value, expected[name], np.abs(expected[name]), "")
         else:
             row.note_difference(math.inf, "no such number in the law", "")
-        yield row.finished()
+        yield row.with_verdict()
 
 
 def time_row(made: CompiledServo, servo: Servo, motion: RequiredMotion | None) -> Row:
@@ -127,7 +127,7 @@ def time_row(made: CompiledServo, servo: Servo, motion: RequiredMotion | None) -
         row.row.reason = "needs the required motion: give --motion MOTION.json"
     else:
         row.note(_span(made, servo), motion.span, motion.span, "")
-    return row.finished()
+    return row.with_verdict()
 
 
 def _matrix_row(
@@ -153,7 +153,7 @@ def _matrix_row(
             row.note(matrix, *trim_matrix(stand, motion, programme, trim), "")
         except StateError as error:
             row.note_absence(error, "")
-    return row.finished()
+    return row.with_verdict()
 
 
 def _target(motion: RequiredMotion, trim: Trim) -> Array:

@@ -33,7 +33,7 @@ from mahovik.proof.verify.servo.law import Array
 PROTECTED, WEIGHT = 2, 30.0
 """Harmonics above the corrected ones that cost, and the weight of their size in the largest effect on those."""
 
-REACHED = 1e-3
+REACH = 1e-3
 """Part of the largest effect from which a direction of the error counts as in reach."""
 
 DOUBT = 1e-4
@@ -94,9 +94,9 @@ def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
     back = np.linalg.solve(np.diag(own) + heavy * above.T @ above, G.T)
     size, directions = np.linalg.eigh(G @ back)
     share = np.sqrt(np.maximum(size, 0.0) / size.max())
-    if np.any(np.abs(share / REACHED - 1.0) < DOUBT):
+    if np.any(np.abs(share / REACH - 1.0) < DOUBT):
         raise StateError("a direction of the error is at the limit of reach")
-    kept = share > REACHED
+    kept = share > REACH
     return np.asarray(back @ (directions[:, kept] / size[kept]) @ directions[:, kept].T)
 
 

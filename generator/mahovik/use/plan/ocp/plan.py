@@ -14,11 +14,11 @@ import numpy as np
 from mahovik.core.motion.programme import Angles
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.finite import FiniteProblem, Solved
+from mahovik.use.plan.finite import FiniteProblem, FiniteSolution
 from mahovik.use.plan.levenberg import Rules, refine, refine_periodic
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.ocp.partition import PartitionCourse, Plus, best_partition, order_of
-from mahovik.use.plan.ocp.solve import Collocated, Scaled, Start, solve
+from mahovik.use.plan.ocp.solve import CollocatedMotion, ScaledProblem, Start, solve
 from mahovik.use.plan.ocp.structure import Mesh
 from mahovik.use.plan.optimise import evaluate, finish
 from mahovik.use.plan.outcome import Candidates, OnProgress, PlanOptions
@@ -40,7 +40,7 @@ def periodic_start(motion: Periodic) -> Start:
     return Start(angles_at, motion.winding, motion.bias)
 
 
-def exact_periodic(improver: Improver, start: Candidate, found: Collocated) -> Candidate:
+def exact_periodic(improver: Improver, start: Candidate, found: CollocatedMotion) -> Candidate:
     """The periodic motion on (12) next to a collocated one: fit of its harmonics, then shortest steps."""
     problem, H = improver.problem, int(np.clip(start.motion.H, _FEWEST_HARMONICS, _MOST_HARMONICS))
     M = 8 * H
@@ -53,18 +53,18 @@ def exact_periodic(improver: Improver, start: Candidate, found: Collocated) -> C
     done = finish(problem, improver.cost, evaluate(problem, improver.cost, motion, 0), budget)
     if done.residual > problem.tolerance:
         done = evaluate(
-            problem, improver.cost, refine_periodic(problem, motion, HARMONIC_COUNTS, budget).motion, budget.taken
+            problem, improver.cost, refine_periodic(problem, motion, HARMONIC_COUNTS, budget).motion, budget.steps_taken
         )
     return improver.candidate(done, start.kind, start.free)
 
 
-def finite_start(problem: FiniteProblem, solved: Solved) -> Start:
+def finite_start(problem: FiniteProblem, solved: FiniteSolution) -> Start:
     """A finite flywheel motion as a start."""
     space = problem.space(solved.degree)
     return Start(lambda t: solved.motion.at(space.modes(t)), np.zeros(problem.N), solved.motion.bias)
 
 
-def finite_exact(problem: FiniteProblem, start: Solved, found: Collocated) -> Solved:
+def finite_exact(problem: FiniteProblem, start: FiniteSolution, found: CollocatedMotion) -> FiniteSolution:
     """The finite motion on (12) next to a collocated one: fit of its modes, then steps at the degree of the start."""
     space = problem.space(start.degree)
     t, weight = space.nodes(start.degree + 1)
@@ -83,7 +83,7 @@ def finite_exact(problem: FiniteProblem, start: Solved, found: Collocated) -> So
         problem, grid, motion, Rules(1e-3 * problem.tolerance, REFINEMENT_STEPS, 1e-2), Budget(REFINEMENT_STEPS)
     ).motion
     fine = problem.grid_between_nodes(start.degree, 3 * start.degree)
-    return Solved(reached, start.degree, float(np.linalg.norm(problem.rows(fine, reached), axis=1).max()))
+    return FiniteSolution(reached, start.degree, float(np.linalg.norm(problem.rows(fine, reached), axis=1).max()))
 
 
 INTERVALS, DEGREE = 24, 4
@@ -96,7 +96,7 @@ _TIMES = 801
 """Times at which I+ is evaluated."""
 SINGULAR = "SINGULAR_PARTITION"
 
-Kind = TypeVar("Kind", Candidate, Solved)
+Kind = TypeVar("Kind", Candidate, FiniteSolution)
 
 
 @dataclass(frozen=True)
@@ -104,13 +104,13 @@ class _Task(Generic[Kind]):
     """Differences between periodic and finite motions, as functions.
 
     start   a programme as a start; exact: the exact motion near a collocated one
-    good    whether that is a programme; kept: whether it keeps to the bounds; objective: J of (13)
+    good    whether that is a programme; keeps_bounds: whether it does; objective: J of (13)
     """
 
     start: Callable[[Kind], Start]
-    exact: Callable[[Kind, Collocated], Kind]
+    exact: Callable[[Kind, CollocatedMotion], Kind]
     good: Callable[[Kind], bool]
-    kept: Callable[[Kind], bool]
+    keeps_bounds: Callable[[Kind], bool]
     objective: Callable[[Kind], float]
     mesh: Mesh
 
@@ -130,40 +130,40 @@ def periodic_ocp(
         start=lambda each: periodic_start(each.motion),
         exact=lambda each, found: exact_periodic(improver, each, found),
         good=lambda each: each.exact,
-        kept=lambda each: not each.exceeded,
+        keeps_bounds=lambda each: not each.exceeded_bounds,
         objective=lambda each: each.objective,
         mesh=mesh,
     )
-    return _Run(problem, improver.cost, task, options, budget, on_progress).run_all(warm, plus)
+    return _PlanRuns(problem, improver.cost, task, options, budget, on_progress).run_all(warm, plus)
 
 
 def finite_ocp(
     problem: FiniteProblem,
     cost: Cost,
-    warm: Sequence[Solved],
-    figures: Callable[[Solved], Mapping[str, Any]],
+    warm: Sequence[FiniteSolution],
+    figures: Callable[[FiniteSolution], Mapping[str, Any]],
     options: PlanOptions,
     plus: Plus | None,
     budget: Budget,
     on_progress: OnProgress,
-) -> Candidates[Solved]:
+) -> Candidates[FiniteSolution]:
     """(13) of a finite motion with x(t0) = x0, from programmes of the search; `figures`: of one, for its report."""
     breaks = problem.space(warm[0].degree).breaks / problem.motion.span if warm else np.linspace(0.0, 1.0, 13)
     inside = np.arange(EACH) / EACH
     fine = np.append((breaks[:-1, None] + np.diff(breaks)[:, None] * inside).ravel(), 1.0)
-    task = _Task[Solved](
+    task = _Task[FiniteSolution](
         start=lambda each: finite_start(problem, each),
         exact=lambda each, found: finite_exact(problem, each, found),
         good=lambda each: each.residual < problem.tolerance,
-        kept=lambda each: not figures(each)["exceeded"],
+        keeps_bounds=lambda each: not figures(each)["exceeded"],
         objective=lambda each: float(figures(each)["objective"]),
         mesh=Mesh(fine, DEGREE),
     )
-    return _Run(problem, cost, task, options, budget, on_progress).run_all(warm, plus)
+    return _PlanRuns(problem, cost, task, options, budget, on_progress).run_all(warm, plus)
 
 
 @dataclass(frozen=True, eq=False)
-class _Run(Generic[Kind]):
+class _PlanRuns(Generic[Kind]):
     """All runs of one plan."""
 
     problem: Problem
@@ -200,21 +200,21 @@ class _Run(Generic[Kind]):
             starts = [each for each in starts if not each[1].crossings.size]
             outcome.reason = "SEARCH" if starts else SINGULAR
         for one, along in starts:
-            if len(outcome.found) >= self.options.keep or outcome.interrupted or outcome.cut:
+            if len(outcome.motions) >= self.options.keep or outcome.interrupted or outcome.cut:
                 break
             self.run_one(one, along, plus, outcome)
-        outcome.found.sort(key=lambda each: (not self.task.kept(each[0]), self.task.objective(each[0])))
+        outcome.motions.sort(key=lambda each: (not self.task.keeps_bounds(each[0]), self.task.objective(each[0])))
         return outcome
 
     def run_one(self, warm: Kind, along: PartitionCourse, plus: Plus | None, outcome: Candidates[Kind]) -> None:
         """Solve (13) from one programme; the outcome gets the new programme, or the reason why there is none."""
         left = None if self.options.seconds is None else max(0.0, self.options.seconds - self.budget.elapsed)
         time = Budget(0, left)
-        scaled = Scaled(self.problem, self.cost, order_of(along.plus, self.problem.N))
+        scaled = ScaledProblem(self.problem, self.cost, order_of(along.plus, self.problem.N))
         method = self.options.method
         assert method != "fourier"
-        best: tuple[Kind, Collocated] | None = None
-        tries: list[Collocated] = []
+        best: tuple[Kind, CollocatedMotion] | None = None
+        tries: list[CollocatedMotion] = []
         try:
             for part in PARTS:
                 start = self.task.start(warm)
@@ -227,15 +227,15 @@ class _Run(Generic[Kind]):
                     break
                 became = self.task.exact(warm, run)
                 if self.task.good(became) and not (ended and self.is_worse(became, warm)):
-                    best = (became, run) if best is None or self.task.kept(became) else best
-                if ended or (best is not None and self.task.kept(best[0])):
+                    best = (became, run) if best is None or self.task.keeps_bounds(became) else best
+                if ended or (best is not None and self.task.keeps_bounds(best[0])):
                     break
         except KeyboardInterrupt:
             outcome.interrupted = True
         iterations = sum(each.iterations for each in tries)
         if best is None and (outcome.interrupted or outcome.cut):
             report = self.report(warm, warm, None, along, iterations)
-            outcome.found.append((warm, report))
+            outcome.motions.append((warm, report))
             return
         if best is None:
             last = f"IPOPT ended with {tries[-1].words!r} after {tries[-1].iterations} iterations"
@@ -248,15 +248,17 @@ class _Run(Generic[Kind]):
             outcome.words = [*outcome.words, after.words(self.names)]
             return
         report = self.report(warm, best[0], best[1], after, iterations)
-        outcome.found.append((best[0], report))
+        outcome.motions.append((best[0], report))
 
     def is_worse(self, became: Kind, warm: Kind) -> bool:
         """Whether the start of an interrupted run is better than its result."""
         task = self.task
-        return task.kept(warm) and (not task.kept(became) or task.objective(became) > task.objective(warm))
+        return task.keeps_bounds(warm) and (
+            not task.keeps_bounds(became) or task.objective(became) > task.objective(warm)
+        )
 
     def report(
-        self, warm: Kind, became: Kind, run: Collocated | None, along: PartitionCourse, iterations: int
+        self, warm: Kind, became: Kind, run: CollocatedMotion | None, along: PartitionCourse, iterations: int
     ) -> dict[str, Any]:
         """Entries for the programme's report; `run` None: the start itself is given."""
         mesh = self.task.mesh

@@ -25,7 +25,7 @@ from mahovik.use.plan.residual import prescribe, residual
 
 
 @dataclass(frozen=True, eq=False)
-class Scaled:
+class ScaledProblem:
     """A planning problem in the scales of `node`: flywheels in the order `order`, time in 1/Omega.
 
     order   (N) numbers of the flywheels, (-, +) of (13)
@@ -61,7 +61,7 @@ class Scaled:
         course = problem.motion.at(t)
         at = prescribe(problem.mechanics, course, bias)
         by_bias, tau_by_bias = problem.bias_perturbations(course, bias).rates(angles)
-        base = problem.norm.scaled(at.balance)
+        base = problem.norm.dimensionless(at.balance)
         fixed, moving = (np.transpose(self._rows(x), (2, 0, 1, 3)) for x in (at.fixed, at.moving * self.Omega))
         parts = (base, fixed, moving, by_bias, (tau_by_bias / self.torque[:, None])[:, self.order])
         return np.hstack([x.reshape(M, -1) for x in parts]).T
@@ -75,7 +75,7 @@ class Scaled:
     def stand_parameters(self, mean_speed: Array) -> Array:
         """Parameters of all nodes (P): tables, objective, motors; mean speeds (N, rad/s)."""
         own, cost, drives, Omega = self.problem.mechanics, self.cost, self.cost.drives, self.Omega
-        still, spun = (self._rows(x * Omega**2)[:, :, 0] for x in (own.still, own.spun))
+        still, spun = (self._rows(x * Omega**2)[:, :, 0] for x in (own.coupling, own.coupling_slope))
         per_flywheel = (
             np.array([cost.weights[kind] for kind in KINDS]),
             mean_speed / Omega,
@@ -104,7 +104,9 @@ VOLUME = 0.1
 """Limit of |det I+| at the nodes, as a part of its smallest value along the start."""
 
 
-def unknown_bounds(scaled: Scaled, own: Structure, winding: Array, bias: Array, part: float) -> tuple[Array, Array]:
+def unknown_bounds(
+    scaled: ScaledProblem, own: Structure, winding: Array, bias: Array, part: float
+) -> tuple[Array, Array]:
     """Bounds of speeds, accelerations that are controls, bias (around `bias`, 6), and x(t0) of a finite motion."""
     problem, order, N = scaled.problem, scaled.order, own.N
     bounds = problem.motion.bounds
@@ -123,7 +125,7 @@ def unknown_bounds(scaled: Scaled, own: Structure, winding: Array, bias: Array, 
     return low, high
 
 
-def _state_bounds(scaled: Scaled, own: Structure, winding: Array, part: float) -> tuple[Array, Array]:
+def _state_bounds(scaled: ScaledProblem, own: Structure, winding: Array, part: float) -> tuple[Array, Array]:
     """Bounds of x (2N, columns): greatest speeds, and least speeds on the side of the winding."""
     N, columns, bounds = own.N, own.mesh.columns, scaled.problem.motion.bounds
     fastest = scaled.limits(bounds, "speed", part)
@@ -139,7 +141,7 @@ def _state_bounds(scaled: Scaled, own: Structure, winding: Array, part: float) -
 
 
 def row_bounds(
-    scaled: Scaled, own: Structure, rows: Mapping[str, slice], winding: Array, part: float, first: Array
+    scaled: ScaledProblem, own: Structure, rows: Mapping[str, slice], winding: Array, part: float, first: Array
 ) -> tuple[Array, Array]:
     """Bounds of g: zero for (12) and for the collocation, limits for other rows; `first`: g at the start."""
     bounds, turn = scaled.problem.motion.bounds, 2.0 * np.pi * winding[scaled.order]
@@ -175,7 +177,7 @@ class Start:
 
 
 @dataclass(frozen=True, eq=False)
-class Collocated:
+class CollocatedMotion:
     """Result of a run.
 
     phi, phi_dot   (N, columns) of the mesh, rad, rad/s, flywheels in the stand's order
@@ -205,14 +207,14 @@ class Collocated:
 
 
 def solve(
-    scaled: Scaled,
+    scaled: ScaledProblem,
     formulation: Formulation,
     mesh: Mesh,
     start: Start,
     part: float,
     on_progress: OnProgress,
     time: Budget,
-) -> Collocated:
+) -> CollocatedMotion:
     """Solve (13) from a start, inside `part` of the bounds. Ctrl-C and the end of `time` give the best so far."""
     problem = scaled.problem
     motion = problem.motion
@@ -234,20 +236,20 @@ def solve(
 
 
 def _result(
-    scaled: Scaled,
+    scaled: ScaledProblem,
     own: Structure,
     start: Start,
     found: dict[str, Any],
     status: dict[str, Any],
     seen: RunRecord,
-) -> Collocated:
+) -> CollocatedMotion:
     """The solution; if there is none, the best point seen."""
     solved, back, N = bool(status["success"]), np.argsort(scaled.order), own.N
     last = solved or seen.best is None
     vector = np.asarray(found["x"]).ravel() if last else np.asarray(seen.best)
     point, _, bias, _ = np.split(vector, own.ends[1:-1])
     x = point.reshape(own.shapes[0], order="F")
-    return Collocated(
+    return CollocatedMotion(
         mesh=own.mesh,
         span=scaled.problem.motion.span,
         phi=x[:N][back],
@@ -263,7 +265,7 @@ def _result(
     )
 
 
-def residual_between_nodes(problem: Problem, found: Collocated) -> float:
+def residual_between_nodes(problem: Problem, found: CollocatedMotion) -> float:
     """Largest relative residual at 20 times in every interval, none of them a node."""
     inside = (np.arange(20) + 0.381966) / 20
     t = (found.mesh.breaks[:-1, None] + found.mesh.widths[:, None] * inside).ravel() * found.span
@@ -271,7 +273,7 @@ def residual_between_nodes(problem: Problem, found: Collocated) -> float:
     return problem.norm.relative(residual(at, *found.at(t)))
 
 
-def _start_point(scaled: Scaled, own: Structure, angles: Angles, winding: Array) -> Array:
+def _start_point(scaled: ScaledProblem, own: Structure, angles: Angles, winding: Array) -> Array:
     """z that IPOPT starts from."""
     order, mesh, Omega = scaled.order, own.mesh, scaled.Omega
     phi, v, a = (x[:, order].T for x in (angles.phi, angles.phi_dot / Omega, angles.phi_ddot / Omega**2))

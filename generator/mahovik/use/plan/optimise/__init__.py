@@ -1,7 +1,7 @@
 """(13): the best programme by the objective inside the bounds, from a start that nearly solves (12)."""
 
 from mahovik.use.plan.optimise.improve import (
-    Improved,
+    ImprovedMotion,
     approach_bounds,
     estimate,
     evaluate,
@@ -10,4 +10,4 @@ from mahovik.use.plan.optimise.improve import (
     improve,
 )
 
-__all__ = ["Improved", "approach_bounds", "estimate", "evaluate", "exceeded_by", "finish", "improve"]
+__all__ = ["ImprovedMotion", "approach_bounds", "estimate", "evaluate", "exceeded_by", "finish", "improve"]

@@ -40,12 +40,12 @@ SPARE = 0.97
 
 
 @dataclass(frozen=True, eq=False)
-class Improved:
+class ImprovedMotion:
     """Improved motion and its figures.
 
     motion      the flywheel motion with its bias
     objective   J of (13), and the part of each kind
-    used        largest part of a bound that is used; above 1 one is exceeded
+    utilisation largest part of a bound that is used; above 1 one is exceeded
     residual    relative, on a fine grid
     steps       number of steps taken
     """
@@ -53,20 +53,20 @@ class Improved:
     motion: Periodic
     objective: float
     parts: Mapping[str, float]
-    used: float
+    utilisation: float
     residual: float
     steps: int
 
 
-def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Improved:
+def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> ImprovedMotion:
     """Meet the bounds, then improve the objective; the finish corrects the remaining residual. Ends with the budget."""
     stage = make_stage(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
     motion, steps = start.with_harmonics(stage.H), 0
     point = stage.at(motion)
     if has_bounds(problem.motion.bounds):
         point, steps = _tighten(problem, cost, stage, point, budget)
-    if point.used <= 1.0:
-        run = descend(replace(stage, wider=limit_factor(point.used)), point.motion, STEPS, budget)
+    if point.utilisation <= 1.0:
+        run = descend(replace(stage, wider=limit_factor(point.utilisation)), point.motion, STEPS, budget)
         point, steps = run.point, steps + run.steps
     return evaluate(problem, cost, point.motion, steps)
 
@@ -75,35 +75,35 @@ def _tighten(problem: Problem, cost: Cost, target: Stage, point: Point, budget: 
     """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
     taken, idle = 0, 0
     for _ in range(ROUNDS):
-        before = point.used
+        before = point.utilisation
         if before < KNEE + 0.02 and taken:
             break
         wider = max(1.0, TIGHTER * before)
         stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, wider)
         run = descend(stage, point.motion, STEPS_A_ROUND, budget, enough=(KNEE + 0.01) * wider)
         point, taken = run.point, taken + run.steps
-        idle = idle + 1 if point.used > GAIN * before and point.used > 1.0 else 0
+        idle = idle + 1 if point.utilisation > GAIN * before and point.utilisation > 1.0 else 0
         if idle >= _IDLE_ROUNDS or budget.exhausted:
             break
-    if 1.0 < point.used < NEAR:  # no margin: the knee stands right at the limit
+    if 1.0 < point.utilisation < NEAR:  # no margin: the knee stands right at the limit
         stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, LAST)
         run = descend(stage, point.motion, 3 * STEPS_A_ROUND, budget, enough=0.999)
         point, taken = run.point, taken + run.steps
     return point, taken
 
 
-def approach_bounds(problem: Problem, cost: Cost, start: Improved, budget: Budget) -> Improved:
+def approach_bounds(problem: Problem, cost: Cost, start: ImprovedMotion, budget: Budget) -> ImprovedMotion:
     """The programme nearest to the bounds that rounds of tightened limits reach from one that exceeds them.
 
     Each round ends in a finished programme, so that the last good one is exact where the bounds themselves leave none.
     """
     best, tighter = start, TIGHTER
-    while best.used > 1.0 and tighter < GAIN and not budget.exhausted:
-        wider = max(1.0, tighter * best.used)
+    while best.utilisation > 1.0 and tighter < GAIN and not budget.exhausted:
+        wider = max(1.0, tighter * best.utilisation)
         stage = make_stage(problem, cost, harmonics(problem, best.motion, HARMONICS), TAIL, MEANWHILE, wider)
         motion = descend(stage, best.motion.with_harmonics(stage.H), STEPS_A_ROUND, budget).point.motion
         nearer = finish(problem, cost, evaluate(problem, cost, motion, 0), budget)
-        if nearer.residual < problem.tolerance and nearer.used < GAIN * best.used:
+        if nearer.residual < problem.tolerance and nearer.utilisation < GAIN * best.utilisation:
             best = nearer
         else:
             tighter = tighter**0.5  # a smaller step, until it would gain nothing
@@ -117,15 +117,15 @@ def limit_factor(used: float) -> float:
     return LAST if used <= 1.0 else used / KNEE
 
 
-def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Improved:
+def finish(problem: Problem, cost: Cost, found: ImprovedMotion, budget: Budget) -> ImprovedMotion:
     """The same motion with an accepted residual, if possible, with bounds and objective kept.
 
     First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by the
     optimiser, with a heavy tail, before them.
     """
-    wider = limit_factor(found.used)
+    wider = limit_factor(found.utilisation)
     for smooth, steps, H in FINISHES:
-        motion, taken = found.motion, budget.taken
+        motion, taken = found.motion, budget.steps_taken
         if found.residual < EXACT_ENOUGH * problem.tolerance or budget.exhausted:
             break
         if smooth:
@@ -133,7 +133,7 @@ def finish(problem: Problem, cost: Cost, found: Improved, budget: Budget) -> Imp
             motion = descend(stage, motion.with_harmonics(stage.H), steps, budget).point.motion
         stage = make_stage(problem, cost, harmonics(problem, motion, H), TAIL)
         motion = restore(stage, motion.with_harmonics(stage.H), RESTORING, budget)
-        again = evaluate(problem, cost, motion, found.steps + budget.taken - taken)
+        again = evaluate(problem, cost, motion, found.steps + budget.steps_taken - taken)
         if again.residual < found.residual:
             found = again
     return found
@@ -143,15 +143,15 @@ def estimate(problem: Problem, cost: Cost, start: Periodic) -> tuple[float, floa
     """Objective and use of the bounds of a start, at few samples."""
     point = make_stage(problem, cost, start.H, TAIL).at(start)
     parts = cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
-    return sum(parts.values()), point.used
+    return sum(parts.values()), point.utilisation
 
 
-def evaluate(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> Improved:
+def evaluate(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> ImprovedMotion:
     """Figures of a motion on a fine grid."""
     point = make_stage(problem, cost, motion.H, TAIL, fine=True).at(motion)
     speed = point.stage.Omega * motion.winding
     parts = cost.value(point.angles, speed, Rows.of(point.tau))
-    return Improved(motion, sum(parts.values()), parts, point.used, problem.relative(motion), steps)
+    return ImprovedMotion(motion, sum(parts.values()), parts, point.utilisation, problem.relative(motion), steps)
 
 
 def exceeded_by(problem: Problem, cost: Cost, motion: Periodic) -> tuple[ExceededBound, ...]:

@@ -20,7 +20,7 @@ from mahovik.core.motion.programme import Angles
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.problem import BiasPerturbations, Grid, Periodic, Problem
-from mahovik.use.plan.residual import Linear, Prescribed, linear, prescribe
+from mahovik.use.plan.residual import Linear, PrescribedMotion, linear, prescribe
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 
 
@@ -106,7 +106,7 @@ class Point:
     stage: Stage
     motion: Periodic
     angles: Angles
-    prescribed: Prescribed
+    prescribed: PrescribedMotion
 
     @cached_property
     def linear(self) -> Linear:
@@ -128,19 +128,19 @@ class Point:
         return np.asarray(self.stage.grid.basis.value[:, 1:] @ self.motion.waves[:, 1:].T)
 
     @cached_property
-    def scaled(self) -> Array:
+    def relative_residual(self) -> Array:
         """Relative residual (M, 6)."""
-        return self.stage.problem.norm.scaled(self.prescribed.balance - self._wrenches[:6].sum(axis=2).T)
+        return self.stage.problem.norm.dimensionless(self.prescribed.balance - self._wrenches[:6].sum(axis=2).T)
 
     @cached_property
     def c(self) -> Array:
         """Residual harmonics 0..H."""
-        return harmonic_coefficients(self.scaled, 0, self.stage.H)
+        return harmonic_coefficients(self.relative_residual, 0, self.stage.H)
 
     @cached_property
     def tail(self) -> Array:
         """Residual harmonics H + 1..2H, weighted."""
-        return self.stage.tail * harmonic_coefficients(self.scaled, self.stage.H + 1, 2 * self.stage.H)
+        return self.stage.tail * harmonic_coefficients(self.relative_residual, self.stage.H + 1, 2 * self.stage.H)
 
     def _kinds(self, torque: Rows) -> list[Rows]:
         stage = self.stage
@@ -148,7 +148,7 @@ class Point:
         wanted = stage.cost.rows(self.angles, speed, torque).values() if stage.objective > 0.0 else ()
         bounds = stage.problem.motion.bounds
         kept = hinge_rows(bounds, self.angles, self.swing, torque, self.motion.winding, stage.wider).values()
-        return [harmonic_rows.scaled(stage.objective) for harmonic_rows in wanted] + [
+        return [harmonic_rows.scale(stage.objective) for harmonic_rows in wanted] + [
             harmonic_rows for harmonic_rows in kept if harmonic_rows.value.any()
         ]
 
@@ -160,7 +160,7 @@ class Point:
         return (whole + float(held @ held) + float(self.tail @ self.tail)) / 2.0
 
     @cached_property
-    def used(self) -> float:
+    def utilisation(self) -> float:
         """Largest use of any bound at the stage's times; 1 is the limit."""
         bounds = self.stage.problem.motion.bounds
         motion = self.motion
@@ -176,7 +176,7 @@ class Point:
         a, b, c = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
         spectrum = harmonic_derivatives(a, b, c, stage.Omega, H, 2 * H)
         R_by_bias, tau_by_bias = around.rates(self.angles)
-        own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.scaled)
+        own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.relative_residual)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
         A, T = harmonic_rows(whole[: H + 1], 0), stage.tail * harmonic_rows(whole[H + 1 :], H + 1)
         total = gauss_newton_sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)

@@ -68,10 +68,10 @@ LONGEST = 0.7
 CORRECTIONS = 2
 """Second-order corrections of a trial: steps along the range with the present derivatives."""
 TRIALS = 8
-RENEWED = 10
+RENEWAL_STEPS = 10
 """Steps after which the prescribed coefficients around the bias are computed again: the bias moves little."""
 _LEAST = 1e-9
-_SOLVED = 1e-10
+_ZERO_RESIDUAL = 1e-10
 """Residual harmonics 0..H below this count as zero."""
 _DECREASE = 1e-4
 _IDLE = 3
@@ -94,12 +94,12 @@ def descend(stage: Stage, start: Periodic, steps: int, budget: Budget, enough: f
     point, lam, nu, idle = stage.at(start), 1e-2, 0.0, 0
     around = stage.problem.bias_perturbations(stage.grid.course, start.bias)
     for taken in range(steps):
-        if enough is not None and point.used < enough and is_solved(point):
+        if enough is not None and point.utilisation < enough and is_solved(point):
             return Run(point, taken)
         if not budget.step():
             return Run(point, taken)
         try:
-            if taken % RENEWED == RENEWED - 1:
+            if taken % RENEWAL_STEPS == RENEWAL_STEPS - 1:
                 around = stage.problem.bias_perturbations(stage.grid.course, point.motion.bias)
             local = Local.of(stage, point.model(around))
             nu = max(local.penalty(), 0.5 * nu)
@@ -122,12 +122,12 @@ def restore(stage: Stage, start: Periodic, steps: int, budget: Budget) -> Period
     point = stage.at(start)
     around = stage.problem.bias_perturbations(stage.grid.course, start.bias)
     for _ in range(steps):
-        if size(point.c) < _SOLVED or not budget.step():
+        if size(point.c) < _ZERO_RESIDUAL or not budget.step():
             break
         model = point.model(around)
         scale = unknown_scales(stage, model.A)
         step = -scale * Range.of(model.A * scale, null=False).least(point.c)
-        trial = stage.at(point.motion.moved(step, stage.problem.free))
+        trial = stage.at(point.motion.step(step, stage.problem.free))
         if size(trial.c) > 0.5 * size(point.c):
             break
         point = trial
@@ -158,8 +158,8 @@ class Local:
     c: Array
     gradient: Array
     curvature: Array
-    split: Range
-    reduced: Array
+    range: Range
+    null_curvature: Array
 
     @staticmethod
     def of(stage: Stage, model: Model) -> Local:
@@ -173,8 +173,8 @@ class Local:
 
     def penalty(self) -> float:
         """nu: 1.5 times the largest multiplier, and a little more."""
-        shortest = -self.split.least(self.c)
-        y = self.split.multipliers(self.gradient + self.curvature @ shortest)
+        shortest = -self.range.least(self.c)
+        y = self.range.multipliers(self.gradient + self.curvature @ shortest)
         return 1.5 * float(np.linalg.norm(y)) + 1e-3
 
     def reduce_merit(self, point: Point, lam: float, nu: float) -> tuple[Point | None, float]:
@@ -193,16 +193,16 @@ class Local:
         if step is None:
             return None
         part = min(1.0, LONGEST / max(self.largest_change(step), 1e-30))
-        moved = point.motion.moved(self.scale * (part * step), self.stage.problem.free)
+        moved = point.motion.step(self.scale * (part * step), self.stage.problem.free)
         trial = self.stage.at(moved)
         left = (1.0 - part) * self.c
         for _ in range(CORRECTIONS):
-            if size(trial.c - left) < _SOLVED:
+            if size(trial.c - left) < _ZERO_RESIDUAL:
                 break
-            back = -self.split.least(trial.c - left)
+            back = -self.range.least(trial.c - left)
             if self.largest_change(back) > LONGEST:
                 break
-            corrected = self.stage.at(trial.motion.moved(self.scale * back, self.stage.problem.free))
+            corrected = self.stage.at(trial.motion.step(self.scale * back, self.stage.problem.free))
             if size(corrected.c - left) > 0.5 * size(trial.c - left):
                 break
             trial = corrected
@@ -210,12 +210,12 @@ class Local:
 
     def damped_step(self, lam: float) -> Array | None:
         """Step (n, scaled): along the range to c = 0, along the null space downhill."""
-        shortest = -self.split.least(self.c)
-        Z = self.split.null
+        shortest = -self.range.least(self.c)
+        Z = self.range.null
         if Z.shape[1] == 0:
             return shortest
         g = Z.T @ (self.gradient + self.curvature @ shortest)
-        damped = self.reduced + lam * np.eye(len(g))
+        damped = self.null_curvature + lam * np.eye(len(g))
         try:
             p = cho_solve(cho_factor(damped, check_finite=False), g, check_finite=False)
         except LinAlgError:

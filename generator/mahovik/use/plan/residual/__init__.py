@@ -6,7 +6,7 @@
 
 from mahovik.use.plan.residual.by_design import PARAMETERS, DesignRates, by_design
 from mahovik.use.plan.residual.evaluate import Linear, linear, residual, torques
-from mahovik.use.plan.residual.prescribed import Mechanics, Norm, Prescribed, prescribe
+from mahovik.use.plan.residual.prescribed_motion import Mechanics, Norm, PrescribedMotion, prescribe
 
 __all__ = [
     "PARAMETERS",
@@ -14,7 +14,7 @@ __all__ = [
     "Linear",
     "Mechanics",
     "Norm",
-    "Prescribed",
+    "PrescribedMotion",
     "by_design",
     "linear",
     "prescribe",

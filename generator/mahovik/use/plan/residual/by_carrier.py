@@ -15,7 +15,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.prescribed import Mechanics
+from mahovik.use.plan.residual.prescribed_motion import Mechanics
 from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
 
@@ -56,7 +56,7 @@ def _slopes_of_base(base: Base, at: Twists) -> tuple[Array, Array, Array]:
     """Derivatives for carrier and instruments, without ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
     momentum = at.V_r @ base.K
     by_V_r = -motor_cross(at.V_r) @ base.K - momentum_cross(momentum)
-    for L, damping in base.damped:
+    for L, damping in base.twist_laws:
         by_V_r += L @ damping.rate(at.V_r @ L) @ L.T
     M = len(at.V)
     return by_V_r, np.tile(-base.K, (M, 1, 1)), np.tile(base.heavy, (M, 1, 1))

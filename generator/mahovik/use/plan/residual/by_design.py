@@ -2,7 +2,7 @@
 
 A small change of place or mounting carries a flywheel's tables by a motor X of E1: Lm becomes (1 + X) Lm, so that
 Theta_h changes by X Theta_h + Theta_h X^T, I_h by X I_h, the weight by X W_h + W_h X_C^T; mass properties enter Theta
-linearly. The derivatives are tables again, of one more flywheel for each parameter, and take the way of `Prescribed`.
+linearly. The derivatives are tables again, of one more flywheel for each parameter, and take the way of `PrescribedMotion`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 from mahovik.use.plan.residual.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
 from mahovik.use.plan.residual.kinematics import Twists, twists
-from mahovik.use.plan.residual.prescribed import Mechanics, Prescribed, harmonics_at
+from mahovik.use.plan.residual.prescribed_motion import Mechanics, PrescribedMotion, harmonics_at
 from mahovik.use.plan.residual.spatial import (
     block_diagonal,
     flywheel_transfer,
@@ -122,7 +122,7 @@ class DesignRates:
 
 
 def by_design(
-    at: Prescribed, course: Course, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
+    at: PrescribedMotion, course: Course, bias: Array | float, phi: Array, phi_dot: Array, phi_ddot: Array
 ) -> DesignRates:
     """Derivatives, exact, at a motion: `at` is `prescribe(mechanics, course, bias)`; angles (M, N each; rad, s)."""
     own = at.mechanics

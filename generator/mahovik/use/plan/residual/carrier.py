@@ -26,13 +26,13 @@ class Base:
 
     K        6x6: Theta_1 + sum Lp Theta_p Lp^T and added mass, of (2)
     heavy    6x3: wrench of the net weight by gravity in E1
-    damped   L (6x6) of each damped body, and the laws of its twist
+    twist_laws   L (6x6) of each damped body, and the laws of its twist
     """
 
     stand: Stand
     K: Array
     heavy: Array
-    damped: tuple[tuple[Array, TwistLaws], ...]
+    twist_laws: tuple[tuple[Array, TwistLaws], ...]
 
     @staticmethod
     def of(stand: Stand) -> Base:
@@ -62,6 +62,6 @@ class Base:
             F += law.wrench(self.stand, at)
         if any(self.stand.gravity):
             F += in_E1(at.C, np.broadcast_to(self.stand.gravity, at.O1.shape)) @ self.heavy.T
-        for L, damping in self.damped:
+        for L, damping in self.twist_laws:
             F += damping.wrench(at.V_r @ L) @ L.T
         return F

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
-from mahovik.use.plan.residual.prescribed import Prescribed
+from mahovik.use.plan.residual.prescribed_motion import PrescribedMotion
 from mahovik.use.plan.residual.spatial import block_diagonal, skew, turn
 
 _SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))  # [<e>] of (5)
@@ -32,17 +32,17 @@ class Linear:
     tau_by_phi_ddot: Array
 
 
-def residual(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
+def residual(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """R (M, 6; N, N m) of (12), zero where the programme is exact; angles (M, N each; rad, s)."""
     return np.asarray(at.balance - flywheel_wrenches(at, phi, phi_dot, phi_ddot)[:6].sum(axis=2).T)
 
 
-def torques(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
+def torques(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """tau (M, N; N m): drive torques at the prescribed motion."""
     return np.asarray(flywheel_wrenches(at, phi, phi_dot, phi_ddot)[6])
 
 
-def flywheel_wrenches(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
+def flywheel_wrenches(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """W_s in E1 about O1 and, seventh, tau_s: (7, M, N)."""
     h, _ = waves(phi)
     W: Array = np.einsum("himn,hmn->imn", _coefficients(at, phi_dot, phi_ddot), h)
@@ -52,15 +52,15 @@ def flywheel_wrenches(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Arra
     return W
 
 
-def linear(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linear:
+def linear(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linear:
     """R and tau with all their derivatives, exact; angles (M, N each; rad, s)."""
     h, slopes = waves(phi)
     own = at.mechanics
     coefficients = _coefficients(at, phi_dot, phi_ddot)
     W = np.einsum("himn,hmn->imn", coefficients, h)
     by_phi = np.einsum("himn,hmn->imn", coefficients, slopes)
-    by_phi_dot = np.einsum("himn,hmn->imn", at.moving + (2.0 * phi_dot) * own.spun, h)
-    by_phi_ddot = np.einsum("hin,hmn->imn", own.still[:, :, 0], h)
+    by_phi_dot = np.einsum("himn,hmn->imn", at.moving + (2.0 * phi_dot) * own.coupling_slope, h)
+    by_phi_ddot = np.einsum("hin,hmn->imn", own.coupling[:, :, 0], h)
     for s, damping in enumerate(own.tables.damping):
         if damping is not None:
             damped = flywheel_damping(own.tables, s, at.V_r, phi[:, s], phi_dot[:, s])
@@ -71,10 +71,12 @@ def linear(at: Prescribed, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linea
     return Linear(R, W[6], a, b, c, by_phi[6], by_phi_dot[6], by_phi_ddot[6])
 
 
-def _coefficients(at: Prescribed, phi_dot: Array, phi_ddot: Array) -> Array:
+def _coefficients(at: PrescribedMotion, phi_dot: Array, phi_ddot: Array) -> Array:
     """(5, 7, M, N): what multiplies each harmonic of the angle."""
     own = at.mechanics
-    return np.asarray(at.fixed + at.moving * phi_dot + own.still * phi_ddot + own.spun * (phi_dot * phi_dot))
+    return np.asarray(
+        at.fixed + at.moving * phi_dot + own.coupling * phi_ddot + own.coupling_slope * (phi_dot * phi_dot)
+    )
 
 
 def flywheel_damping(tables: Tables, s: int, V_r: Array, phi: Array, phi_dot: Array) -> tuple[Array, Array, Array]:

@@ -18,10 +18,10 @@ from mahovik.core.motion.required import Course, RequiredMotion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (
     INTERVALS,
+    BlockElimination,
     CarrierCourse,
     Chart,
     Drive,
-    Eliminated,
     Equilibrium,
     acceleration_rates,
     course,
@@ -32,22 +32,22 @@ from mahovik.use.plan.forward import (
     linearise_along,
 )
 from mahovik.use.plan.residual import Linear, Mechanics
-from mahovik.use.plan.residual.prescribed import able_at
+from mahovik.use.plan.residual.prescribed_motion import able_at
 
 SPLINES = 6
 """B-splines per flywheel."""
 
 
 @dataclass(frozen=True, eq=False)
-class Fade:
+class TransientFamily:
     """The family of motions at times t (M, s) of 0..duration: unknowns c (N, P; rad), P = 1 + splines.
 
-    fixed  phi, phi', phi'' (M, N each) for c = 0
+    offset phi, phi', phi'' (M, N each) for c = 0
     basis  (3, M, P): derivatives of a flywheel's phi, phi', phi'' by each of its c
     """
 
     t: Array
-    fixed: Angles
+    offset: Angles
     basis: Array
 
     @property
@@ -57,10 +57,12 @@ class Fade:
 
     def angles(self, c: Array) -> Angles:
         """phi, phi', phi'' (M, N each) of unknowns c (N, P)."""
-        return Angles(*(fixed + added @ c.T for fixed, added in zip(self.fixed, self.basis, strict=True)))
+        return Angles(*(fixed + added @ c.T for fixed, added in zip(self.offset, self.basis, strict=True)))
 
 
-def fade(programme: Programme, duration: float, t: Array, *, up: bool, splines: int = SPLINES) -> Fade:
+def transient_family(
+    programme: Programme, duration: float, t: Array, *, up: bool, splines: int = SPLINES
+) -> TransientFamily:
     """The family that runs up into a periodic programme in `duration` s, or from it down to rest."""
     sign = 1.0 if up else -1.0
     x = t / duration if up else 1.0 - t / duration
@@ -82,7 +84,7 @@ def fade(programme: Programme, duration: float, t: Array, *, up: bool, splines: 
             for k, (start, inside) in enumerate(zip((1.0 - w, -w1, -w2), _splines(splines, x), strict=True))
         ]
     )
-    return Fade(t, fixed, basis)
+    return TransientFamily(t, fixed, basis)
 
 
 def _step(x: Array) -> tuple[Array, Array, Array]:
@@ -146,7 +148,7 @@ class Flight:
     """
 
     c: Array
-    given: Drive
+    drive: Drive
     rest: Equilibrium
     course: CarrierCourse
     error: Array
@@ -175,7 +177,7 @@ class Boundary:
 
     chart: Chart
     amplitude: Amplitude
-    family: Fade
+    family: TransientFamily
     joint: Array
     up: bool
 
@@ -200,7 +202,7 @@ class Boundary:
         return size(self._follow(table.at(self.family.t), guess, None)[3])
 
     def _follow(
-        self, angles: Angles, guess: Array | None, near: Eliminated | None
+        self, angles: Angles, guess: Array | None, near: BlockElimination | None
     ) -> tuple[Drive, Equilibrium, CarrierCourse, Array]:
         given = drive(self.chart.mechanics, *angles)
         rest = equilibrium(self.chart, angles.phi[0 if self.up else -1])
@@ -208,15 +210,15 @@ class Boundary:
         if guess is None:
             guess = np.tile(start, (len(self.family.t), 1))
         found = course(self.chart, given, self.spacing, start, guess, near)
-        return given, rest, found, self.amplitude.shares(rest.held @ (found.y[-1] - end))
+        return given, rest, found, self.amplitude.shares(rest.projection @ (found.y[-1] - end))
 
     def linearise(self, flight: Flight) -> Linear:
         """Torques along a flight, and derivatives of (8) and of the torques by the flywheels' motion."""
-        return linearise_along(self.chart, flight.given, flight.course.y, self.family.angles(flight.c).phi_ddot)
+        return linearise_along(self.chart, flight.drive, flight.course.y, self.family.angles(flight.c).phi_ddot)
 
     def linearise_again(self, flight: Flight) -> Flight:
         """The same flight with the linear equations along its own course."""
-        near = linearise(self.chart, flight.given, self.spacing, flight.course.y)
+        near = linearise(self.chart, flight.drive, self.spacing, flight.course.y)
         return replace(flight, course=replace(flight.course, near=near))
 
     def sensitivity(self, flight: Flight) -> tuple[Array, Array]:
@@ -226,7 +228,7 @@ class Boundary:
         """
         N, P = flight.c.shape
         rates = np.zeros((len(self.family.t), 12, N, P))
-        for B, basis in zip(acceleration_rates(flight.given, self.linearise(flight)), self.family.basis, strict=True):
+        for B, basis in zip(acceleration_rates(flight.drive, self.linearise(flight)), self.family.basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = self.family.basis[0, 0 if self.up else -1]
         rest = (flight.rest.by_phi[:, :, None] * at_rest).reshape(12, N * P)
@@ -234,7 +236,7 @@ class Boundary:
         defects = integrate(rates.reshape(-1, 12, N * P), self.spacing)
         states = flight.course.near.solve(defects, start)
         end = states[-1] if self.up else states[-1] - rest
-        return self.amplitude.shares(flight.rest.held @ end), states
+        return self.amplitude.shares(flight.rest.projection @ end), states
 
 
 def boundary(
@@ -255,11 +257,11 @@ def boundary(
     B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
     still = np.zeros((1, 6))
-    chart = Chart.about(mechanics, Course((motion.mean + programme.bias)[None], still, still))
+    chart = Chart.at_pose(mechanics, Course((motion.mean + programme.bias)[None], still, still))
     return Boundary(
         chart,
         amplitude_of(chart, motion, programme),
-        fade(programme, duration, t, up=up, splines=splines),
+        transient_family(programme, duration, t, up=up, splines=splines),
         chart.of(motion.at(np.zeros(1), programme.bias))[0],
         up,
     )

@@ -66,12 +66,12 @@ def reduce_error(problem: Boundary, flight: Flight, step: Array) -> Flight | Non
 def least_step(J: Array, error: Array, c: Array | None) -> Array:
     """-J^+ e; or, with c, the step that minimises c + step among those that meet the terminal equations."""
     U, sigma, Vt = np.linalg.svd(J, full_matrices=False)
-    kept = nonzero(sigma)
+    kept = nonzero_mask(sigma)
     inverse = (Vt[kept].T / sigma[kept]) @ U[:, kept].T
     return np.asarray(-inverse @ error if c is None else inverse @ (J @ c - error) - c)
 
 
-def nonzero(sigma: Array) -> NDArray[np.bool_]:
+def nonzero_mask(sigma: Array) -> NDArray[np.bool_]:
     """Mask of singular values that do not count as zero."""
     return np.asarray(sigma > NOTHING * max(1.0, float(sigma[0])))
 
@@ -92,7 +92,7 @@ class Shares:
     by_name: dict[str, Array]
 
     @property
-    def most(self) -> float:
+    def largest(self) -> float:
         """The largest; 0 without bounds."""
         return max((float(np.max(x)) for x in self.by_name.values()), default=0.0)
 
@@ -159,7 +159,7 @@ def reduce_excess(problem: Boundary, flight: Flight, bounds: Bounds, budget: Bud
 def _bounded_step(J: Array, error: Array, h: Array, G: Array, weight: float) -> Array:
     """argmin |h + G dx|^2 + weight |dx|^2 with J dx = -error."""
     U, sigma, Vt = np.linalg.svd(J)
-    rank = int(nonzero(sigma).sum())
+    rank = int(nonzero_mask(sigma).sum())
     straight = -Vt[:rank].T @ ((U.T @ error)[:rank] / sigma[:rank])
     null = Vt[rank:].T
     reach = G @ null

@@ -17,11 +17,11 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
-from mahovik.use.plan.runup.newton import measure, nonzero, reduce_excess, shares, shoot
+from mahovik.use.plan.runup.newton import measure, nonzero_mask, reduce_excess, shares, shoot
 
 GOAL = 1e-8
 """Terminal error at the nodes, in amplitudes."""
-ACCEPTED = 1e-6
+ACCEPTED_ERROR = 1e-6
 """Accepted terminal error of the table, with nodes twice as dense."""
 
 _ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
@@ -37,7 +37,7 @@ DENSEST = 8 * NODES
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class RunUpSolution:
     """A solution of the boundary-value problem, and the terminal error of its table with nodes twice as dense.
 
     steps     Newton steps of the successful attempt
@@ -60,7 +60,7 @@ def solve(
     up: bool,
     seed: int = 0,
     budget: Budget | None = None,
-) -> Found:
+) -> RunUpSolution:
     """A run-up (`up`) into the programme, or a run-down from it, in `duration` s.
 
     It keeps the motion's bounds if possible. The same programme and seed give the same result, unless the time of
@@ -96,7 +96,7 @@ def solve(
             found = _refine_nodes(problem, *_reduce_excess(problem, coarse, flight, motion.bounds, budget))
         except StateError:
             continue
-        return Found(*found, steps, number + 1)
+        return RunUpSolution(*found, steps, number + 1)
     ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
@@ -108,7 +108,7 @@ def is_out_of_reach(problem: Boundary, flight: Flight) -> bool:
     """Whether the remaining terminal error cannot be reduced by any flywheel motion, to first order."""
     J, _ = problem.sensitivity(problem.linearise_again(flight))
     U, sigma, _ = np.linalg.svd(J)
-    lost = U[:, ~nonzero(sigma)].T @ flight.error
+    lost = U[:, ~nonzero_mask(sigma)].T @ flight.error
     return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
 
 
@@ -121,7 +121,7 @@ def _reduce_excess(
         flight = reduce_excess(own, flight, bounds, budget)
         tried.append((own, flight))
     for splines in RICHER:
-        if shares(own, flight, bounds).most <= 1.0:
+        if shares(own, flight, bounds).largest <= 1.0:
             return own, flight
         if budget.is_spent():
             break
@@ -136,7 +136,7 @@ def _reduce_excess(
             break
         own, flight = richer, reduce_excess(richer, there, bounds, budget)
         tried.append((own, flight))
-    return min(tried, key=lambda each: shares(each[0], each[1], bounds).most)
+    return min(tried, key=lambda each: shares(each[0], each[1], bounds).largest)
 
 
 def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
@@ -153,7 +153,7 @@ def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[B
         nodes *= 2
         denser = problem(nodes, splines)
         error = denser.table_error(table_of(own, flight), interpolate_states(own, denser, flight.course.y))
-        if error <= ACCEPTED:
+        if error <= ACCEPTED_ERROR:
             return own, flight, error
         before, own = own, denser
     raise StateError("the motion is too rough for the densest nodes")
@@ -221,7 +221,7 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def runup_figures(found: Found, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
+def runup_figures(found: RunUpSolution, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
     """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
     values, t = measure(found.problem, found.flight), found.problem.family.t
     name = "run-up" if found.problem.up else "run-down"

@@ -27,13 +27,13 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import mass_and_coupling
 from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
 from mahovik.use.plan.residual.kinematics import in_E1, twists
-from mahovik.use.plan.residual.prescribed import prescribed_at
-from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
+from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean
 
 _SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 _ROUNDS = 60
-_SETTLED = 1e-12
+_LAST_CHANGE = 1e-12
 """Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
 
 _RANK = 1e-9
@@ -41,7 +41,7 @@ _WEAK = 1e-3
 """Part of the best reach of flywheels without unbalance below which a row counts as out of reach."""
 
 SLOWER = 'expected slower flywheels, or unbalance = "averaged"'
-_REACHED = 1e-8
+_REACH = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,11 +52,11 @@ class Demand:
     sigma: Array
     speed: Array
     acceleration: Array
-    wanted: Array
+    phi_ddot: Array
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class SlewMotion:
     """The motion at times t (M, s): course of the carrier, angles of the flywheels, drive torques (M, N; N m).
 
     missing   what the flywheels do not give, where the demand was missed most; None: reached
@@ -77,7 +77,7 @@ class Exact:
     slew: Slew
     S: Array
 
-    def follow(self, demand: Demand) -> Found:
+    def follow(self, demand: Demand) -> SlewMotion:
         """The motion whose demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
         t, slew, stand = demand.t, self.slew, self.mechanics.stand
         M = len(t)
@@ -119,7 +119,7 @@ class Exact:
                 omega, theta = new_omega, new_theta
             if not np.isfinite(change) or change > 1e6:
                 break
-            if change < _SETTLED or (change < 1e-10 and change > 0.5 * previous):
+            if change < _LAST_CHANGE or (change < 1e-10 and change > 0.5 * previous):
                 return self._end(t, position, velocity, theta, omega, V_dot, phi, phi_dot, phi_ddot, missing)
             previous = change
         if unreached is not None:
@@ -141,7 +141,7 @@ class Exact:
         if len(sigma) < rows or sigma[-1] < _WEAK * sigma[0]:
             left = np.linalg.solve(norm, U[:, -1])
             twist = np.linalg.solve(mean.K0, self.S.T @ (norm.T @ U[:, -1]))
-            return not_reached(self.slew, self.S, twist, left)
+            return unreached_motion(self.slew, self.S, twist, left)
         stand = self.mechanics.stand
         acting = bool(stand.laws) or any(stand.gravity) or any(body.laws for body in stand.bodies)
         why = "the carrier's surroundings, or the flywheels' own unbalance, act" if acting else "unbalance acts"
@@ -166,9 +166,9 @@ class Exact:
         A = self.S @ by_phi_ddot
         c = free @ self.S.T + s - a
         root = np.sqrt(own.tables.Theta_ff)
-        left = c - (A @ demand.wanted[:, :, None])[:, :, 0]
+        left = c - (A @ demand.phi_ddot[:, :, None])[:, :, 0]
         more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
-        phi_ddot = demand.wanted + more
+        phi_ddot = demand.phi_ddot + more
         V_dot = free - (by_phi_ddot @ phi_ddot[:, :, None])[:, :, 0]
         return V_dot, phi_ddot, self._missing(K, a, free @ self.S.T + s - a, a - V_dot @ self.S.T - s)
 
@@ -183,10 +183,10 @@ class Exact:
         demands = np.einsum("mik,mik->mk", np.stack([a, c], axis=2), wrenches[:, :, 1:])
         whole = np.sqrt(np.maximum(demands, 0.0)).max()
         k = int(np.argmax(sizes))
-        if sizes[k] <= _REACHED * whole or sizes[k] == 0.0:
+        if sizes[k] <= _REACH * whole or sizes[k] == 0.0:
             return None
         twist = np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
-        return not_reached(self.slew, self.S, twist, left[k])
+        return unreached_motion(self.slew, self.S, twist, left[k])
 
     def _demand(self, demand: Demand, C: Array, V: Array) -> tuple[Array, Array]:
         """a, s (M, m each) of a = S V* + s."""
@@ -224,7 +224,7 @@ class Exact:
     def _end(
         self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,
         phi: Array, phi_dot: Array, phi_ddot: Array, missing: NoSlewError | None,
-    ) -> Found:  # fmt: skip
+    ) -> SlewMotion:  # fmt: skip
         stand = self.mechanics.stand
         rates = self._rates(theta, omega)
         q, q_dot = np.hstack([position, theta]), np.hstack([velocity, rates])
@@ -234,7 +234,7 @@ class Exact:
         course = Course(q, q_dot, np.hstack([straight, turning]))
         angles = Angles(phi, phi_dot, phi_ddot)
         tau = torques(prescribe(self.mechanics, course), *angles)
-        return Found(t, course, angles, tau, missing)
+        return SlewMotion(t, course, angles, tau, missing)
 
 
 def _integral(t: Array, values: Array) -> Array:

@@ -69,7 +69,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Used:
+class LimitUse:
     """The largest share of the limits of one kind: torque, speed or acceleration; of which flywheel, when, in words."""
 
     kind: str
@@ -86,7 +86,7 @@ class Used:
         return f"{self.kind} of {self.name}: {self.value:.6g} of {self.limit:.6g} {unit} at t = {self.t:.5g} s"
 
 
-def used(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) -> list[Used]:
+def limit_uses(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) -> list[LimitUse]:
     """The largest share of each kind of limit in a motion of the flywheels (M, N each); of kinds with a limit."""
     torque = tau - limits.friction(phi_dot)
     found = []
@@ -101,6 +101,8 @@ def used(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) 
             shares = np.where(values == 0.0, 0.0, np.abs(values) / most)
         k, s = np.unravel_index(int(np.argmax(shares)), shares.shape)
         found.append(
-            Used(kind, float(shares[k, s]), limits.names[s], float(t[k]), float(abs(values[k, s])), float(most[k, s]))
+            LimitUse(
+                kind, float(shares[k, s]), limits.names[s], float(t[k]), float(abs(values[k, s])), float(most[k, s])
+            )
         )
     return found

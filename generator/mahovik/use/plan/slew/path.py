@@ -53,18 +53,18 @@ class Path:
         to_motion = self.mean.S @ np.linalg.inv(self.mean.K0)[:, 3:]
         return self.mean.least((back - self.momentum) @ to_motion.T), self.mean.least(turned @ to_motion.T)
 
-    def wanted(self, sigma: Array, speed: Array, acceleration: Array) -> Array:
+    def phi_ddot(self, sigma: Array, speed: Array, acceleration: Array) -> Array:
         """phi'' (M, N) that the mean model needs."""
         return np.asarray(acceleration[:, None] * self.share + speed[:, None] * self.speeds(sigma)[1])
 
-    def tabulated(self, angle: float, points: int = 512) -> Tabulated:
+    def tabulate(self, angle: float, points: int = 512) -> PathTable:
         """w and its derivative at close places, to be read quickly."""
         sigma = np.linspace(0.0, angle, points + 1)
-        return Tabulated(self, angle / points, *self.speeds(sigma))
+        return PathTable(self, angle / points, *self.speeds(sigma))
 
 
 @dataclass(frozen=True, eq=False)
-class Tabulated:
+class PathTable:
     """What limits sigma' and sigma'' along the path."""
 
     path: Path

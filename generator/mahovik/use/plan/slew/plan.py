@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.course import Followed
+from mahovik.core.motion.course import PlannedCourse
 from mahovik.core.motion.programme import Angles, Programme, Samples
 from mahovik.core.motion.required.reach import SINGULAR
 from mahovik.core.motion.required.slew import Slew, rows_of
-from mahovik.core.motion.required.slew_read import resolved
+from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
@@ -21,18 +21,18 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
-from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, Found
-from mahovik.use.plan.slew.limits import Limits, Used, used
-from mahovik.use.plan.slew.path import Path, Tabulated
-from mahovik.use.plan.slew.refusal import NoSlewError, not_reached
+from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
+from mahovik.use.plan.slew.limits import Limits, LimitUse, limit_uses
+from mahovik.use.plan.slew.path import Path, PathTable
+from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean, choices
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
-from mahovik.use.plan.unbalance import shaken
+from mahovik.use.plan.unbalance import unbalance_effect
 
 TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
 
-ACCEPTED = 8e-7
+ACCEPTED_RESIDUAL = 8e-7
 """Residual that is enough where closer rows do not help, as rounding of phi counts over the square of the distance."""
 
 SHORTEST = 4096
@@ -81,7 +81,7 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
         programme = _with_unbalance(stand, slew, programme)
     if verify:
         tell("verifying")
-        programme = certify(stand, resolved(slew, programme), programme)
+        programme = certify(stand, motion_of_slew(slew, programme), programme)
         if wrong := failed_items(programme):
             words = f"a programme was found and refused by the verification: {wrong}"
             return Plan("NO_PROGRAM", "SEARCH", (words,), (), ())
@@ -98,7 +98,7 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     if slew.kind == "still":
         wanted = np.zeros(len(S))
     elif (twist := mean.missing(wanted)) is not None:
-        raise not_reached(slew, S, twist, wanted)
+        raise unreached_motion(slew, S, twist, wanted)
     if slew.goal == "quietest":
         assert slew.duration is not None
         path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
@@ -125,11 +125,11 @@ def _quietest(exact: Exact, path: Path, duration: float) -> Table:
     return made
 
 
-def _saturation(worst: Used) -> str:
+def _saturation(worst: LimitUse) -> str:
     return "momentum saturation: " if worst.kind == "speed" else ""
 
 
-def _slower(worst: Used) -> float:
+def _slower(worst: LimitUse) -> float:
     """Factor of the time that keeps a limit: torque and acceleration fall with its square."""
     return float(worst.share if worst.kind == "speed" else np.sqrt(worst.share)) * 1.001
 
@@ -173,10 +173,10 @@ def _step(tried: Sequence[tuple[float, float]]) -> float:
 def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[Sharp, Path]:
     """The quickest of the choices of a share."""
     best: tuple[Sharp, Path] | None = None
-    stuck: tuple[Tabulated, float] | None = None
+    stuck: tuple[PathTable, float] | None = None
     for share in choices(mean, wanted, limits):
         path = Path.of(exact.mechanics, exact.slew, mean, limits, share)
-        along = path.tabulated(exact.slew.angle)
+        along = path.tabulate(exact.slew.angle)
         sharp = sharpest(exact.slew.angle, along.accelerations, along.cap)
         if isinstance(sharp, float):
             stuck = stuck or (along, sharp)
@@ -207,14 +207,14 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
                 + SLOWER,
             )
         sigma, speed, acceleration = law.at(t)
-        found = exact.follow(Demand(t, sigma, speed, acceleration, path.wanted(sigma, speed, acceleration)))
+        found = exact.follow(Demand(t, sigma, speed, acceleration, path.phi_ddot(sigma, speed, acceleration)))
         if found.missing is not None:
             raise found.missing
         _refuse_singular(exact, found)
         residuals, takes = _intervals(exact, path.limits, found)
         far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, found) > 0.5 * TURN)
         splitting = (residuals > 0.5 * TOLERANCE) & far
-        if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED):
+        if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED_RESIDUAL):
             return Table(law, found, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
             words = f"the table does not come below a residual of {residuals.max():.2g}"
@@ -228,30 +228,30 @@ class Table:
     """The exact motion by a law at the rows of a table, its shares of the limits, its residual; rows as shares."""
 
     law: Law
-    found: Found
-    used: list[Used]
+    motion: SlewMotion
+    limit_uses: list[LimitUse]
     residual: float
     rows: Array
 
     @property
-    def worst(self) -> Used:
+    def worst(self) -> LimitUse:
         """The largest share; 0 where there are no limits."""
-        return max(self.used, key=lambda each: each.share, default=Used("torque", 0.0, "", 0.0, 0.0, np.inf))
+        return max(self.limit_uses, key=lambda each: each.share, default=LimitUse("torque", 0.0, "", 0.0, 0.0, np.inf))
 
 
 def _rows(exact: Exact, law: Law) -> Array:
     """Times of the first rows: closer where the law bends, and where unevenly built flywheels turn fast."""
-    bent = np.flatnonzero(np.diff(np.concatenate([[False], law.kinked, [False]]).astype(int)))
+    bent = np.flatnonzero(np.diff(np.concatenate([[False], law.bends, [False]]).astype(int)))
     t = [0.0]
     for a, b in zip(bent[::2], bent[1::2], strict=True):  # intervals a to b bend
-        t += [*_even(t[-1], float(law.breaks[a]), COARSE * law.breaks[1])]
-        t += [*_even(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
-    t += [*_even(t[-1], law.duration, COARSE * law.breaks[1])]
+        t += [*_even_times(t[-1], float(law.breaks[a]), COARSE * law.breaks[1])]
+        t += [*_even_times(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
+    t += [*_even_times(t[-1], law.duration, COARSE * law.breaks[1])]
     t[-1] = law.duration
     return _turning(exact, law, np.array(t))
 
 
-def _even(begin: float, end: float, step: float) -> Array:
+def _even_times(begin: float, end: float, step: float) -> Array:
     """Times after `begin` up to `end`, no further apart than `step`; none where they are the same."""
     count = int(np.ceil((end - begin) / step - 1e-6))
     return np.linspace(begin, end, count + 1)[1:]
@@ -265,7 +265,7 @@ def _split(t: Array, counts: Array) -> Array:
 
 def _turning(exact: Exact, law: Law, t: Array) -> Array:
     """More rows where an uneven flywheel would turn further than TURN from one to the next."""
-    uneven = _uneven(exact)
+    uneven = _is_uneven(exact)
     if not uneven.any():
         return t
     share = np.abs(_least_share(exact))
@@ -276,17 +276,17 @@ def _turning(exact: Exact, law: Law, t: Array) -> Array:
     return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
 
 
-def _uneven(exact: Exact) -> Array:
+def _is_uneven(exact: Exact) -> Array:
     """Is a flywheel unevenly built (N)? Its wrench then changes as it turns."""
     tables = exact.mechanics.tables
     changing, mean = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)), np.abs(tables.Theta[0]).max(axis=(1, 2))
     return np.asarray(changing > EVEN * mean)
 
 
-def _turn_between_rows(exact: Exact, found: Found) -> Array:
+def _turn_between_rows(exact: Exact, found: SlewMotion) -> Array:
     """The furthest that an uneven flywheel turns in each interval between rows; rad."""
     angles = np.abs(np.diff(found.angles.phi, axis=0))
-    return np.asarray(angles[:, _uneven(exact)].max(axis=1, initial=0.0))
+    return np.asarray(angles[:, _is_uneven(exact)].max(axis=1, initial=0.0))
 
 
 def _least_share(exact: Exact) -> Array:
@@ -298,7 +298,7 @@ def _least_share(exact: Exact) -> Array:
     return Mean.of(exact.mechanics, exact.S).least(-exact.S[:, 3:] @ axis)
 
 
-def _refuse_singular(exact: Exact, found: Found) -> None:
+def _refuse_singular(exact: Exact, found: SlewMotion) -> None:
     stand, theta = exact.mechanics.stand, found.course.q[:, 4]
     name, values = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
     k = int(np.argmin(np.abs(values)))
@@ -313,21 +313,21 @@ def _refuse_singular(exact: Exact, found: Found) -> None:
 _INSIDE = np.array([0.25, 0.5, 0.75])
 
 
-def _intervals(exact: Exact, limits: Limits, found: Found) -> tuple[Array, list[Used]]:
+def _intervals(exact: Exact, limits: Limits, found: SlewMotion) -> tuple[Array, list[LimitUse]]:
     """Relative residual of (12) in each interval, and what is taken of the limits at the rows and between."""
     t = (found.t[:-1, None] + np.diff(found.t)[:, None] * _INSIDE).ravel()
-    carrier, angles = Followed(found.t, *found.course), Samples(found.t, *found.angles).at(t)
+    carrier, angles = PlannedCourse(found.t, *found.course), Samples(found.t, *found.angles).at(t)
     at = prescribe(exact.mechanics, carrier.at(t))
     norm = Norm.of(prescribe(exact.mechanics, carrier.at(np.linspace(0.0, found.t[-1], 129))), found.t[-1])
-    sizes = np.linalg.norm(norm.scaled(residual(at, *angles)), axis=1).reshape(-1, len(_INSIDE)).max(axis=1)
+    sizes = np.linalg.norm(norm.dimensionless(residual(at, *angles)), axis=1).reshape(-1, len(_INSIDE)).max(axis=1)
     tau = np.vstack([found.tau, torques(at, *angles)])
     phi_dot, phi_ddot = (np.vstack([a, b]) for a, b in zip(found.angles[1:], angles[1:], strict=True))
-    return sizes, used(limits, np.concatenate([found.t, t]), phi_dot, phi_ddot, tau)
+    return sizes, limit_uses(limits, np.concatenate([found.t, t]), phi_dot, phi_ddot, tau)
 
 
 def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Programme:
     """The programme with its report."""
-    found, whose, limits = made.found, identities(stand), Limits.of(stand, slew.bounds)
+    found, whose, limits = made.motion, identities(stand), Limits.of(stand, slew.bounds)
     angles: Angles = found.angles
     report: dict[str, Any] = {
         "kind": "slew",
@@ -338,8 +338,8 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         "least_duration": None if sharp is None else sharp.duration,
         "residual": made.residual,
         "exceeded": [],
-        "used": {each.kind: each.share for each in made.used},
-        "hardest": [each.words for each in made.used],
+        "used": {each.kind: each.share for each in made.limit_uses},
+        "hardest": [each.words for each in made.limit_uses],
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
         "peak_torque": np.abs(found.tau).max(axis=0),
@@ -360,7 +360,7 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         winding=(0,) * len(stand.flywheels),
         course=Samples(found.t, *angles),
         report=report,
-        carrier=Followed(found.t, *found.course),
+        carrier=PlannedCourse(found.t, *found.course),
         unbalance=slew.unbalance,
     )
 
@@ -374,7 +374,7 @@ def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
 
 def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
     """The programme of the mean stand, whose report says what unbalance does besides."""
-    found = shaken(stand, resolved(slew, programme), programme)
+    found = unbalance_effect(stand, motion_of_slew(slew, programme), programme)
     sight = slew.axis if slew.kind == "sight" else None
     figures = None if found is None else found.figures(sight)
     return replace(programme, report={**programme.report, "unbalance": figures})

@@ -16,7 +16,7 @@ class NoSlewError(Exception):
         self.reason, self.words = reason, words
 
 
-def not_reached(slew: Slew, S: Array, twist: Array, left: Array) -> NoSlewError:
+def unreached_motion(slew: Slew, S: Array, twist: Array, left: Array) -> NoSlewError:
     """The flywheels do no work on a twist (6, in E1), though the rows S (m, 6) need it; left (m): what the rows miss.
 
     A moment or a force where rows turn; else the acceleration of the point whose rows these are.

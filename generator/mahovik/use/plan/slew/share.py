@@ -18,7 +18,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.slew.limits import Limits
 
-_REACHED = 1e-9
+_REACH = 1e-9
 """Share of a demand that may be left as rounding."""
 
 _RANK = 1e-9
@@ -55,7 +55,7 @@ class Mean:
     def missing(self, wanted: Array) -> Array | None:
         """A twist (6, in E1) on which the flywheels do no work, though A phi'' = wanted needs it; None: reached."""
         left = wanted - self.A @ self.least(wanted)
-        if float(np.linalg.norm(left)) <= _REACHED * float(np.linalg.norm(wanted)):
+        if float(np.linalg.norm(left)) <= _REACH * float(np.linalg.norm(wanted)):
             return None
         G = self.S @ np.linalg.solve(self.K0, self.S.T)
         norm = np.linalg.inv(np.linalg.cholesky(G))

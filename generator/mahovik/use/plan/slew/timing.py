@@ -30,11 +30,11 @@ Accelerations = Callable[[float, float], tuple[float, float]]
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """sigma(t) over `duration` s; `breaks` (s): between them it is a polynomial, `kinked` where it bends most."""
+    """sigma(t) over `duration` s; `breaks` (s): between them it is a polynomial, `bends` where it bends most."""
 
     duration: float
     breaks: Array
-    kinked: Array
+    bends: Array
     _sigma: Callable[[Array, int], Array]
     _pace: float = 1.0
 

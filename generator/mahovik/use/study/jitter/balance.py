@@ -182,7 +182,7 @@ class _Search:
             return self._by_momentum(order, torus, w, slow)
         given = self._drive(torus.nodes)
         f = self.scene.free.shape[1]
-        push = self.scene.push(given)
+        push = self.scene.effect_of_wrench(given)
         c, h = self._start(torus), np.zeros((len(torus.k), f), dtype=np.complex128)
         size = np.repeat([1.0, self.fastest], 6)
         linear, before = None, np.inf
@@ -236,7 +236,7 @@ class _Search:
         c, held = larger.padded(found.c), larger.padded(h)
         given = self._drive(larger.nodes)
         rate = self.scene.chart.rate(given, larger.values(c))
-        rate += (self.scene.push(given) @ larger.values(held)[:, :, None])[:, :, 0]
+        rate += (self.scene.effect_of_wrench(given) @ larger.values(held)[:, :, None])[:, :, 0]
         left = larger.coefficients(rate) - 1j * w[:, None] * c
         missing = (inverse[:, :6, :12] @ left[:, :, None])[:, :, 0]
         return _with(found, missing, w, slow, found.order + MORE)
@@ -285,7 +285,7 @@ class _Search:
         y, y_dot = found.states(theta)
         phi, _ = self._phi(theta)
         given = self._drive(theta)
-        held = (self.scene.push(given) @ found.torus.at(h, theta)[:, :, None])[:, 6:, 0]
+        held = (self.scene.effect_of_wrench(given) @ found.torus.at(h, theta)[:, :, None])[:, 6:, 0]
         exact = np.array([_forward(self.scene, y[i], phi[i], self.speeds) for i in range(len(theta))])
         left = y_dot[:, 6:] - exact - held
         pose = y_dot[:, :6] - self.scene.chart.rate(given, y)[:, :6]

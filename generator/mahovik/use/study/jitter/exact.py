@@ -7,7 +7,7 @@ import numpy as np
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.study.jitter.balance import SLOW, Balance
 from mahovik.use.study.jitter.chain import Chain
 from mahovik.use.study.jitter.lines import COMBINATION, UNBALANCE, LineName, Lines
@@ -76,7 +76,7 @@ def mount_wrenches(found: Balance, y: Array, V_dot: Array) -> Array:
     at = found.scene.chart.twists(y)
     given = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
     h, _ = waves(phi)
-    taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.spun[:, :6] * phi_dot**2
+    taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.coupling_slope[:, :6] * phi_dot**2
     wrench = -np.einsum("hms,hims->msi", h, taken)
     for s, damping in enumerate(mechanics.tables.damping):
         if damping is not None:

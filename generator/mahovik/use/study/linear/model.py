@@ -27,7 +27,7 @@ from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Linear, Mechanics, linear
 from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
 from mahovik.use.plan.residual.kinematics import Twists
-from mahovik.use.plan.residual.prescribed import prescribed_at
+from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
 from mahovik.writing import format_of
 

@@ -103,7 +103,7 @@ class QuietOptions:
             raise UsageError("--orders: expected whole numbers from 1, as 1,2")
 
     @property
-    def guarded(self) -> Interval:
+    def guarded_band(self) -> Interval:
         """The band with its guard, Hz."""
         return self.band[0] * (1.0 - self.guard), self.band[1] * (1.0 + self.guard)
 
@@ -131,7 +131,7 @@ class Wheels:
 
     nullspace (N x d): orthonormal; speeds without momentum. momentum (3, N m s): the required one.
     start (N, rad/s): speeds that hold it, nearest to the given ones.
-    moved (rad/s): distance of `start` from the given speeds.
+    distance (rad/s): distance of `start` from the given speeds.
     """
 
     names: tuple[str, ...]
@@ -139,7 +139,7 @@ class Wheels:
     nullspace: Array
     momentum: Array
     start: Array
-    moved: float
+    distance: float
     limit: Array
 
     @staticmethod

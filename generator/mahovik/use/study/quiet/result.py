@@ -31,7 +31,7 @@ from mahovik.use.study.quiet.lines import (
 )
 from mahovik.use.study.quiet.options import MEASURES, QuietOptions, Wheels, check_options
 from mahovik.use.study.quiet.search import Search, broken_limits
-from mahovik.use.study.quiet.simulated import (
+from mahovik.use.study.quiet.simulation import (
     Sampling,
     band_rms,
     expected_samples,
@@ -99,7 +99,7 @@ class QuietResult:
         return self.before.free / after if after > 0.0 else math.inf
 
     @property
-    def broken(self) -> tuple[str, ...]:
+    def broken_options(self) -> tuple[str, ...]:
         """Options that the speeds before break."""
         return tuple(sorted(f"--{name}" for name in broken_limits(self.before.speeds, self.wheels, self.options)))
 
@@ -148,7 +148,7 @@ def quiet(
     outcome = Search(wheels, amplitudes, options, seconds, tell).run()
     speeds = outcome.best.speeds
     rng = np.random.default_rng([options.seed, 1])
-    phases, _ = best_phases(speeds, amplitudes.at(speeds), options.guarded, rng)
+    phases, _ = best_phases(speeds, amplitudes.at(speeds), options.guarded_band, rng)
     phases = np.mod(phases, 2 * math.pi)
     unheld = np.random.default_rng([options.seed, 2]).uniform(0.0, 2 * math.pi, len(speeds))
     interrupted = outcome.interrupted

@@ -79,7 +79,7 @@ class Planes:
 
 def _edges(wheels: Wheels, options: QuietOptions, s: int) -> Iterator[float]:
     """Magnitudes of speed of flywheel s, rad/s, just inside its limits or just outside the band."""
-    low, high = options.guarded
+    low, high = options.guarded_band
     yield 2 * math.pi * low * (1.0 - 2 * SLACK)
     yield 2 * math.pi * high * (1.0 + 2 * SLACK)
     for one, other in options.avoid:
@@ -120,7 +120,7 @@ ALIKE = 1.02  # RMS ratio within which the smaller change is taken
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class SpeedChoice:
     """speeds (N, rad/s); mean square in the guarded band with the best phases; largest change of a speed, rad/s."""
 
     speeds: Array
@@ -132,7 +132,7 @@ class Found:
 class Outcome:
     """The best speeds, how many were tried, and whether time or Ctrl-C cut the search."""
 
-    best: Found
+    best: SpeedChoice
     looked_at: int
     cut: bool
     interrupted: bool
@@ -152,9 +152,9 @@ class Search:
         self.wheels, self.amplitudes, self.options = wheels, amplitudes, options
         self.rng = np.random.default_rng(options.seed)
         self.planes = Planes(wheels, options)
-        self.before = uncontrolled_mean_square(wheels.start, amplitudes.at(wheels.start), options.guarded)
+        self.before = uncontrolled_mean_square(wheels.start, amplitudes.at(wheels.start), options.guarded_band)
         self.budget = Budget(0, seconds)
-        self.found: list[Found] = []
+        self.found: list[SpeedChoice] = []
         self.looked_at = 0
         self._tell = tell or (lambda _: None)
         self._least = np.inf
@@ -174,14 +174,14 @@ class Search:
             raise CheckError(self._binding(cut))
         return Outcome(self._best(), self.looked_at, cut, interrupted)
 
-    def evaluate(self, speeds: Array, starts: int = 12) -> Found:
+    def evaluate(self, speeds: Array, starts: int = 12) -> SpeedChoice:
         """Evaluate these speeds."""
         self.looked_at += 1
-        _, least = best_phases(speeds, self.amplitudes.at(speeds), self.options.guarded, self.rng, starts)
+        _, least = best_phases(speeds, self.amplitudes.at(speeds), self.options.guarded_band, self.rng, starts)
         self._least = min(self._least, least)
         lower = float(np.sqrt(self.before / self._least)) if self._least > 0.0 else np.inf
         self._tell(f"searching: {self.looked_at} speeds tried, best {lower:.3g} times lower")
-        return Found(speeds, least, float(np.abs(speeds - self.wheels.start).max()))
+        return SpeedChoice(speeds, least, float(np.abs(speeds - self.wheels.start).max()))
 
     def _meetings(self) -> bool:
         """Try allowed intersections of planes, most promising first; False if time ran out."""
@@ -197,7 +197,7 @@ class Search:
         for bound, speeds in ranked:
             if self.budget.is_spent() and self.found:
                 return False
-            if self.found and bound > self._bound():
+            if self.found and bound > self._largest_useful():
                 break
             self.found.append(self.evaluate(speeds))
         return not self.budget.is_spent()
@@ -210,9 +210,9 @@ class Search:
         for group in groups(speeds):
             if len(group) == 1:
                 alone[group[0]] = speeds[group[0]]
-        return uncontrolled_mean_square(alone, self.amplitudes.at(alone), self.options.guarded) * (1.0 - 1e-3)
+        return uncontrolled_mean_square(alone, self.amplitudes.at(alone), self.options.guarded_band) * (1.0 - 1e-3)
 
-    def _bound(self) -> float:
+    def _largest_useful(self) -> float:
         """Bound above which no further speeds need be tried."""
         if self.options.reduction is not None:
             good = [each.change for each in self.found if self._is_sufficient(each)]
@@ -220,7 +220,7 @@ class Search:
         least = min(each.mean_square for each in self.found)
         return max(ALIKE**2 * least, QUIET_ENOUGH**2 * self.before)
 
-    def _is_sufficient(self, each: Found) -> bool:
+    def _is_sufficient(self, each: SpeedChoice) -> bool:
         return each.mean_square * (self.options.reduction or 1.0) ** 2 <= self.before
 
     def _neighbours(self) -> bool:
@@ -232,7 +232,7 @@ class Search:
                 return False
         return True
 
-    def _descend(self, each: Found) -> bool:
+    def _descend(self, each: SpeedChoice) -> bool:
         """Steps along a basis, halved if none helps."""
         basis = self._directions(each.speeds)
         step = 0.1 * max(float(np.abs(each.speeds).max()), 1.0)
@@ -268,7 +268,7 @@ class Search:
         _, sizes, right = np.linalg.svd(np.array(rows))
         return np.asarray(right[int(np.sum(sizes > 1e-9)) :] @ Z.T)
 
-    def _best(self) -> Found:
+    def _best(self) -> SpeedChoice:
         """Best result: the least change that is sufficient; else, of the quietest, the one with the least change."""
         enough = [each for each in self.found if self.options.reduction is not None and self._is_sufficient(each)]
         if enough:

@@ -40,16 +40,16 @@ def derivative(y: Array, base: float) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Linearised:
-    """dy' = J dy + push dh + r with conditions: seen . mean(dy) = c. The unknowns are dy (M, n) and dh (f).
+class LinearSystem:
+    """dy' = J dy + push dh + r with conditions: conditions . mean(dy) = c. The unknowns are dy (M, n) and dh (f).
 
-    J (M, n, n); push (M, n, f): effect of the constant numbers h on y'; seen (f, n); base: rad/s;
+    J (M, n, n); push (M, n, f): effect of the constant numbers h on y'; conditions (f, n); base: rad/s;
     size (n): scales of the unknowns.
     """
 
     J: Array
     push: Array
-    seen: Array
+    conditions: Array
     base: float
     size: Array
 
@@ -74,7 +74,7 @@ class Linearised:
         def forward(x: Array) -> Array:
             dy, dh = x[: M * n].reshape(M, n) * self.size, x[M * n :]
             left = derivative(dy, self.base) - (self.J @ dy[:, :, None])[:, :, 0] - self.push @ dh
-            return back(left, self.seen @ dy.mean(axis=0))
+            return back(left, self.conditions @ dy.mean(axis=0))
 
         count = M * n + f
         operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
@@ -85,12 +85,12 @@ class Linearised:
 
     def _inverse(self, M: int) -> Complex | None:
         """Inverses (H + 1, n + f, n + f) of the mean equations, one per harmonic; constants h belong to the zeroth."""
-        n, f = self.J.shape[1], len(self.seen)
+        n, f = self.J.shape[1], len(self.conditions)
         k = np.arange(M // 2 + 1)
         A = np.zeros((len(k), n + f, n + f), dtype=np.complex128)
         A[:, :n, :n] = -self.J.mean(axis=0)
         A[:, range(n), range(n)] += 1j * self.base * k[:, None]
-        A[0, :n, n:], A[0, n:, :n] = -self.push.mean(axis=0), self.seen
+        A[0, :n, n:], A[0, n:, :n] = -self.push.mean(axis=0), self.conditions
         A[1:, range(n, n + f), range(n, n + f)] = 1.0
         try:
             found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
@@ -179,7 +179,7 @@ ROUNDING = 1e-14
 """m/s2, rad/s2: smaller harmonics count as zero."""
 
 STEPS = 30
-SETTLED = 1e-12
+NEWTON_TOLERANCE = 1e-12
 """Relative size of a last step of Newton's method."""
 
 LARGEST = 2.0
@@ -267,7 +267,7 @@ class _Search:
         f = scene.free.shape[1]
         self.y, self.h = np.zeros((1, 12)), np.zeros(f)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
-        enough = KINKED_TAIL if scene.stand.kinked else TAIL
+        enough = KINKED_TAIL if scene.stand.has_kinks else TAIL
         before = np.inf
         while True:
             self._solve(H)
@@ -294,20 +294,20 @@ class _Search:
         M = odd_length(2 * H + 1)
         scene, base = self.scene, self.turning.base
         self.given = given = self._flywheel_sums(M)
-        y, h, push = resample(self.y, M), self.h, scene.push(given)
+        y, h, push = resample(self.y, M), self.h, scene.effect_of_wrench(given)
         fastest = base * max(map(abs, self.turning.turns))
         size = np.repeat([1.0, fastest], 6)
         for _ in range(STEPS):
             rate = scene.chart.rate(given, y) + push @ h
             J = scene.jacobian(given, y, rate[:, 6:])
-            linear = Linearised(J, push, scene.free_displacement, base, size)
+            linear = LinearSystem(J, push, scene.free_displacement, base, size)
             step = linear.solve(rate - derivative(y, base), -scene.free_displacement @ y.mean(axis=0))
             if step is None:
                 break
             y, h = y + step[0], h + step[1]
             if not np.all(np.isfinite(y)) or np.abs(y[:, 3:6]).max() > LARGEST:
                 break
-            if np.abs(step[0] / size).max() <= SETTLED * np.abs(y / size).max() + ROUNDING / fastest**2:
+            if np.abs(step[0] / size).max() <= NEWTON_TOLERANCE * np.abs(y / size).max() + ROUNDING / fastest**2:
                 self.y, self.h, self.J = y, h, J
                 return
         raise CheckError(f"{self._failure()}: an undamped resonance, or the carrier moves too violently")
@@ -327,7 +327,7 @@ class _Search:
     def V_dot(self) -> Array:
         """V* (M, 6)."""
         scene = self.scene
-        return scene.chart.acceleration(self.given, self.y) + (scene.push(self.given) @ self.h)[:, 6:]
+        return scene.chart.acceleration(self.given, self.y) + (scene.effect_of_wrench(self.given) @ self.h)[:, 6:]
 
     def result(self, seen: tuple[Place, ...]) -> Periodic:
         """The result of the course."""

@@ -68,7 +68,7 @@ class Scene:
         """Sums of flywheels at constant speeds (M, N each)."""
         return drive(self.chart.mechanics, phi, phi_dot, np.zeros_like(phi))
 
-    def push(self, given: Drive) -> Array:
+    def effect_of_wrench(self, given: Drive) -> Array:
         """(M, 12, f): effect of a constant wrench along a free direction on y'."""
         acceleration = given.inverse @ self.wrench
         return np.concatenate([np.zeros_like(acceleration), acceleration], axis=1)

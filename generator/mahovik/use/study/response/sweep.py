@@ -24,7 +24,7 @@ from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 ORDERS = 6
 """Orders of each flywheel reported as lines."""
 
-SEEN = 1e-6
+SMALLEST_LINE = 1e-6
 """Part of the largest amplitude of all lines below which a line is left out."""
 
 
@@ -86,7 +86,7 @@ class Sweep:
     """Steps over a range of speeds, seen at a point. `interrupted`: some steps are missing."""
 
     stand: Stand
-    asked: SpeedPlan
+    plan: SpeedPlan
     point: str
     quantity: str
     band: tuple[float, float] | None
@@ -113,7 +113,7 @@ class Sweep:
         """Orders of the flywheels that turn, largest amplitude first."""
         found = [self._line(names, harmonics) for harmonics, names in self._orders().items()]
         largest = max((line.largest for line in found), default=0.0)
-        return tuple(sorted((x for x in found if x.largest > SEEN * largest), key=lambda line: -line.largest))
+        return tuple(sorted((x for x in found if x.largest > SMALLEST_LINE * largest), key=lambda line: -line.largest))
 
     def _orders(self) -> dict[tuple[int, ...], list[str]]:
         """Harmonics by step of the common period -> names of the orders present."""
@@ -189,7 +189,7 @@ AXES = ("x", "y", "z")
 
 def as_object(found: Sweep) -> dict[str, Any]:
     """Contents of the JSON file; SI, frequencies in Hz."""
-    asked = found.asked
+    asked = found.plan
     return {
         "schema": 1,
         "stand": found.stand.name,
@@ -244,7 +244,7 @@ def json_text(found: Sweep) -> str:
 def csv_text(found: Sweep) -> str:
     """A row per speed: speeds, RMS on the axes and together, within the band, amplitudes of the orders."""
     unit, lines = found.unit, found.lines()
-    names = [f"speed {name} [rpm]" for name in found.asked.names]
+    names = [f"speed {name} [rpm]" for name in found.plan.names]
     parts = [("rms", found.rms())] + ([("band rms", found.rms(found.band))] if found.band else [])
     for name, _ in parts:
         names += [f"{name} {axis} [{unit}]" for axis in (*AXES, "xyz")]

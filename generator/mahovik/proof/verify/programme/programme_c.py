@@ -22,7 +22,7 @@ from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.programme.finding import Finding, check_limit, largest
 from mahovik.proof.verify.programme.mechanics import Scale, instants
-from mahovik.proof.verify.programme.spread import spread_phases
+from mahovik.proof.verify.programme.phase_spread import spread_phases
 
 POINTS = 400
 """Phases at which a table is compared."""
@@ -76,7 +76,7 @@ class CompiledProgramme:
         return wrong
 
 
-def load_compiled(stand: Stand, folder: Path, name: str, scratch: Path) -> CompiledProgramme:
+def load_programme_c(stand: Stand, folder: Path, name: str, scratch: Path) -> CompiledProgramme:
     """Compiles `<stand>_<name>.c` of a folder in `scratch`.
 
     Raises UsageError: no such files, or of another stand; ToolchainError: no compiler, or it refuses the C.
@@ -116,10 +116,10 @@ def compiled_findings(
 
     residual   accepted of the programme itself, a share
 
-    Raises UsageError, ToolchainError: see `load_compiled`.
+    Raises UsageError, ToolchainError: see `load_programme_c`.
     """
     with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
-        made = load_compiled(stand, folder, name, Path(scratch))
+        made = load_programme_c(stand, folder, name, Path(scratch))
         found = _course_findings(programme.planned_for(stand), motion, programme, scale, residual, made)
         for part, table in (("runup", programme.runup), ("rundown", programme.rundown)):
             if table is not None:

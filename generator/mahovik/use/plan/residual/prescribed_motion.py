@@ -31,14 +31,14 @@ from mahovik.use.plan.residual.spatial import motor_cross
 class Mechanics:
     """Constants of a stand: built once, used for every motion.
 
-    still, spun   (5, 7, 1, N): I_h and I'_h; the seventh row is the part about the axis, of which tau is made
+    coupling, coupling_slope   (5, 7, 1, N): I_h, I'_h; the seventh row is the part about the axis, for tau
     """
 
     stand: Stand
     base: Base
     tables: Tables
-    still: Array
-    spun: Array
+    coupling: Array
+    coupling_slope: Array
 
     @staticmethod
     def of(stand: Stand) -> Mechanics:
@@ -59,7 +59,7 @@ class Mechanics:
 
 
 @dataclass(frozen=True, eq=False)
-class Prescribed:
+class PrescribedMotion:
     """Coefficients of (12) at M times: linear in the harmonics of each angle, quadratic in its speed.
 
     balance (M, 6; N, N m): of the base, everything but the flywheels
@@ -74,22 +74,22 @@ class Prescribed:
     moving: Array
     V_r: Array
 
-    def locked(self) -> Array:
+    def locked_wrench(self) -> Array:
         """P of (12) (M, 6): wrench needed, flywheels locked in their mounts and axisymmetric, of mean inertia."""
         return np.asarray(self.balance - self.fixed[0, :6].sum(axis=2).T)
 
 
-def prescribe(mechanics: Mechanics, course: Course, bias: Array | float = 0.0) -> Prescribed:
+def prescribe(mechanics: Mechanics, course: Course, bias: Array | float = 0.0) -> PrescribedMotion:
     """Prescribed at the times of `course`, shifted by `bias` (6, or M x 6; m, rad). StateError: a law is undefined."""
     return prescribed_at(mechanics, twists(mechanics.stand, course._replace(q=course.q + bias)))
 
 
-def prescribed_at(mechanics: Mechanics, at: Twists) -> Prescribed:
+def prescribed_at(mechanics: Mechanics, at: Twists) -> PrescribedMotion:
     """Prescribed at M twists of the carrier. StateError: a law is undefined."""
     tables = mechanics.tables
     found = harmonics_at(mechanics.stand, at, tables.Theta, tables.weight, tables.coupling)
     A, C = (_with_torque(x, tables) for x in found)
-    return Prescribed(mechanics, mechanics.base.balance(at), A, C, at.V_r)
+    return PrescribedMotion(mechanics, mechanics.base.balance(at), A, C, at.V_r)
 
 
 def harmonics_at(stand: Stand, at: Twists, Theta: Array, weight: Array, coupling: Array) -> tuple[Array, Array]:
@@ -131,7 +131,7 @@ class Norm:
     demand: float
 
     @staticmethod
-    def of(at: Prescribed, span: float) -> Norm:
+    def of(at: PrescribedMotion, span: float) -> Norm:
         """The norm of a motion prescribed at uniform times, for its period or duration (s).
 
         For a carrier to be held still: sum mu_s Omega^2 / sqrt(m) in place of the demand; without unbalance
@@ -139,18 +139,18 @@ class Norm:
         """
         own = at.mechanics
         root = np.linalg.inv(np.linalg.cholesky(own.mean_inertia))
-        P = at.locked() @ root.T
+        P = at.locked_wrench() @ root.T
         demand = float(np.linalg.norm(P - P.mean(axis=0), axis=1).max())
         able = able_at(own, 2.0 * np.pi / span)
         return Norm(root, demand if demand > _STILL * able else able)
 
-    def scaled(self, R: Array) -> Array:
+    def dimensionless(self, R: Array) -> Array:
         """root R / demand (M, 6), dimensionless."""
         return np.asarray(R @ (self.root.T / self.demand))
 
     def relative(self, R: Array) -> float:
         """Relative residual of R (M, 6)."""
-        return float(np.linalg.norm(self.scaled(R), axis=1).max())
+        return float(np.linalg.norm(self.dimensionless(R), axis=1).max())
 
 
 def able_at(own: Mechanics, Omega: float) -> float:

@@ -18,17 +18,17 @@ import sympy as sp
 from mahovik.core.formula.tree import Formula, Matrix
 
 
-def ordered(value: Any) -> Any:
+def to_formulas(value: Any) -> Any:
     """Result of a function of derive/ as formulas: each element of matrices, tuples, dicts and data classes."""
     if isinstance(value, sp.MatrixBase):
         rows, columns = value.shape
         return Matrix(rows, columns, tuple(_formula(x) for x in value))
     if isinstance(value, tuple):
-        return tuple(ordered(each) for each in value)
+        return tuple(to_formulas(each) for each in value)
     if isinstance(value, dict):
-        return {name: ordered(each) for name, each in value.items()}
+        return {name: to_formulas(each) for name, each in value.items()}
     if is_dataclass(value):
-        return SimpleNamespace(**{f.name: ordered(getattr(value, f.name)) for f in fields(value)})
+        return SimpleNamespace(**{f.name: to_formulas(getattr(value, f.name)) for f in fields(value)})
     return _formula(sp.sympify(value))
 
 

@@ -21,9 +21,9 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import (
     INTERVALS,
+    BlockElimination,
     Chart,
     Drive,
-    Eliminated,
     acceleration_rates,
     course,
     drive,
@@ -42,7 +42,7 @@ _TAIL = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Wanted:
+class ReferenceMotion:
     """A programme of a stand for a required motion. `exact`: the programme before tabulation."""
 
     stand: Stand
@@ -51,12 +51,12 @@ class Wanted:
     exact: Programme
 
     @staticmethod
-    def of(stand: Stand, motion: RequiredMotion, programme: Programme, rows: int | None) -> Wanted:
+    def of(stand: Stand, motion: RequiredMotion, programme: Programme, rows: int | None) -> ReferenceMotion:
         """Programme with `rows` nodes of quintic Hermite per period, as in firmware; None: exact. Raises UsageError.
 
         A finite programme is a table of its own: rows are None.
         """
-        return Wanted(stand, motion, programme if rows is None else tabulate(programme, rows), programme)
+        return ReferenceMotion(stand, motion, programme if rows is None else tabulate(programme, rows), programme)
 
     def angles(self, t: Array) -> Angles:
         """phi, phi', phi'' (M, N each; rad, s) at times t (M, s): of the programme, and of its run-up before t = 0.
@@ -80,7 +80,7 @@ class Wanted:
             derivative[t < -table.duration] = 0.0
         return found
 
-    def required(self, t: Array) -> Array:
+    def required_course(self, t: Array) -> Array:
         """Required q (M, 6; m, rad) of the carrier at times t (M, s); before t = 0 its mean pose.
 
         Before and after a finite motion it rests where that begins and ends.
@@ -114,7 +114,7 @@ class Wanted:
         count = INTERVALS * max(1, round(NODES * turns * table.duration / self.motion.span / INTERVALS))
         t = np.linspace(0.0, table.duration, count + 1)
         still = np.zeros((1, 6))
-        chart = Chart.about(mechanics, Course((self.motion.mean + self.programme.bias)[None], still, still))
+        chart = Chart.at_pose(mechanics, Course((self.motion.mean + self.programme.bias)[None], still, still))
         angles = table.at(t)
         given = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
@@ -156,7 +156,7 @@ _STEP = 1e-6
 class Orbit:
     """One period of the carrier at M + 1 uniform nodes, the last one period after the first.
 
-    chart, given   the stand's equations about the mean pose, and the flywheels' sums at the nodes
+    chart, drive   the stand's equations about the mean pose, and the flywheels' sums at the nodes
     phi_ddot       (M + 1, N)
     y              (M + 1, 12): states of the chart
     near           the linear equations along it
@@ -166,10 +166,10 @@ class Orbit:
 
     chart: Chart
     span: float
-    given: Drive
+    drive: Drive
     phi_ddot: Array
     y: Array
-    near: Eliminated
+    near: BlockElimination
     free: Array
     q: Array
 
@@ -194,8 +194,8 @@ class Orbit:
         """
         N, P = self.phi_ddot.shape[1], basis.shape[2]
         rates = np.zeros((len(self.y), 12, N, P))
-        found = linearise_along(self.chart, self.given, self.y, self.phi_ddot)
-        for B, function in zip(acceleration_rates(self.given, found), basis, strict=True):
+        found = linearise_along(self.chart, self.drive, self.y, self.phi_ddot)
+        for B, function in zip(acceleration_rates(self.drive, found), basis, strict=True):
             rates[:, 6:] += B[:, :, :, None] * function[:, None, None, :]
         spacing = self.span / (len(self.y) - 1)
         defects = integrate(rates.reshape(-1, 12, N * P), spacing)
@@ -240,7 +240,7 @@ def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Progr
     spacing, start, guess = orbit.span / count, orbit.y[0], orbit.y
     for _ in range(_MOST):
         try:
-            found = course(orbit.chart, orbit.given, spacing, start, guess, None)
+            found = course(orbit.chart, orbit.drive, spacing, start, guess, None)
         except StateError:
             break
         ends = found.y[-1] - found.y[0]
@@ -263,6 +263,6 @@ def _chart_and_sums(
 ) -> tuple[Chart, Drive, Array]:
     mean = (motion.mean + programme.bias)[None]
     still = np.zeros((1, 6))
-    chart = Chart.about(mechanics, Course(mean, still, still))
+    chart = Chart.at_pose(mechanics, Course(mean, still, still))
     angles = programme.at(t)
     return chart, drive(mechanics, *angles), angles.phi_ddot

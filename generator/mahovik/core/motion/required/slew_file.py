@@ -198,7 +198,7 @@ def _turn(
     return sight, normal / size, angle
 
 
-def resolved(slew: Slew, programme: Programme) -> RequiredMotion:
+def motion_of_slew(slew: Slew, programme: Programme) -> RequiredMotion:
     """The motion of a slew: the course of the carrier that its programme keeps. Raises MotionError: it keeps none."""
     if programme.carrier is None:
         raise MotionError([f"{slew.name}: is a slew, but the programme keeps no course of the carrier: plan it again"])

@@ -13,7 +13,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.motion.laws import Constant
-from mahovik.core.motion.regime import Driven, Regime
+from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -41,7 +41,7 @@ def band_rms(x: Array, every: float, band: Interval, integrals: int) -> float:
     """RMS (root of the sum over columns) in the band (Hz) of x (times x axes), `integrals` times integrated."""
     n = len(x)
     w = window(n)
-    X = np.fft.rfft(w[:, None] * _level(x, w), axis=0)
+    X = np.fft.rfft(w[:, None] * _without_trend(x, w), axis=0)
     f = np.fft.rfftfreq(n, every)
     inside = (f >= band[0]) & (f <= band[1]) & (f > 0.0)
     power = np.sum(np.abs(X[inside]) ** 2, axis=1) / (2.0 * np.pi * f[inside]) ** (2 * integrals)
@@ -52,11 +52,11 @@ def line_amplitude(x: Array, every: float, frequency: float, integrals: int) -> 
     """Amplitude (root of the sum of squares over columns) of the line at a frequency (Hz)."""
     w = window(len(x))
     turn = np.exp(-2j * np.pi * frequency * every * np.arange(len(x)))
-    value = 2.0 * ((w * turn) @ _level(x, w)) / w.sum()
+    value = 2.0 * ((w * turn) @ _without_trend(x, w)) / w.sum()
     return float(np.linalg.norm(value)) / (2.0 * np.pi * frequency) ** integrals
 
 
-def _level(x: Array, w: Array) -> Array:
+def _without_trend(x: Array, w: Array) -> Array:
     """The samples without their weighted mean and slope."""
     t = np.linspace(-1.0, 1.0, len(x))
     basis = np.column_stack([np.ones_like(t), t])
@@ -103,7 +103,7 @@ def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Arra
 def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:
     """Constant speeds and phases at t = 0."""
     driven = zip(stand.flywheels, speeds.tolist(), phases.tolist(), strict=True)
-    return Regime("quiet", tuple(Driven(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
+    return Regime("quiet", tuple(FlywheelRegime(s.name, Constant(speed), phase) for s, speed, phase in driven), {})
 
 
 def simulate_point(

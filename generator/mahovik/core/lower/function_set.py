@@ -1,0 +1,87 @@
+"""The functions of a program while it is being built, as far as a law of `laws/` needs them."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from mahovik.core.lower.thresholds import Thresholds, thresholds
+from mahovik.core.program.build import Body, call
+from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Operand, Place, Status, unequal
+from mahovik.core.program.function import Function
+from mahovik.core.program.prune import prune
+from mahovik.core.program.types import Kind, Precision, Struct
+from mahovik.core.stand.structure_facts import Structure
+
+
+class Structs(Protocol):
+    """The part of a stand's layout that laws see: its structure, and the structs that their functions take."""
+
+    @property
+    def structure(self) -> Structure: ...
+
+    @property
+    def precision(self) -> Precision: ...
+
+    @property
+    def state(self) -> Struct: ...
+
+    @property
+    def table(self) -> Struct: ...
+
+    @property
+    def damper(self) -> Struct: ...
+
+
+class FunctionSet:
+    """The functions built so far by name, each after those it calls; structs and thresholds for the next ones."""
+
+    layout: Structs
+
+    def __init__(self, layout: Structs) -> None:
+        self.layout = layout
+        self.thresholds: Thresholds = thresholds(layout.precision)
+        self._functions: dict[str, Function] = {}
+        self._status: Place
+
+    def add(self, function: Function) -> Function:
+        """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""
+        assert function.name not in self._functions
+        function = prune(function)
+        self._functions[function.name] = function
+        return function
+
+    def __getitem__(self, name: str) -> Function:
+        return self._functions[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._functions
+
+    @property
+    def functions(self) -> tuple[Function, ...]:
+        return tuple(self._functions.values())
+
+    def table_argument(self) -> Argument:
+        """The prepared stand."""
+        return Argument("table", self.layout.table, purpose="the prepared table")
+
+    def state_argument(self) -> Argument:
+        """The state."""
+        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
+
+    def passed(self, function: str, **named: Operand | None) -> list[Operand]:
+        """The arguments of a function in its order, by name; unused ones are left out."""
+        found = [named[a.name] for a in self[function].arguments]
+        if any(value is None for value in found):
+            raise TypeError(f"{function} needs an argument that the caller does not give")
+        return [value for value in found if value is not None]
+
+    def begin(self, body: Body) -> None:
+        """Declares the local `status`, for `check`."""
+        self._status = body.local("status", (), Kind.STATUS)
+
+    def check(self, body: Body, function: str, *arguments: Operand) -> None:
+        """Calls a function that returns a status, and returns that status where it is not OK."""
+        body.set(self._status, call(self[function], *arguments))
+        with body.when(unequal(self._status, Status("OK"))):
+            body.ret(self._status)

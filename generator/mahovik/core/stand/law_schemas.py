@@ -1,0 +1,31 @@
+"""The laws in the stand file: the schemas of all of them, and the tables of bodies with their keys."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any, TypeVar
+
+from pydantic import create_model
+
+from mahovik.contract.laws import of_bodies
+from mahovik.core.stand.fields import Table
+from mahovik.core.stand.law import BodyLawSchema
+
+AnyTable = TypeVar("AnyTable", bound=Table)
+
+
+def body_schemas() -> tuple[BodyLawSchema, ...]:
+    """Schemas of all laws that have data of bodies."""
+    return of_bodies("schema", "SCHEMA")
+
+
+@cache
+def with_laws(table: type[AnyTable]) -> type[AnyTable]:
+    """The table of a body with the keys of the laws."""
+    keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas()}
+    return create_model(table.__name__, __base__=table, **keys)
+
+
+def keys_of(table: type[Table]) -> list[str]:
+    """The keys that a table may have."""
+    return [info.alias or name for name, info in table.model_fields.items()]
