@@ -94,7 +94,7 @@ class Compiled:
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """What a library is made of: a stand, an element type, the command of a compiler; `parallel`: with OpenMP."""
+    """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP."""
 
     stand: Stand
     real: str
