@@ -89,13 +89,13 @@ def _row(model: mahovik.Model, library: Compiled, n: int) -> tuple[Any, ...]:
     block = tables.block("table")
     ready, _columns = prepare_arguments(library, element, found, {"table": block})
 
-    call = library.library.call
+    call, call_of = library.library.call, library.of_tables.call
     rounds = seconds(
         [
             lambda: call("forward", n, [library.tables["table"], state, turned, V_dot], status),
-            lambda: call("forward_of", n, [block, state, turned, V_dot], status),
-            lambda: call("prepare", n, ready, status),
-            lambda: call("step_of", n, [block, state, turned, locked, dt, order, later], status),
+            lambda: call_of("forward_of", n, [block, state, turned, V_dot], status),
+            lambda: call_of("prepare", n, ready, status),
+            lambda: call_of("step_of", n, [block, state, turned, locked, dt, order, later], status),
             lambda: model.step(x, STEP, wheel, order=2, tables=tables),
             lambda: model.tables(given),
         ]

@@ -1,26 +1,35 @@
 """Threads, processes and the store of compiled stands."""
 
+from __future__ import annotations
+
+import hashlib
+import json
 import os
 import pickle
 import subprocess
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import mahovik
 from api.models import model, stand
-from mahovik.core.stand import Stand
+from mahovik import ToolchainError
 from mahovik.core.stand.random import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiler
 from mahovik.out.api import compiled, store
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.tools import require
+
+if TYPE_CHECKING:
+    from mahovik.core.emit.arrays import LibraryKind
 
 
 def test_threads_of_python_do_not_disturb_one_another() -> None:
@@ -99,20 +108,23 @@ def test_threads_of_openmp_give_the_same_bits() -> None:
 
 @pytest.fixture
 def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Stands compiled from now on, by name; what comes out lay in the store before."""
+    """Stands compiled from now on, by name and kind of library; what comes out lay in the store before."""
     model("bench8")
-    there = store.find(store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False))
-    numbers = store.find_numbers(store.numbers_key(stand("bench8"), "double"))
-    assert there is not None and numbers is not None
-    library, facts = there[0].read_bytes(), there[1]
+    model("bench8").tables({}, 1)
+    kinds: tuple[LibraryKind, ...] = ("batches", "tables")
+    command = tuple(compiler.find_compiler())
+    keys = {kind: store.library_key(structure(stand("bench8")), "double", command, False, kind) for kind in kinds}
+    there: dict[str, tuple[bytes, dict[str, Any]]] = {}
+    for kind, key in keys.items():
+        entry = store.find(key)
+        assert entry is not None
+        there[kind] = entry[0].read_bytes(), entry[1]
     found: list[str] = []
 
-    def copied(
-        of: Stand, real: str, command: tuple[str, ...], parallel: bool, batches: bool, scratch: Path
-    ) -> tuple[Path, dict[str, Any], dict[str, Any]]:
-        found.append(of.name)
-        (scratch / "copy.so").write_bytes(library)
-        return scratch / "copy.so", facts, numbers
+    def copied(source: compiled.Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:
+        found.append(source.stand.name if kind == "batches" else f"{source.stand.name}, {kind}")
+        (scratch / "copy.so").write_bytes(there[kind][0])
+        return scratch / "copy.so", there[kind][1]
 
     monkeypatch.setattr(compiled, "_compile", copied)
     return found
@@ -126,6 +138,79 @@ def works(m: mahovik.Model) -> bool:
 
 def test_the_second_build_compiles_nothing(made: list[str]) -> None:
     assert works(mahovik.build(stand("bench8"))) and made == []
+
+
+def heavy(m: mahovik.Model) -> NDArray[Any]:
+    """Accelerations of two stands, one of them heavier, in one call."""
+    return m.forward(m.state(phi_dot=1.0), 1.0, tables=m.tables({"carrier.mass": np.array([40.0, 50.0])})).V_dot
+
+
+def test_tables_are_compiled_where_they_are_first_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    m = mahovik.build(stand("bench8"))
+    assert works(m) and made == ["bench8"]
+    first = heavy(m)
+    assert made == ["bench8", "bench8, tables"] and not np.array_equal(first[0], first[1])
+    assert np.array_equal(heavy(m), first) and len(made) == 2
+    assert np.array_equal(heavy(mahovik.build(stand("bench8"))), first) and len(made) == 2
+
+
+def test_a_damaged_library_of_tables_is_made_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    first = heavy(mahovik.build(stand("bench8")))
+    for library in (tmp_path / "models").glob("*.so"):
+        content = library.read_bytes()
+        library.unlink()  # another file: this process has that one loaded
+        library.write_bytes(content[: len(content) // 2])
+    assert np.array_equal(heavy(mahovik.build(stand("bench8"))), first)
+    assert made == ["bench8", "bench8, tables"] * 2
+
+
+def test_compilers_that_fail_name_themselves_where_tables_are_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: list[str]
+) -> None:
+    """The model stays as it was, and asks again the next time."""
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path))
+    m = mahovik.build(stand("bench8"))
+    with monkeypatch.context() as broken:
+        broken.setattr(compiled, "_compile", lambda *_: (_ for _ in ()).throw(ToolchainError("cc refused it")))
+        with pytest.raises(ToolchainError, match="cc refused it"):
+            m.tables({}, 2)
+    assert works(m)
+    assert len(heavy(m)) == 2 and made == ["bench8", "bench8, tables"]
+
+
+def store_entry_is_whole(library: Path) -> bool:
+    """Whether the bytes are those whose hash lies beside them."""
+    facts = json.loads(library.with_suffix(".json").read_text(encoding="ascii"))
+    return bool(facts["digest"] == hashlib.sha256(library.read_bytes()).hexdigest())
+
+
+AT_ONCE = """
+import mahovik, numpy as np
+m = mahovik.build(mahovik.example("demo3"))
+tables = m.tables({"carrier.mass": np.array([4.0, 5.0])})
+print(m.forward(m.state(phi_dot=9.0), 1.0, tables=tables).V_dot.tobytes().hex())
+"""
+
+
+@pytest.mark.slow
+def test_processes_that_compile_at_once_and_one_that_is_killed_leave_whole_libraries(tmp_path: Path) -> None:
+    (tmp_path / "scratch").mkdir()
+    env = {**os.environ, "MAHOVIK_CACHE": str(tmp_path), "TMPDIR": str(tmp_path / "scratch")}
+    started = [subprocess.Popen([sys.executable, "-c", AT_ONCE], env=env, stdout=subprocess.PIPE) for _ in range(3)]
+    time.sleep(2.0)
+    started[0].kill()
+    found = [process.communicate(timeout=50)[0] for process in started]
+    assert found[1] == found[2] != b""
+    libraries = sorted((tmp_path / "models").glob("*.so"))
+    assert len(libraries) == 2 and all(store_entry_is_whole(library) for library in libraries)
+    again = subprocess.run([sys.executable, "-c", AT_ONCE], env=env, capture_output=True, check=True)
+    assert again.stdout == found[1]
 
 
 @pytest.mark.slow
@@ -166,15 +251,15 @@ def test_keys_tell_apart_what_differs() -> None:
     other = replace(one, carrier=replace(one.carrier, mass=one.carrier.mass * (1 + 2**-52)))
     assert store.numbers_key(one, "double") != store.numbers_key(other, "double")
     forms = [structure(one), structure(replace(one, name="other"))]
-    both = (False, True)
+    kinds: tuple[LibraryKind, ...] = ("states", "batches", "tables")
     keys = {
-        store.library_key(form, r, ("cc",), p, b)
+        store.library_key(form, r, ("cc",), p, kind)
         for form in forms
         for r in ("double", "float")
-        for p in both
-        for b in both
+        for p in (False, True)
+        for kind in kinds
     }
-    assert len(keys) == 16
+    assert len(keys) == 24
 
 
 @pytest.mark.slow

@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features
+from mahovik.use.plan.forward import Chart, drive
 from mahovik.use.plan.residual import linear, prescribe, residual, torques
+from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
+from mahovik.use.plan.residual.spatial import attitude
 from plan.courses import literal, random_course
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]
@@ -59,3 +62,19 @@ def test_bias_shifts_the_carrier() -> None:
     expected = residual(prescribe(mechanics, shifted.course), *motion[3:])
     for given in (bias, np.tile(bias, (len(motion.q), 1))):
         assert np.array_equal(residual(prescribe(mechanics, motion.course, given), *motion[3:]), expected)
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_slopes_by_the_carrier_from_sums_are_those_flywheel_by_flywheel(number: int) -> None:
+    """With damping of flywheels, laws, a stream and gravity: to rounding of what they are sums of."""
+    stand, mechanics, _ = random_course(110 + number, 1 + number, KINDS[number])
+    rng = np.random.default_rng(number)
+    y, V_dot = rng.normal(size=(3, 12)) * 0.3, rng.normal(size=(3, 6))
+    phi, phi_dot = rng.normal(size=(3, 1 + number)), rng.normal(size=(3, 1 + number)) * 20
+    chart = Chart(mechanics, rng.normal(size=3), attitude(stand.angles, rng.normal(size=3)))
+    at = chart.twists(y)
+    at = at._replace(V_r_dot=at.V_r_dot + V_dot)
+    each = by_carrier(mechanics, at, phi, phi_dot)
+    whole = slopes_of_residual(mechanics, at, drive(mechanics, phi, phi_dot, np.zeros_like(phi)))
+    for found, expected in ((whole.by_pose, each.by_pose), (whole.by_twist, each.by_twist)):
+        assert np.abs(found - expected).max() <= 1e-12 * np.abs(expected).max()

@@ -21,7 +21,8 @@ from mahovik.out.report.derivation.notation import (
     Row,
     Script,
 )
-from mahovik.out.report.derivation.parse import NotationError, notation, parse, symbol
+from mahovik.out.report.derivation.parse import NotationError, parse
+from mahovik.out.report.derivation.symbolic import notation, symbol
 
 
 @cache

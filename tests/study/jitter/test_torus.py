@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.errors import CheckError
-from mahovik.use.study.jitter.torus import Torus, indices
+from mahovik.use.study.jitter.torus import Torus, index_count, indices
 
 
 @given(st.integers(1, 4), st.integers(1, 4))
@@ -18,6 +18,11 @@ def test_of_every_k_and_minus_k_one_is_there(count: int, order: int) -> None:
     for each in box[np.abs(box).sum(axis=1) <= order].tolist():
         assert (tuple(each) in k) != (tuple(-x for x in each) in k) or not any(each)
     assert not any(next(iter(indices(count, order).tolist())))
+
+
+@given(st.integers(0, 5), st.integers(0, 5))
+def test_indices_are_counted_without_making_them(count: int, order: int) -> None:
+    assert index_count(count, order) == len(indices(count, order))
 
 
 @given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 2**32 - 1))

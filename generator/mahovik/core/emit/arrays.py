@@ -2,17 +2,19 @@
 
 Functions that have a batch are called as such; the others in a loop, with the state gathered from its components.
 Each that takes tables has a second form, `.._of`, which takes those of n stands side by side: state j is of stand j.
+The two forms are of two libraries: most programs need the first alone, and the compiler takes seconds for each.
 """
 
 from __future__ import annotations
 
 from itertools import accumulate
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS, row_of, task_of
 from mahovik.contract.quantities import is_shared
+from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
@@ -29,12 +31,15 @@ from mahovik.core.stand.model import Stand
 TABLES = tuple(PREPARED)
 """Arguments that hold the numbers of a stand; all others depend on its structure alone."""
 
+LibraryKind = Literal["states", "batches", "tables"]
+"""Library with every function state by state; with batches of one stand; with batches of n stands."""
 
-def array_functions(generated: Generated, batches: bool = True) -> tuple[ArrayFunction, ...]:
-    """Arguments and results of the functions of `array_source`."""
+
+def array_functions(generated: Generated, kind: LibraryKind = "batches") -> tuple[ArrayFunction, ...]:
+    """Arguments and results of the functions of `array_files`; "tables" has second forms of those of "batches"."""
     found = []
     for f in _functions(generated):
-        wide = batches and row_of(f.name).has_batch
+        wide = kind != "states" and row_of(f.name).has_batch
         found.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
@@ -52,17 +57,26 @@ def parameters(generated: Generated) -> tuple[Member, ...]:
     return members(generated.layout.parameters)
 
 
-def array_source(stand: Stand, generated: Generated, batches: bool = True) -> dict[str, str]:
-    """The C by file name; it lies beside the files of the stand and of its batches, if it is to call `batches`."""
+def array_files(stand: Stand, generated: Generated, kind: LibraryKind) -> dict[str, str]:
+    """C by file name, with the batches that it calls; it lies beside the files of the stand.
+
+    Raises UsageError where the C of the stand has lanes, or is fast.
+    """
+    batch = {} if kind == "states" else batch_files(stand, generated, (kind == "tables",))
+    return {**batch, **_array_source(stand, generated, kind)}
+
+
+def _array_source(stand: Stand, generated: Generated, kind: LibraryKind) -> dict[str, str]:
     code = Code(generated.program, identities(stand))
     text = code.render(
         "arrays.c.j2",
-        batches=batches,
+        batches=kind != "states",
+        of_tables=kind == "tables",
         sizes=_sizes(generated, code.names),
         functions=[
-            _call(f, generated, code.names, batches and row_of(f.name).has_batch, each)
+            _call(f, generated, code.names, kind != "states" and row_of(f.name).has_batch, kind == "tables")
             for f in _functions(generated)
-            for each in ((False, True) if batches and any(a.name in TABLES for a in f.arguments) else (False,))
+            if kind != "tables" or any(a.name in TABLES for a in f.arguments)
         ],
         mounts=generated.layout.flywheels > 0,
     )

@@ -11,7 +11,7 @@ from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
 from mahovik.core.emit.generate import Generated, internal
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.preparing import Preparing, reals
-from mahovik.core.lower.batch import PREPARED, Batch, Batches, batches
+from mahovik.core.lower.batch import BOTH, PREPARED, Batch, Batches, batches
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import POSITIVE
@@ -24,34 +24,45 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 
 
-def batch_files(stand: Stand, generated: Generated) -> dict[str, str]:
-    """Header and source of the batches of generated C. Raises UsageError where it is not of one lane, or fast."""
+def batch_files(stand: Stand, generated: Generated, each: tuple[bool, ...] = BOTH) -> dict[str, str]:
+    """Header and source of the batches of generated C. Raises UsageError where it is not of one lane, or fast.
+
+    `each`: of one stand, of n stands, or BOTH, as delivered.
+    """
     if generated.layout.lanes > 1 or generated.fast:
         raise UsageError("--batch: not with --lanes, --fast: it has lanes of its own, and the bits of single calls")
-    made = batches(generated.program)
+    made = batches(generated.program, each)
     if not made.batches:
         names = ", ".join(name for name in BATCH_FUNCTIONS)
         raise UsageError(
             f"--batch: no function of --only {','.join(generated.only)} has a batch, expected one of {names}"
         )
-    printer = _Printer(generated, made, Code(made.program, identities(stand)))
+    printer = _Printer(generated, made, Code(made.program, identities(stand)), True in each)
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}
 
 
 class _Printer:
     """Collects the parts that the two templates put in order."""
 
-    def __init__(self, generated: Generated, made: Batches, code: Code) -> None:
+    def __init__(self, generated: Generated, made: Batches, code: Code, tables: bool) -> None:
+        """`tables`: there are batches of n stands, with the tables that they take."""
         self._generated, self._made, self._code, self._names = generated, made, code, code.names
         self._wide = made.widener.wide
         self._preparing = Preparing(generated.layout, made, self._names)
         self._public_structs: list[Struct] = []
-        for narrow in self._preparing.structs:
+        self._tables = self._preparing.structs if tables else []
+        for narrow in self._tables:
             wide = self._wide.of(narrow)
             assert isinstance(wide, Struct)
             inner = [s for s in wide.inner_structs() if s is not self._wide.real]
             self._public_structs += [s for s in inner if s not in self._public_structs]
-        self._known = {"lanes": made.lanes, "round_up": made.lanes - 1, "bytes": BYTES, "positive": POSITIVE}
+        self._known = {
+            "lanes": made.lanes,
+            "round_up": made.lanes - 1,
+            "bytes": BYTES,
+            "positive": POSITIVE,
+            "of_tables": tables,
+        }
 
     def header(self) -> str:
         """Text of the header: facts common to all functions, then each function."""
@@ -90,7 +101,7 @@ class _Printer:
 
     def _singles(self) -> list[dict[str, Any]]:
         """What takes one table, or the mountings of one stand, out of a block."""
-        names = {s.name: argument for s, argument in zip(self._preparing.structs, PREPARED, strict=False)}
+        names = {s.name: argument for s, argument in zip(self._tables, PREPARED, strict=False)}
         return [
             {
                 "name": f"{names[s.name]}_at",
@@ -99,7 +110,7 @@ class _Printer:
                 "argument": names[s.name],
                 "lines": over_members(self._names, s, self._take_lane, ""),
             }
-            for s in self._preparing.structs
+            for s in self._tables
         ]
 
     def _take_lane(self, f: Field, place: str, depth: int) -> list[str]:

@@ -17,6 +17,9 @@ from mahovik.core.program.widen import RESERVED, Widener
 PREPARED = {"table": "prepare", "mounting": "prepare_mounts"}
 """Arguments that hold the numbers of a stand, with the function that makes each."""
 
+BOTH = (False, True)
+"""Batches in which all states are of one stand, and those in which each state has a table of its own."""
+
 
 @dataclass(frozen=True)
 class Batch:
@@ -44,24 +47,24 @@ class Batches:
         return self.widener.wide.lanes
 
 
-def batches(program: Program) -> Batches:
-    """Wide forms of the functions of a program that have a batch."""
+def batches(program: Program, each: tuple[bool, ...] = BOTH) -> Batches:
+    """Wide forms of the functions of a program that have a batch; `each`: of one stand, of n stands, or BOTH."""
     public = {f.name: f for f in program.functions if f.public}
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
-    preparing = [public[name] for name in PREPARED.values() if name in public] if entries else []
+    preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in each else []
     needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))
     refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
     inliner = Inliner(refusing, RESERVED)
     widener = Widener(Wide(program.precision), inliner.__getitem__)
 
-    def batch(narrow: Function, varying: Iterable[str], each: bool) -> Batch:
-        return Batch(narrow, widener.function(inliner[narrow.name], varying), each)
+    def batch(narrow: Function, varying: Iterable[str], own_table: bool) -> Batch:
+        return Batch(narrow, widener.function(inliner[narrow.name], varying), own_table)
 
     found = []
-    for each in (False, True):
+    for own_table in each:
         for narrow in entries:
-            varying = [a.name for a in narrow.arguments if not is_shared(a.name) or (each and a.name in PREPARED)]
-            found.append(batch(narrow, varying, each))
+            varying = [a.name for a in narrow.arguments if not is_shared(a.name) or (own_table and a.name in PREPARED)]
+            found.append(batch(narrow, varying, own_table))
     made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)
     return Batches(wide, tuple(found), made, widener)

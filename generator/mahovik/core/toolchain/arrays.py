@@ -6,7 +6,7 @@ import ctypes
 import os
 import platform
 import shutil
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -55,25 +55,28 @@ def program_file(compiler: tuple[str, ...]) -> str:
     return f"{path} {found.st_size} {found.st_mtime_ns} {platform.machine()}"
 
 
-def build(files: Mapping[str, str], name: str, folder: Path, compiler: Sequence[str], parallel: bool) -> Path:
-    """Compiles C by file name into a shared library in `folder`; `parallel`: with OpenMP. Raises ToolchainError."""
+def build(parts: Iterable[Mapping[str, str]], name: str, folder: Path, compiler: Sequence[str], parallel: bool) -> Path:
+    """Compiles C by file name into a shared library in `folder`; `parallel`: with OpenMP. Raises ToolchainError.
+
+    parts  files after files: those of a part are compiled while the next part is made
+    """
     from mahovik.core.toolchain.process import side_by_side
 
-    for file, text in files.items():
-        (folder / file).write_text(text, encoding="ascii", newline="\n")
     openmp = [_PARALLEL] if parallel else []
 
-    def compiled(part: str) -> str:
-        target = f"{folder / part}.o"
-        how = BATCH if part == f"{name}_batch" else SINGLE
-        run_compiler(
-            [*WARNINGS, *how, *openmp, "-fPIC", "-c", f"{folder / part}.c", "-o", target], f"{part}.c", compiler
-        )
+    def compiled(file: str) -> str:
+        target = f"{folder / file}.o"
+        how = BATCH if file == f"{name}_batch.c" else SINGLE
+        run_compiler([*WARNINGS, *how, *openmp, "-fPIC", "-c", str(folder / file), "-o", target], file, compiler)
         return target
 
     with side_by_side() as pool:
-        parts = [part for part in (f"{name}_batch", name, f"{name}_arrays") if f"{part}.c" in files]
-        objects = list(pool.map(compiled, parts))
+        under_way = []
+        for files in parts:
+            for file, text in files.items():
+                (folder / file).write_text(text, encoding="ascii", newline="\n")
+            under_way += [pool.submit(compiled, file) for file in files if file.endswith(".c")]
+        objects = [each.result() for each in under_way]
     library = folder / f"{name}.so"
     try:
         run_compiler([*objects, *_PLACE, *openmp, "-o", str(library)], "to link", compiler)
@@ -89,13 +92,13 @@ class ArrayLibrary:
     Raises ToolchainError where the file is no such library.
     """
 
-    def __init__(self, library: Path, name: str, functions: Sequence[str], parallel: bool, batches: bool) -> None:
-        """`functions`: names of those that `call` knows; `batches`: whether it was built with these."""
+    def __init__(self, library: Path, name: str, functions: Sequence[str], parallel: bool, tables: bool) -> None:
+        """`functions`: names of those that `call` knows; `tables`: whether they take tables of n stands."""
         try:
             loaded = ctypes.CDLL(str(library))
             self._calls = {f: loaded[f"{name}_arrays_{f}"] for f in functions}
             self._threads = loaded[f"{name}_arrays_threads"] if parallel else None
-            self._block_bytes = loaded[f"{name}_arrays_block_bytes"] if batches else None
+            self._block_bytes = loaded[f"{name}_arrays_block_bytes"] if tables else None
         except (OSError, AttributeError) as error:
             raise ToolchainError(f"{library.name} cannot be loaded: {error}") from error
         for each in self._calls.values():

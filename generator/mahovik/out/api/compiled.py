@@ -9,10 +9,11 @@ from __future__ import annotations
 import contextlib
 import tempfile
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,10 +31,13 @@ from mahovik.errors import ToolchainError
 from mahovik.out.api import store
 
 if TYPE_CHECKING:
+    from mahovik.core.emit.arrays import LibraryKind
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.values import Values
     from mahovik.core.program.function import Program
 
+
+Loaded = TypeVar("Loaded")
 
 Real = Literal["double", "float"]
 
@@ -53,6 +57,7 @@ _PROGRAMS: dict[tuple[Structure, str], tuple[Layout, Program]] = {}
 class Compiled:
     """The library and its functions by name.
 
+    library     functions of one stand
     tables      arguments that hold the numbers of the stand, as the C reads them
     parameters  members of the record of numbers that `prepare` takes; empty without batches
     records     members of the records of `tables`
@@ -60,6 +65,7 @@ class Compiled:
     options     of `inverse`, by the stand file; empty without flywheels
     inputs      bodies that take a run-time wrench, in order
     sensors     instruments and points, in order
+    source      what the library was made of
     """
 
     library: ArrayLibrary
@@ -71,95 +77,119 @@ class Compiled:
     options: Mapping[str, Any]
     inputs: tuple[str, ...]
     sensors: tuple[str, ...]
+    source: Source
+
+    @cached_property
+    def of_tables(self) -> ArrayLibrary:
+        """The functions that take tables of n stands, `.._of`, and `prepare`; compiled or found at the first use.
+
+        Raises ToolchainError.
+        """
+        return _found_or_made(self.source, "tables", lambda library, _: self._load_of_tables(library))
+
+    def _load_of_tables(self, library: Path) -> ArrayLibrary:
+        names = [f"{f.name}_of" for f in self.functions.values() if any(a.name in self.tables for a in f.arguments)]
+        source = self.source
+        return ArrayLibrary(library, source.stand.name, [*names, "prepare"], source.parallel, tables=True)
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP."""
+
+    stand: Stand
+    real: str
+    command: tuple[str, ...]
+    parallel: bool
 
 
 def compiled(
-    stand: Stand, real: str, element: np.dtype[Any], compiler: str | None, parallel: bool, batches: bool = True
+    stand: Stand,
+    real: str,
+    element: np.dtype[Any],
+    compiler: str | None,
+    parallel: bool,
+    kind: Literal["states", "batches"] = "batches",
 ) -> Compiled:
-    """The library of a stand with its numbers; without `batches` it takes state by state, and is compiled sooner.
+    """The library of a stand with its numbers; with "states" it takes state by state, and is compiled sooner.
 
     Raises ToolchainError, UsageError, StandError.
     """
-    command = tuple(find_compiler(compiler))
-    key = store.library_key(structure(stand), real, command, parallel, batches)
-    numbers_key = store.numbers_key(stand, real)
+    source = Source(stand, real, tuple(find_compiler(compiler)), parallel)
+
+    def load(library: Path, facts: Mapping[str, Any]) -> Compiled:
+        return _load(source, library, facts, _kept_numbers(stand, real), element)
+
+    return _found_or_made(source, kind, load)
+
+
+def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
+    """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
+    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind)
     found = store.find(key)
     if found is not None:
-        numbers = store.find_numbers(numbers_key)
-        if numbers is None:
-            with formula_cache(warnings.warn):
-                numbers = _keep(numbers_key, _numbers(stand, real))
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
-            return _load(stand, *found, numbers, element, command, parallel)
+            return load(*found)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
         with formula_cache(warnings.warn):
-            library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
+            library, facts = _compile(source, kind, Path(scratch))
         store.keep(key, library, facts)
-        return _load(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)
+        return load(library, facts)
 
 
-def _keep(key: str, numbers: dict[str, Any]) -> dict[str, Any]:
-    store.keep_numbers(key, numbers)
-    return numbers
+def _kept_numbers(stand: Stand, real: str) -> dict[str, Any]:
+    """Numbers of a stand from the store; where they are missing, they are computed, and kept for others."""
+    key = store.numbers_key(stand, real)
+    found = store.find_numbers(key)
+    if found is None:
+        with formula_cache(warnings.warn):
+            found = _numbers(stand, real)
+        store.keep_numbers(key, found)
+    return found
 
 
 def _load(
-    stand: Stand,
-    library: Path,
-    facts: Mapping[str, Any],
-    numbers: Mapping[str, Any],
-    element: np.dtype[Any],
-    command: tuple[str, ...],
-    parallel: bool,
+    source: Source, library: Path, facts: Mapping[str, Any], numbers: Mapping[str, Any], element: np.dtype[Any]
 ) -> Compiled:
     functions = _FUNCTIONS.validate_python(facts["functions"])
     found = _RECORDS.validate_python(facts["tables"])
-    parameters = _RECORDS.validate_python(facts["parameters"]).get("parameters", ())
-    names = list(functions_called(functions, found)) if parameters else [f.name for f in functions]
-    tables = {name: filled(of, element, numbers[name]) for name, of in found.items()}
+    names = [f.name for f in functions]
     return Compiled(
-        ArrayLibrary(library, stand.name, names, parallel, bool(parameters)),
+        ArrayLibrary(library, source.stand.name, names, source.parallel, tables=False),
         {f.name: f for f in functions},
-        tables,
-        parameters,
+        {name: filled(of, element, numbers[name]) for name, of in found.items()},
+        _RECORDS.validate_python(facts["parameters"]).get("parameters", ()),
         found,
-        command,
+        source.command,
         numbers["options"] or {},
         tuple(facts["inputs"]),
         tuple(facts["sensors"]),
+        source,
     )
 
 
-def functions_called(functions: Sequence[ArrayFunction], tables: Mapping[str, Any]) -> Iterator[str]:
-    """Names of the functions of a library with batches: also of those that take tables of n stands."""
-    for f in functions:
-        yield f.name
-        if any(a.name in tables for a in f.arguments):
-            yield f"{f.name}_of"
-    yield "prepare"
-
-
-def _compile(
-    stand: Stand, real: str, command: tuple[str, ...], parallel: bool, batches: bool, scratch: Path
-) -> tuple[Path, dict[str, Any], dict[str, Any]]:
-    """Library, facts of the structure, numbers of the stand."""
-    from mahovik.core.emit.arrays import array_functions, array_source, parameters, tables
-    from mahovik.core.emit.batch import batch_files
+def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:
+    """Library, and facts of the structure."""
+    from mahovik.core.emit.arrays import array_files, array_functions, parameters, tables
     from mahovik.core.emit.generate import generate_all
 
-    generated = generate_all(stand, real)
-    _remember(structure(stand), real, (generated.layout, generated.program))
-    files = {**generated.files, **array_source(stand, generated, batches)}
-    files |= batch_files(stand, generated) if batches else {}
+    stand = source.stand
+    generated = generate_all(stand, source.real)
+    _remember(structure(stand), source.real, (generated.layout, generated.program))
+
+    def parts() -> Iterator[dict[str, str]]:
+        yield generated.files
+        yield array_files(stand, generated, kind)
+
     facts = {
-        "functions": _FUNCTIONS.dump_python(array_functions(generated, batches)),
+        "functions": _FUNCTIONS.dump_python(array_functions(generated, kind)),
         "tables": _RECORDS.dump_python(tables(generated)),
-        "parameters": _RECORDS.dump_python({"parameters": parameters(generated)} if batches else {}),
+        "parameters": _RECORDS.dump_python({} if kind == "states" else {"parameters": parameters(generated)}),
         "inputs": list(generated.layout.inputs),
         "sensors": list(generated.layout.sensors),
     }
-    return build(files, stand.name, scratch, command, parallel), facts, _plain(generated.values)
+    return build(parts(), stand.name, scratch, source.command, source.parallel), facts
 
 
 def _numbers(stand: Stand, real: str) -> dict[str, Any]:

@@ -28,7 +28,7 @@ class KeptBackend(FunctionBackend):
 
     def __init__(self, stand: Stand, real: Real) -> None:
         self._stand, self._real = stand, real
-        self._made: Compiled = compiled(stand, real, ELEMENT[real], None, parallel=False, batches=False)
+        self._made: Compiled = compiled(stand, real, ELEMENT[real], None, parallel=False, kind="states")
         layout = Layout(structure(stand), FLOAT if real == "float" else DOUBLE)
         super().__init__("c", layout, None, None, self._made.options)
 

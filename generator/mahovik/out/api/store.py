@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
 from mahovik.core.emit.templates import folders
@@ -25,6 +25,9 @@ from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain.arrays import machine, program_file
 from mahovik.errors import UsageError
 from mahovik.writing import write_all
+
+if TYPE_CHECKING:
+    from mahovik.core.emit.arrays import LibraryKind
 
 KEPT = 256
 """Libraries kept, and as many numbers; the one not used for the longest time goes first."""
@@ -36,10 +39,12 @@ _DECIDE = ("contract", "laws", *(f"core/{stage}" for stage in ("emit", "lower", 
 _TEMPLATES = ("arrays.c.j2", "batch.c.j2", "batch.h.j2", "stand.c.j2", "stand.h.j2")
 
 
-def library_key(of: Structure, real: str, compiler: Sequence[str], parallel: bool, batches: bool = True) -> str:
+def library_key(
+    of: Structure, real: str, compiler: Sequence[str], parallel: bool, kind: LibraryKind = "batches"
+) -> str:
     """Structure, element type, compiler, with batches this processor, generator. Raises ToolchainError, OSError."""
-    target = machine(tuple(compiler)) if batches else program_file(tuple(compiler))
-    return _key(repr(of), real, repr(list(compiler)), target, str(parallel), str(batches))
+    target = program_file(tuple(compiler)) if kind == "states" else machine(tuple(compiler))
+    return _key(repr(of), real, repr(list(compiler)), target, str(parallel), kind)
 
 
 def numbers_key(stand: Stand, real: str) -> str:

@@ -105,11 +105,11 @@ def prepare_tables(
     """Tables by argument of the C, with `mountings` these too where there are flywheels; and statuses."""
     lanes = LANES[element.itemsize]
     names = [name for name in made.tables if mountings or name != "mounting"]
-    blocks = {name: _aligned(made.library.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
+    blocks = {name: _aligned(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
     status = np.zeros(n, dtype=np.int32)
     if n:
         given, _columns = prepare_arguments(made, element, found, blocks)
-        made.library.call("prepare", n, given, status, threads)
+        made.of_tables.call("prepare", n, given, status, threads)
     return blocks, status
 
 

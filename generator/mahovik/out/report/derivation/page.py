@@ -21,7 +21,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.out.report.derivation.notation import Grid, Node, Number, Operator, Zero, attach_sign, row, tex_text
 from mahovik.out.report.derivation.numbers import numbers
-from mahovik.out.report.derivation.parse import notation, parse
+from mahovik.out.report.derivation.parse import parse
+from mahovik.out.report.derivation.symbolic import notation
 
 DIGITS = 6
 """Significant digits of the stand's numbers."""

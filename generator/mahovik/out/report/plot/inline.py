@@ -138,6 +138,7 @@ def _drawing(panel: Panel, band: Band | None) -> tuple[str, dict[str, Any]]:
         axes.patch.set_visible(False)
         thin = replace(panel, lines=tuple(map(_thin_line, panel.lines)))
         lines, marks = draw_panel(axes, thin, () if band is None else (band.low, band.high))
+        axes.minorticks_off()  # they have no length here
         if band is not None:
             kept = np.union1d(envelope(band.low), envelope(band.high))
             axes.fill_between(band.x[kept], band.low[kept], band.high[kept], color=COLOURS[0], alpha=0.2, linewidth=0)

@@ -6,18 +6,48 @@ The pose changes by a small translation and rotation vector, both on the axes of
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from mahovik.contract import laws
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.body_laws import TwistLaws
 from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed_motion import Mechanics
 from mahovik.use.plan.residual.slopes import Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
+
+
+class FlywheelSums(Protocol):
+    """Sums over the flywheels at M moments, in E1 about O1: as `Drive` of the carrier's course has them."""
+
+    @property
+    def Theta(self) -> Array:
+        """(M, 6, 6): inertia."""
+
+    @property
+    def Theta_dot(self) -> Array:
+        """(M, 6, 6): its derivative by time."""
+
+    @property
+    def h(self) -> Array:
+        """(M, 6): sum I_s phi_s'."""
+
+    @property
+    def weight(self) -> Array:
+        """(M, 6, 3): wrench of the net weight by gravity."""
+
+    @property
+    def phi(self) -> Array:
+        """(M, N; rad)."""
+
+    @property
+    def phi_dot(self) -> Array:
+        """(M, N; rad/s)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +82,22 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
     return ByCarrier(by_pose + tied.by_pose, by_twist + tied.by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
 
 
+def slopes_of_residual(mechanics: Mechanics, at: Twists, wheels: FlywheelSums) -> Slopes:
+    """`by_pose` and `by_twist` of R as of `by_carrier`, from the sums of the flywheels: a fraction of its work.
+
+    StateError: a law is undefined.
+    """
+    by_V_r, by_rate, by_g = _slopes_of_base(mechanics.base, at)
+    momentum = (wheels.Theta @ at.V_r[:, :, None])[:, :, 0] + wheels.h
+    by_V_r -= motor_cross(at.V_r) @ wheels.Theta + momentum_cross(momentum) + wheels.Theta_dot
+    for s, damping in enumerate(mechanics.tables.damping):
+        if damping is not None:
+            by_V_r += _damping_slopes(mechanics.tables, s, damping, at, wheels.phi, wheels.phi_dot)
+    found = _through_stream(mechanics, at, by_V_r, by_rate - wheels.Theta, by_g + wheels.weight)
+    tied = law_slopes(mechanics.stand, at)
+    return Slopes(found.by_pose + tied.by_pose, found.by_twist + tied.by_twist)
+
+
 def _slopes_of_base(base: Base, at: Twists) -> tuple[Array, Array, Array]:
     """Derivatives for carrier and instruments, without ties: by V_r, V_r*, and gravity in E1 (M, 6, 3)."""
     momentum = at.V_r @ base.K
@@ -72,10 +118,15 @@ def _flywheels(tables: Tables, at: Twists, phi: Array, phi_dot: Array) -> tuple[
     by_V_r = motor_cross(at.V_r)[:, None] @ Theta + momentum_cross(momentum) + Theta_dot
     for s, damping in enumerate(tables.damping):
         if damping is not None:
-            L = tables.Lm[s] @ block_diagonal(turn(0, phi[:, s]))
-            twist = (at.V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, s, None] * f
-            by_V_r[:, s] -= L @ damping.rate(twist) @ np.swapaxes(L, 1, 2)
+            by_V_r[:, s] -= _damping_slopes(tables, s, damping, at, phi, phi_dot)
     return by_V_r, Theta, -np.einsum("hms,hsij->msij", h, tables.weight)
+
+
+def _damping_slopes(tables: Tables, s: int, damping: TwistLaws, at: Twists, phi: Array, phi_dot: Array) -> Array:
+    """Derivative (M, 6, 6) of the damping wrench of flywheel s by V_r, in E1 about O1."""
+    L = tables.Lm[s] @ block_diagonal(turn(0, phi[:, s]))
+    twist = (at.V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, s, None] * f
+    return np.asarray(L @ damping.rate(twist) @ np.swapaxes(L, 1, 2))
 
 
 def momentum_cross(Z: Array) -> Array:

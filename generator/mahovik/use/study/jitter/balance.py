@@ -38,6 +38,9 @@ STEPS = 20
 SETTLED = 1e-11
 """Relative size of a last step of Newton's method."""
 
+SMALL = 0.01
+"""Part of a settled step that its linear equations may be off: more accuracy changes nothing."""
+
 SAME = 0.1
 """The linear equations serve for further steps as long as each step is at most this part of the one before."""
 
@@ -194,7 +197,8 @@ class _Search:
             if linear is None:
                 J = self.scene.jacobian(given, y, rate[:, 6:])
                 linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
-            step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c)
+            settled = SETTLED * np.abs(c / size).max() + ROUNDING / self.fastest**2
+            step = linear.solve(torus.coefficients(rate) - 1j * w[:, None] * c, c, SMALL * settled)
             if step is None:
                 break
             c, h = c + step[0], h + step[1]

@@ -31,8 +31,11 @@ class Linearised:
     slow: Whole
     size: Array
 
-    def solve(self, r: Complex, c: Complex) -> tuple[Complex, Complex] | None:
-        """dc (n, m), dh (n, f); None if the equations are singular, at an undamped resonance."""
+    def solve(self, r: Complex, c: Complex, enough: float = 0.0) -> tuple[Complex, Complex] | None:
+        """dc (n, m), dh (n, f); None if the equations are singular, at an undamped resonance.
+
+        `enough`: error of dc, in units of `size`, below which no more accuracy is wanted.
+        """
         n, (f, m) = len(self.w), self.free.shape
         inverse = self.inverse(self.w, self.slow)
         if inverse is None:
@@ -68,7 +71,7 @@ class Linearised:
         count = 2 * n * (m + f)
         operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
         right = back(np.concatenate([r, last], axis=1))
-        x, missed = gmres(operator, right, rtol=ACCURATE, atol=0.0, restart=RESTART, maxiter=ROUNDS)
+        x, missed = gmres(operator, right, rtol=ACCURATE, atol=enough, restart=RESTART, maxiter=ROUNDS)
         if missed or not np.all(np.isfinite(x)):
             return None
         found = unpack(x)

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
+from math import comb
 
 import numpy as np
 from numpy.typing import NDArray
@@ -109,6 +110,12 @@ def indices(count: int, order: int) -> Whole:
     return np.array(found, dtype=np.int64).reshape(len(found), count)
 
 
+def index_count(count: int, order: int) -> int:
+    """Number of `indices`, without making them: over the phases that take part, their sizes and signs."""
+    both = sum(comb(count, j) * comb(order, j) * 2**j for j in range(min(count, order) + 1))
+    return int(both + 1) // 2
+
+
 def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
     """All k of this size whose first number that is not zero is positive."""
 
@@ -131,10 +138,12 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
 @lru_cache(maxsize=32)
 def _torus(count: int, order: int) -> Torus | None:
     """None: too many nodes."""
+    M = 2 * index_count(count, order + BEYOND // 2) - 1  # fewer cannot be enough: all these differ too
+    if M > MOST_NODES:
+        return None
     k = indices(count, order)
     beyond = indices(count, order + BEYOND)[len(k) :].astype(np.float64)  # a product of floats is the fast one
     rng = np.random.default_rng(count * 1000 + order)
-    M = 2 * len(indices(count, order + BEYOND // 2)) - 1  # fewer cannot be enough: all these differ too
     while M <= MOST_NODES:
         for z in _generators(count, M, rng):
             if _differ(k, z, M) and _differ_from(beyond, k, z, M):
@@ -146,7 +155,9 @@ def _torus(count: int, order: int) -> Torus | None:
 def _differ(k: Whole, z: Whole, M: int) -> bool:
     """Whether the harmonics of all k and -k differ."""
     b = k @ z % M
-    return len(np.unique(np.concatenate([b, M - b[1:]]))) == 2 * len(b) - 1
+    taken = np.zeros(M, dtype=bool)
+    taken[b] = taken[-b] = True
+    return int(np.count_nonzero(taken)) == 2 * len(b) - 1
 
 
 def _differ_from(beyond: Array, k: Whole, z: Whole, M: int) -> bool:

@@ -12,7 +12,7 @@ from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart, Drive, drive
 from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.by_carrier import by_carrier
+from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
 from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import skew
 from mahovik.use.study.rest import rest
@@ -76,7 +76,7 @@ class Scene:
     def jacobian(self, given: Drive, y: Array, V_dot: Array) -> Array:
         """dy'/dy (M, 12, 12), with V* (M, 6) given. Exact except for terms of third order in r in its rate."""
         at = self.chart.twists(y)
-        by = by_carrier(self.chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot), given.phi, given.phi_dot)
+        by = slopes_of_residual(self.chart.mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot), given)
         r, v, omega = y[:, 3:6], y[:, 6:9], y[:, 9:]
         turned = np.swapaxes(self.chart.C.T @ at.C, 1, 2)  # exp<-r>
         B = rotation_vector_rate(r)
