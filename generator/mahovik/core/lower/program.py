@@ -211,6 +211,7 @@ def _add_rows(lib: Library) -> None:
     """Add the loops over flywheels: one by one, or by blocks."""
     if lib.layout.lanes == 1:
         lib.add(flywheels.sum_mass(lib))
+        lib.add(flywheels.sum_moment_rate(lib))
         lib.add(flywheels.sum_spin(lib, steady=True))
         lib.add(flywheels.sum_spin(lib))
         return
