@@ -28,9 +28,9 @@ N = 3
 
 
 @cache
-def backend(real: str) -> CBackend:
+def backend(real: str, lanes: int = 1) -> CBackend:
     """The C of demo3."""
-    return CBackend(load(path("demo3")), real)
+    return CBackend(load(path("demo3")), real, lanes=lanes)
 
 
 def limit(name: str, real: str) -> float:
@@ -111,16 +111,32 @@ def cases(draw: st.DrawFn) -> tuple[str, dict[str, list[float]], list[float], st
 
 
 @settings(max_examples=500, deadline=None)
-@given(cases())
-def test_the_status_is_that_of_the_first_bad_number(case: tuple[str, dict[str, list[float]], list[float], str]) -> None:
+@given(cases(), st.sampled_from([1, 2]))
+def test_the_status_is_that_of_the_first_bad_number(
+    case: tuple[str, dict[str, list[float]], list[float], str], lanes: int
+) -> None:
     real, x, values, of = case
-    c = backend(real)
+    c = backend(real, lanes)
     found: dict[str, Any] = {"table": c.table(), "x": x}
     found |= {"phi_ddot": values} if of == "MAX_ACCELERATION" else {"tau": values, "locked": [0] * N}
     status, _ = c.call("forward" if of == "MAX_ACCELERATION" else "coupled", found)
     assert status == STATUS_VALUES[expected(x, values, real, of)]
     status, _ = c.call("momentum", {"table": c.table(), "x": x})
     assert status == STATUS_VALUES[expected(x, [0.0], real, of)]
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.data(), st.sampled_from(sorted(PRECISIONS)), st.sampled_from([1, 2]))
+def test_six_numbers_are_looked_at_after_the_others(data: st.DataObject, real: str, lanes: int) -> None:
+    """Acceleration of the carrier, for torque: its status counts where state and flywheels are in order."""
+    c, bound = backend(real, lanes), limit("MAX_ACCELERATION", real)
+    pool = st.sampled_from([float(PRECISIONS[real].scalar(e)) for e in (0.5, *edges(bound, PRECISIONS[real]))])
+    V_dot = data.draw(st.lists(pool, min_size=6, max_size=6))
+    phi_ddot = [0.25, data.draw(pool), 0.25]
+    x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.5] * 6, "phi": [1.0] * N, "phi_dot": [2.0] * N}
+    status, _ = c.call("torque", {"table": c.table(), "x": x, "V_dot": V_dot, "phi_ddot": phi_ddot})
+    found = [first_bad(phi_ddot, bound), first_bad(V_dot, bound)]
+    assert status == STATUS_VALUES[next((each for each in found if each != "OK"), "OK")]
 
 
 @pytest.mark.parametrize("real", sorted(PRECISIONS))

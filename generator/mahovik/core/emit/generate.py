@@ -37,8 +37,13 @@ LANES = (1, 2, 4, 8)
 
 
 def host_lanes(flywheels: int) -> int:
-    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1."""
-    return 1 if flywheels < 2 else 2 if flywheels <= 4 else 4
+    """The number of lanes that suits a desk's processor: docs/results/lanes.md measures it. Firmware has 1.
+
+    Eight only where blocks of eight have no more empty places than blocks of four.
+    """
+    if flywheels <= 4:
+        return 1 if flywheels < 2 else 2
+    return 8 if -flywheels % 8 < 4 else 4
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ any rounding, with and without fused multiply-add. Infinities, NaN and what over
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mahovik.core.lower.library import Library, unit_square
@@ -73,22 +73,20 @@ def within(lib: Library) -> Function:
     return replace(function, apart=True)
 
 
-def check_within(lib: Library, body: Body, *parts: tuple[Place, Operand, Expr]) -> None:
-    """Returns the status of the first bad one of (values, count, limit).
+def check_within(lib: Library, body: Body, values: Place, count: Operand, limit: Expr) -> None:
+    """Returns the status of the first bad one of `count` values.
 
-    By blocks, where vectors are about, all are tried at once first.
+    By blocks, where speed is worth some code, all are tried at once first.
     """
     if lib.layout.lanes == 1:
-        for part in parts:
-            lib.check(body, "within", *part)
+        lib.check(body, "within", values, count, limit)
         return
-    over = call(lib["excess"], *parts[0])
-    for part in parts[1:]:
-        over = over | call(lib["excess"], *part)
-    top = lib.layout.precision.width - 1
-    with body.when(unequal(over >> top, word(0)), "which one, and why"):
-        for part in parts:
-            lib.check(body, "within", *part)
+    if count == 6:
+        lib.check(body, "check_six", values, limit)
+        return
+    over = call(lib["excess"], values, count, limit)
+    with body.when(unequal(over >> (lib.layout.precision.width - 1), word(0)), "which one, and why"):
+        lib.check(body, "within", values, count, limit)
 
 
 def check_vector(lib: Library, body: Body, values: Place, limit: Expr) -> None:
@@ -98,6 +96,17 @@ def check_vector(lib: Library, body: Body, values: Place, limit: Expr) -> None:
         total = total + value * value
     with body.when(Not(total < limit * limit)):
         lib.check(body, "within", values, len(values), limit)
+
+
+def check_six(lib: Library) -> Function:
+    """Six numbers of one limit: a wrench or an acceleration, which are looked at if their squares are not small."""
+    values, limit = Argument("values", Kind.REAL, (6,)), Argument("limit", Kind.REAL)
+    body = Body()
+    with body.shortcut(), body.when(_squares(list(values.place)) < limit.place * limit.place):
+        body.ret(Status("OK"))
+    lib.begin(body)
+    lib.check(body, "within", values.place, 6, limit.place)
+    return body.checked("check_six", "Are six values finite, and none larger than the limit?", (values, limit))
 
 
 def check_turns(lib: Library) -> Function:
@@ -123,27 +132,23 @@ def _squares(values: Sequence[Expr]) -> Expr:
     return total
 
 
-def _within_at_once(lib: Library, body: Body, state: Place, limit: Mapping[str, Expr]) -> Expr:
-    """Is a state, but for its quaternion, in its ranges? Without a branch, for lanes; where this says no, it may be.
-
-    A rounded sum of squares is no smaller than any rounded square in it, and rounding keeps the order of numbers: where
-    the sum is below the square of the limit, all numbers are below the limit. (One of unit length needs no other look.)
-    """
+def _look_at_words(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
+    """The same for vectors, which look at each number of the flywheels; those of the carrier are too few for them."""
+    limit = {name: found.expression for name, found in lib.limits.items()}
     width = lib.layout.precision.width
-    over = body.local("over", (), Kind.WORD, "top bit set: a phase or a speed is too large, or no number")
-    body.set(over, word(0))
-    with body.loop("s", lib.layout.count) as s:
-        phase = excess_bits(state.phi[s], limit["MAX_PHASE"], width)
-        body.set(over, over | phase | excess_bits(state.phi_dot[s], limit["MAX_SPEED"], width))
-    V = list(state.V)
-    fine = equal(over >> (width - 1), word(0))
-    for name, values, most in (
-        ("position2", list(state.position), limit["MAX_POSITION"]),
-        ("velocity2", V[:3], limit["MAX_VELOCITY"]),
-        ("omega2", V[3:], limit["MAX_SPEED"]),
-    ):
-        fine = and_(fine, body.let(name, _squares(values)) < most * most)
-    return fine
+    with body.shortcut():
+        over = body.local("over", (), Kind.WORD, "top bit set: a value of a flywheel is too large, or no number")
+        body.set(over, word(0))
+        with body.loop("s", lib.layout.count) as s:
+            for values, most in ((x.phi, limit["MAX_PHASE"]), (x.phi_dot, limit["MAX_SPEED"]), *more):
+                body.set(over, over | excess_bits(values[s], most, width))
+        V = list(x.V)
+        fine = and_(unit_square(body.let("norm2", _squares(list(x.attitude)))), equal(over >> (width - 1), word(0)))
+        squares = (("position2", list(x.position), "MAX_POSITION"), ("velocity2", V[:3], "MAX_VELOCITY"))
+        for name, few, bound in (*squares, ("omega2", V[3:], "MAX_SPEED")):
+            fine = and_(fine, body.let(name, _squares(few)) < limit[bound] * limit[bound])
+        with body.when(fine):
+            body.ret(Status("OK"))
 
 
 def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
@@ -179,6 +184,12 @@ def _look_at_sums(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place
             body.ret(Status("OK"))
 
 
+def _look_at_all(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
+    """OK where a look at all numbers at once says so: by sums, or by words where vectors are about."""
+    look = _look_at_sums if lib.layout.lanes == 1 else _look_at_words
+    look(lib, body, x, more)
+
+
 def _look_at_each(lib: Library, body: Body, state: Place) -> None:
     """The state number by number."""
     limit = {name: found.expression for name, found in lib.limits.items()}
@@ -191,23 +202,16 @@ def _look_at_each(lib: Library, body: Body, state: Place) -> None:
     if lib.layout.flywheels:
         parts.append((state.phi, lib.layout.count, limit["MAX_PHASE"]))
         parts.append((state.phi_dot, lib.layout.count, limit["MAX_SPEED"]))
-    if lib.layout.lanes == 1:
-        check_within(lib, body, *parts)
-        lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
-        return
-    norm = body.let("norm2", _squares(list(state.attitude)))
-    with body.when(Not(and_(unit_square(norm), _within_at_once(lib, body, state, limit))), "which one, and why"):
-        for part in parts:
-            lib.check(body, "within", *part)
-        lib.check_unit(body, norm)
+    for part in parts:
+        lib.check(body, "within", *part)
+    lib.check_unit(body, body.let("norm2", _squares(list(state.attitude))))
 
 
 def check_state(lib: Library) -> Function:
-    """Ranges of a whole state; the quaternion within 1e-3 of unit length. Vectors look at each number at once."""
+    """Ranges of a whole state; the quaternion within 1e-3 of unit length."""
     x = lib.state_argument()
     body = Body()
-    if lib.layout.lanes == 1:
-        _look_at_sums(lib, body, x.place)
+    _look_at_all(lib, body, x.place)
     lib.begin(body)
     _look_at_each(lib, body, x.place)
     return body.checked(
@@ -220,7 +224,7 @@ def check_motion(lib: Library) -> Function:
     x = lib.state_argument()
     values, limit = Argument("values", Kind.REAL, (lib.layout.count,)), Argument("limit", Kind.REAL)
     body = Body()
-    _look_at_sums(lib, body, x.place, ((values.place, limit.place),))
+    _look_at_all(lib, body, x.place, ((values.place, limit.place),))
     lib.begin(body)
     _look_at_each(lib, body, x.place)
     lib.check(body, "within", values.place, lib.layout.count, limit.place)

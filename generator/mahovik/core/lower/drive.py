@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.lower import lanes
+from mahovik.core.lower.checks import check_within
 from mahovik.core.lower.coupling import (
     Carried,
     along,
@@ -42,7 +43,7 @@ def torque(lib: Library, at: bool = False) -> Function:
     wrench = tuple(a for a in arguments if a.name == "wrench")
     body = Body()
     check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
+    check_within(lib, body, V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
     if layout.sine_input:
         sine, cosine = all_turns(lib, body, x.place, tuple(turns))
         given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}

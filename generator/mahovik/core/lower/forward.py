@@ -56,16 +56,16 @@ def check_inputs(
     rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
     rest += [(a.place, lib.layout.count, limit["MAX_WRENCH"]) for a in tau]
     if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not turns and not lib.layout.stream:
-        values, _, most = rest.pop(0)
-        lib.check(body, "check_motion", x.place, values, most)
+        given, _, bound = rest.pop(0)
+        lib.check(body, "check_motion", x.place, given, bound)
     else:
         lib.check(body, "check_state", x.place)
     if turns:
         lib.check(body, "check_turns", *(a.place for a in turns))
     if lib.layout.stream:
         lib.check(body, "within", table.place.stream, 3, limit["MAX_VELOCITY"])
-    for part in rest:
-        check_within(lib, body, part)
+    for values, count, most in rest:
+        check_within(lib, body, values, count, most)
 
 
 def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:

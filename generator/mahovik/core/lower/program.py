@@ -67,7 +67,9 @@ def lower_layout(layout: Layout) -> Program:
         lib.add(checks.excess(lib))
     lib.add(checks.within(lib))
     lib.add(checks.check_state(lib))
-    if layout.lanes == 1 and layout.flywheels:
+    if layout.lanes > 1:
+        lib.add(checks.check_six(lib))
+    if layout.flywheels:
         lib.add(checks.check_motion(lib))
     if layout.sine_input:
         lib.add(checks.check_turns(lib))
@@ -210,6 +212,7 @@ def _add_rows(lib: Library) -> None:
     """Add the loops over flywheels: one by one, or by blocks."""
     if lib.layout.lanes == 1:
         lib.add(flywheels.sum_mass(lib))
+        lib.add(flywheels.sum_moment_rate(lib))
         lib.add(flywheels.sum_spin(lib, steady=True))
         lib.add(flywheels.sum_spin(lib))
         return
