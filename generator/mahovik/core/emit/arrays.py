@@ -34,7 +34,7 @@ def array_functions(generated: Generated, batches: bool = True) -> tuple[ArrayFu
     """Arguments and results of the functions of `array_source`."""
     found = []
     for f in _functions(generated):
-        wide = batches and row_of(f.name).has_batch
+        wide = batches and row_of(f.name).batch
         found.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
@@ -60,7 +60,7 @@ def array_source(stand: Stand, generated: Generated, batches: bool = True) -> di
         batches=batches,
         sizes=_sizes(generated, code.names),
         functions=[
-            _call(f, generated, code.names, batches and row_of(f.name).has_batch, each)
+            _call(f, generated, code.names, batches and row_of(f.name).batch, each)
             for f in _functions(generated)
             for each in ((False, True) if batches and any(a.name in TABLES for a in f.arguments) else (False,))
         ],
