@@ -8,7 +8,7 @@ import re
 from docs.pages import ROOT, blocks, cells, tables
 from mahovik import stands
 from mahovik.core.motion.programme import read as programme
-from mahovik.core.motion.required import Slew, read, slew_read
+from mahovik.core.motion.required import Slew, read, slew_file
 from mahovik.core.stand import load
 from mahovik.proof.verify.programme.finding import Tolerance, tolerance_for
 
@@ -42,7 +42,7 @@ def test_the_motion_is_one() -> None:
 
 def test_keys_of_a_slew() -> None:
     text = PAGE.read_text(encoding="utf-8")
-    own = (slew_read.SlewTable, slew_read.StartTable, slew_read.EndTable, slew_read.SlewBounds)
+    own = (slew_file.SlewTable, slew_file.StartTable, slew_file.EndTable, slew_file.SlewBounds)
     assert all(f"`{key}`" in text for each in own for key in each.model_fields)
 
 

@@ -36,7 +36,7 @@ class PublicFunction:
               or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
-    has_batch whether it has a batch, many states in a register; others run state by state
+    batch     whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
     form_of   method of a model that offers it by an argument; empty: none
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
@@ -54,7 +54,7 @@ class PublicFunction:
     needs: str = ""
     tasks: bool = False
     sines: bool = False
-    has_batch: bool = False
+    batch: bool = False
     python: bool = True
     form_of: str = ""
     claimed: tuple[str, ...] = ()
@@ -85,7 +85,7 @@ _ROWS = (
         ("K", "K_dot", "M", "I", "J", "F"),
         ("reference", "rigorous"),
         want=True,
-        has_batch=True,
+        batch=True,
     ),
     PublicFunction(
         "momentum",
@@ -104,7 +104,7 @@ _ROWS = (
         _ALL_JUDGES,
         want=True,
         sines=True,
-        has_batch=True,
+        batch=True,
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
@@ -116,7 +116,7 @@ _ROWS = (
         want=True,
         needs="flywheels",
         sines=True,
-        has_batch=True,
+        batch=True,
         claimed=(NORMAL, ANY),
     ),
     PublicFunction(
@@ -127,7 +127,7 @@ _ROWS = (
         ("reference", "rigorous"),
         want=True,
         needs="flywheels",
-        has_batch=True,
+        batch=True,
     ),
     PublicFunction(
         "coupled",
@@ -138,7 +138,7 @@ _ROWS = (
         want=True,
         needs="flywheels",
         sines=True,
-        has_batch=True,
+        batch=True,
         claimed=(NORMAL, ANY),
     ),
     PublicFunction(
@@ -163,14 +163,7 @@ _ROWS = (
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points",
-        "",
-        (*_STATE, "V_dot"),
-        ("points",),
-        ("reference", "second"),
-        want=True,
-        needs="sensors",
-        has_batch=True,
+        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
@@ -181,11 +174,11 @@ _ROWS = (
         ("next",),
         ("trajectory",),
         needs="flywheels",
-        has_batch=True,
+        batch=True,
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), has_batch=True
+        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batch=True
     ),
     PublicFunction(
         "inverse_fast",
@@ -319,7 +312,7 @@ def _forms() -> Iterator[PublicFunction]:
                 name=f"{row.name}_at",
                 takes=takes,
                 want=False,
-                has_batch=False,
+                batch=False,
                 python=False,
                 claimed=(),
                 sines=False,
@@ -339,7 +332,7 @@ WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
 TASK_WANTS = tuple(row.name for row in OF_TASKS.values() if row.want)
 """Wants of states with a task alone."""
 
-BATCH_FUNCTIONS = tuple(row.name for row in FUNCTIONS.values() if row.has_batch)
+BATCH_FUNCTIONS = tuple(row.name for row in FUNCTIONS.values() if row.batch)
 """Functions with a batch form."""
 
 _GIVES = {name: row.gives for name, row in (FUNCTIONS | OF_TASKS).items() if row.want}

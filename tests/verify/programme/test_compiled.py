@@ -108,9 +108,9 @@ def test_a_bad_manifest_is_refused_without_assertions_too(tmp_path: Path) -> Non
     facts.write_text('{"physics": "1", "real": "half", "limit": 1e-6}')
     code = (
         "import sys, pathlib\n"
-        "from mahovik.proof.verify.programme import compiled\n"
+        "from mahovik.proof.verify.programme import programme_c\n"
         "from mahovik.errors import UsageError\n"
-        "try: compiled._facts(pathlib.Path(sys.argv[1]))\n"
+        "try: programme_c._facts(pathlib.Path(sys.argv[1]))\n"
         "except UsageError as error: print(error)"
     )
     done = subprocess.run(

@@ -39,7 +39,7 @@ def array_functions(generated: Generated, kind: LibraryKind = "batches") -> tupl
     """Arguments and results of the functions of `array_files`; "tables" has second forms of those of "batches"."""
     found = []
     for f in _functions(generated):
-        wide = kind != "states" and row_of(f.name).has_batch
+        wide = kind != "states" and row_of(f.name).batch
         found.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
@@ -74,7 +74,7 @@ def _array_source(stand: Stand, generated: Generated, kind: LibraryKind) -> dict
         of_tables=kind == "tables",
         sizes=_sizes(generated, code.names),
         functions=[
-            _call(f, generated, code.names, kind != "states" and row_of(f.name).has_batch, kind == "tables")
+            _call(f, generated, code.names, kind != "states" and row_of(f.name).batch, kind == "tables")
             for f in _functions(generated)
             if kind != "tables" or any(a.name in TABLES for a in f.arguments)
         ],

@@ -210,7 +210,8 @@ def _outcome(found: Search, options: DesignOptions, budget: Budget, effort: dict
     points = pareto_front(found.found, options.pareto, budget) if options.pareto else []
     return Outcome(
         status, told, residual, stand, programme, chosen.cost, tuple(changes(chosen)),
-        {"before": flywheel_totals(chosen.task.space.stand), "after": flywheel_totals(stand)}, tuple(points), effort, found.interrupted,
+        {"before": flywheel_totals(chosen.task.space.stand), "after": flywheel_totals(stand)},
+        tuple(points), effort, found.interrupted,
     )  # fmt: skip
 
 

@@ -2,7 +2,7 @@
 
 A small change of place or mounting carries a flywheel's tables by a motor X of E1: Lm becomes (1 + X) Lm, so that
 Theta_h changes by X Theta_h + Theta_h X^T, I_h by X I_h, the weight by X W_h + W_h X_C^T; mass properties enter Theta
-linearly. The derivatives are tables again, of one more flywheel for each parameter, and take the way of `PrescribedMotion`.
+linearly. The derivatives are tables again, of one more flywheel for each parameter, as in `PrescribedMotion`.
 """
 
 from __future__ import annotations
