@@ -20,7 +20,7 @@ from mahovik.out.api.variants import changed, reason_of, variants
 
 @dataclass(frozen=True)
 class PossibleTables:
-    """Tables of those of n samples that can be. `numbers`: which these are; `reasons`: by number, why another cannot."""
+    """Tables of the samples that can be. `numbers`: which these are; `reasons`: by number, why another cannot."""
 
     tables: Tables
     numbers: NDArray[np.int64]

@@ -1,4 +1,4 @@
-"""Designs: where in the unit cube of all factors the samples of a campaign are. Any range of samples can be asked for."""
+"""Designs: where the samples of a campaign are in the unit cube of all factors; any range can be asked for."""
 
 from __future__ import annotations
 
@@ -118,7 +118,8 @@ class Saltelli:
         points = sequence(2 * d, self.seed, int(pair[0]), int(pair[-1] - pair[0]) + 1)[pair - pair[0]]
         a, b = points[:, :d], points[:, d:]
         from_b = (place[:, None] == np.arange(1, d + 1)) | (place == d + 1)[:, None]
-        return np.where(from_b, b, a)
+        found: Array = np.where(from_b, b, a)
+        return found
 
 
 @dataclass(frozen=True)

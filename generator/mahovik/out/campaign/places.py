@@ -9,6 +9,8 @@ from fnmatch import fnmatchcase
 from functools import cached_property
 from typing import Any, cast
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
@@ -30,6 +32,8 @@ from mahovik.nearest import suggestion
 from mahovik.out.api.editing import exact, unbalance_of
 from mahovik.out.api.stands import Stand
 
+Array = NDArray[np.float64]
+
 _BODIES: dict[str, type[Table]] = {
     "instrument": InstrumentTable,
     "flywheel": FlywheelTable,
@@ -47,16 +51,18 @@ class Place:
     path      as columns are named: `w1.unbalance.static`, `carrier.center_of_mass[0]`, `w1.inertia.J12`
     body      first part of the path: a body, a law's table or a key of the file
     key       last key of the path
-    keys      paths of `Model.tables` that take the number: two for a product of inertia
+    put       path of `Model.tables` that takes the number, or the symmetric matrix that has it
     nominal   value in the stand file, SI
+    element   row and column in that matrix; None where `put` takes the number
     """
 
     path: str
     body: str
     key: str
-    keys: tuple[str, ...]
+    put: str
     dimension: Dimension
     nominal: float
+    element: tuple[int, int] | None = None
 
 
 class Places:
@@ -69,6 +75,7 @@ class Places:
         self._core: CoreStand = stand
         self._document = stand.to_dict()
         self._source = stand.name
+        self._matrices: dict[str, Array] = {}
 
     def found(self, pattern: str) -> list[Place]:
         """The numbers of a path, or of all paths that a pattern with `*` matches, in the order of the file.
@@ -78,16 +85,18 @@ class Places:
         steps = _INDEX.sub(r".\1", pattern).split(".")
         if not all(steps):
             raise UsageError(f"{show(pattern)} is no path; expected names joined by dots, such as carrier.mass")
-        places = [
-            place for name in self._names(steps[0], pattern) for place in self._of(name, steps[1:], pattern)
-        ]
+        places = [place for name in self._names(steps[0], pattern) for place in self._of(name, steps[1:], pattern)]
         if not places:
             raise UsageError(f"{pattern}: matches no number of {self._source}")
         return places
 
     def stand(self) -> Stand:
-        """The stand, whose keys are written such that `Place.keys` lead to numbers; of the same bits."""
+        """The stand, whose keys are written such that `Place.put` leads to numbers; of the same bits."""
         return Stand.from_dict(self._document, self._source)
+
+    def matrices(self) -> dict[str, Array]:
+        """Symmetric matrices of which elements were found, by `Place.put`, as the file has them, SI."""
+        return self._matrices
 
     def mass(self, name: str) -> float:
         """Mass of a body in kg, as the file has it."""
@@ -221,7 +230,7 @@ class _Walk:
         elif isinstance(value, float):
             if rest:
                 raise UsageError(f"{self.pattern}: {shown} is one number; expected no more after it")
-            yield self._place(shown, key, (put,), _of_element(dimension, 0, 0), value)
+            yield self._place(shown, key, put, _of_element(dimension, 0, 0), value)
         elif isinstance(value, tuple) and value and isinstance(value[0], tuple):
             yield from below._matrix(key, rest, dimension, value, document)
         elif isinstance(value, tuple) and value and isinstance(value[0], float):
@@ -232,14 +241,14 @@ class _Walk:
     def _vector(self, key: str, rest: list[str], dimension: Any, value: Any, document: Any) -> Iterator[Place]:
         one_for_all = key in document and not isinstance(document[key], list) and not _has_list(document[key])
         if one_for_all and not rest:  # such as one transverse inertia
-            yield self._place(self.shown, key, (self.put,), dimension, value[0])
+            yield self._place(self.shown, key, self.put, dimension, value[0])
             return
         indices = _indices(rest[:1] or ["*"], len(value), self.pattern, self.shown)
         if len(rest) > 1:
             raise UsageError(f"{self.pattern}: {self.shown}[{indices[0]}] is one number; expected no more after it")
         document[key] = exact(value)
         for i in indices:
-            yield self._place(f"{self.shown}[{i}]", key, (f"{self.put}.{i}",), dimension, value[i])
+            yield self._place(f"{self.shown}[{i}]", key, f"{self.put}.{i}", dimension, value[i])
 
     def _matrix(self, key: str, rest: list[str], dimension: Any, value: Any, document: Any) -> Iterator[Place]:
         element = _ELEMENT.fullmatch(rest[0]) if rest else None
@@ -254,12 +263,17 @@ class _Walk:
         document[key] = exact(value)
         i, j = (min(i, j), max(i, j)) if key in _SYMMETRIC else (i, j)
         shown = f"{self.shown}.J{i + 1}{j + 1}" if len(value) == 3 else f"{self.shown}[{i}][{j}]"
-        pairs = {(i, j), (j, i)} if key in _SYMMETRIC else {(i, j)}
-        keys = tuple(f"{self.put}.{a}.{b}" for a, b in sorted(pairs))
-        yield self._place(shown, key, keys, _of_element(dimension, i, j), value[i][j])
+        of = _of_element(dimension, i, j)
+        if key in _SYMMETRIC:
+            self.places._matrices[self.put] = np.array(value)
+            yield self._place(shown, key, self.put, of, value[i][j], (i, j))
+        else:
+            yield self._place(shown, key, f"{self.put}.{i}.{j}", of, value[i][j])
 
-    def _place(self, shown: str, key: str, keys: tuple[str, ...], dimension: Any, value: float) -> Place:
-        return Place(shown, self.name, key, keys, dimension if dimension is not None else PLAIN, value)
+    def _place(
+        self, shown: str, key: str, put: str, dimension: Any, value: float, element: tuple[int, int] | None = None
+    ) -> Place:
+        return Place(shown, self.name, key, put, dimension if dimension is not None else PLAIN, value, element)
 
 
 def _of_element(dimension: Any, i: int, j: int) -> Any:
