@@ -95,9 +95,9 @@ def _runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folde
 
         return SteadyRunner(stand, over, quantities)
     if over.kind == "states":
-        from mahovik.out.campaign.at_states import StatesRunner
+        from mahovik.out.campaign.at_states import states_runner
 
-        return StatesRunner(stand, over, quantities, folder)
+        return states_runner(stand, over, quantities, folder)
     if over.servo is not None:
         from mahovik.out.campaign.servo import ServoRunner
 

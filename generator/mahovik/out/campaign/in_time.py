@@ -16,11 +16,12 @@ from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.driven import DrivenByTorque
 from mahovik.out.campaign.given_speeds import GivenSpeeds
-from mahovik.out.campaign.observe import Chunk, Observer
+from mahovik.out.campaign.observe import Chunk, Observer, after
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.records import Records
+from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
 from mahovik.out.functions.given import regime_of, state_of
@@ -48,17 +49,24 @@ class TimeRunner:
     """Computes quantities over a case; see `compute.Runner`."""
 
     def __init__(
-        self, stand: Stand, case: Case, quantities: Sequence[Quantity], start: Start | AtRest, course: Course
+        self,
+        stand: Stand,
+        times: int,
+        quantities: Sequence[Quantity],
+        start: Start | AtRest,
+        course: Course,
+        required: Required | None = None,
     ) -> None:
-        """Raises UsageError: too much would have to be kept."""
-        self.stand, self._case, self._quantities, self._start, self._course = stand, case, quantities, start, course
+        """`times`: how many of output; `required`: what the carrier should do. Raises UsageError: too much to keep."""
+        self.stand, self._quantities, self._start, self._course = stand, quantities, start, course
+        self._times, self._required = times, required
         self._made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
         self._needs = frozenset[str]().union(*(q.needs for q in quantities))
         self._size = self._block_size()
 
     def _block_size(self) -> int:
         """Samples of a block."""
-        T, N = len(self._case.times), len(self.stand.flywheels)
+        T, N = self._times, len(self.stand.flywheels)
         sensors = len(self.stand.instruments) + len(self.stand.points)
         stored = sum(
             q.signal.components for q in self._quantities if q.signal and (q.band or q.statistic == "settling")
@@ -92,7 +100,8 @@ class TimeRunner:
         if self._made.sensors:
             block.call("points")
             readings = block.found["points"].copy()
-        scene = Scene(self.stand, block.x.copy(), frames_of(self.stand, block.x, readings), _part(laws, own))
+        begin = block.x.copy()
+        scene = Scene(self.stand, begin, frames_of(self.stand, begin, readings), _part(laws, own), self._required)
         gathered = {q.name: q.new(block.n) for q in self._quantities if q.signal is not None}
         records = Records(self.stand) if any(q.function for q in self._quantities) else None
 
@@ -100,7 +109,7 @@ class TimeRunner:
             for q in self._quantities:
                 if q.signal is None:
                     continue
-                sums, part = gathered[q.name], _after(chunk, q.after)
+                sums, part = gathered[q.name], after(chunk, q.after)
                 if len(part.t):
                     sums.add(part.t, q.signal.values(scene, part, sums.turned))
             if records is not None:
@@ -130,13 +139,6 @@ class TimeRunner:
         return reason
 
 
-def _after(chunk: Chunk, after: float) -> Chunk:
-    """The part of a chunk from a time on."""
-    if after <= 0.0 or chunk.t[0] >= after * (1 - 1e-12):
-        return chunk
-    return chunk.rest(int(np.count_nonzero(chunk.t < after * (1 - 1e-12))))
-
-
 def _part(value: Any, own: slice) -> Any:
     """Numbers of the samples of a block, from those of all."""
     if isinstance(value, Mapping):
@@ -158,7 +160,7 @@ def regime_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity],
     start = _start(run_stand, over.start, [each.phase or 0.0 for each in regime.flywheels], folder)
     case = Case(run_stand, regime, start.state, over.until, over.every or EVERY, over.dt or DT, over.order or ORDER)
     warn_of_steps(case)
-    return TimeRunner(run_stand, case, quantities, start, course_of(run_stand, case))
+    return TimeRunner(run_stand, len(case.times), quantities, start, course_of(run_stand, case))
 
 
 def course_of(stand: Stand, case: Case) -> Course:

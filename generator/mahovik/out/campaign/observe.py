@@ -69,6 +69,13 @@ class Chunk:
         return rotation(self.attitude)
 
 
+def after(chunk: Chunk, t: float) -> Chunk:
+    """The part of a chunk from a time (s) on."""
+    if t <= 0.0 or chunk.t[0] >= t * (1 - 1e-12):
+        return chunk
+    return chunk.rest(int(np.count_nonzero(chunk.t < t * (1 - 1e-12))))
+
+
 class Observer:
     """Calls the C for what is needed at each time of output; hands on chunks."""
 

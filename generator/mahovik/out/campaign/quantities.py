@@ -102,6 +102,10 @@ def _quantity(
     for what, given, known in (("signal", table.signal, signals), ("statistic", table.statistic, statistics)):
         if given not in known:
             raise UsageError(f"{table.statistic}: no {what} `{given}` over {kind}; expected one of {', '.join(known)}")
+    if kind == "servo" and table.signal == "error":
+        _check_servo_error(table)
+    if kind == "states" and table.after:
+        raise UsageError("after: not over states, which have no time")
     signal = SIGNALS[table.signal]
     part = find_part(stand, signal, table.at, table.of)
     axes = COORDINATES if table.signal == "error" else AXES if signal.vector else ()
@@ -122,6 +126,20 @@ def _quantity(
     own = Signal(table.signal, part, table.axis or "")
     needs = frozenset[str]() if part in ties(stand) else signal.needs
     return Quantity(name, unit, own, table.statistic, table.band, table.after, within, needs=needs)
+
+
+def _check_servo_error(table: WantedTable) -> None:
+    """Raise UsageError for what `follow` does not say of an error."""
+    known = ("peak", "rms", "mean", "end")
+    if table.statistic not in known:
+        raise UsageError(
+            f"{table.statistic}: error: expected one of {', '.join(known)} with servos, as `follow` gives them"
+        )
+    if table.statistic == "mean" and table.axis is None:
+        raise UsageError(f"axis: required with the mean of the error; expected one of {', '.join(COORDINATES)}")
+    for key in ("after", "band"):
+        if key in table.model_fields_set:
+            raise UsageError(f"{key}: not allowed with `error` and servos: the last periods are measured")
 
 
 def _check_band(over: OverTable, band: tuple[float, float], after: float) -> None:

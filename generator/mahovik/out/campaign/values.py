@@ -23,6 +23,7 @@ from mahovik.out.campaign.pose import (
     turn,
     turn_back,
 )
+from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.signals import AXES, EVERY, SIGNALS, sensors
 
 
@@ -41,12 +42,14 @@ class Scene:
     start    states (13 + 2 N, n) at the start
     frames   of the points and instruments, by name, and of the carrier
     laws     numbers of the laws, by member of a table
+    required  what the carrier should do, of a programme
     """
 
     stand: Stand
     start: Array
     frames: Mapping[str, Frame]
     laws: Mapping[str, Any]
+    required: Required | None = None
 
     @property
     def attitude(self) -> Array:
@@ -139,7 +142,8 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
         return at.loads[:, k : k + 3]
     for law in laws.parts("loads"):
         if own.part in law.names(structure(scene.stand)):
-            found: Array = law.wrench(own.part, scene.laws, Pose(at.position, at.C, at.V), at.attitude)
+            pose = Pose(at.position, at.C, at.V)
+            found: Array = np.asarray(law.wrench(own.part, scene.laws, pose, at.attitude))
             return found[:, first : first + 3]
     raise KeyError(own.part)
 
@@ -170,6 +174,11 @@ def _sigma(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     return np.asarray(np.linalg.svd(matrices, compute_uv=False)[..., -1][:, None])
 
 
+def _error(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
+    assert scene.required is not None
+    return scene.required.error(at, own.axis)
+
+
 _SOURCES: Mapping[str, Callable[[Signal, Scene, Chunk, bool], Array]] = {
     "acceleration": _acceleration,
     "velocity": _velocity,
@@ -183,4 +192,5 @@ _SOURCES: Mapping[str, Callable[[Signal, Scene, Chunk, bool], Array]] = {
     "power": _power,
     "speed": _speed,
     "sigma": _sigma,
+    "error": _error,
 }
