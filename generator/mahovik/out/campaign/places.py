@@ -80,8 +80,8 @@ class Places:
     def found(self, pattern: str) -> list[Place]:
         """The numbers of a path, or of all paths that a pattern with `*` matches, in the order of the file.
 
-        A path that ends at a vector stands for all its elements. Names that a pattern matches, but that do not have such a
-        number, are left out. Raises UsageError.
+        A path that ends at a vector stands for all its elements. Names that match, but that do not have such a number,
+        are left out. Raises UsageError.
         """
         steps = _INDEX.sub(r".\1", pattern).split(".")
         if not all(steps):
