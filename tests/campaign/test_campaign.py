@@ -108,7 +108,7 @@ def test_a_tolerance_that_makes_a_body_impossible_is_named_with_its_sample(tmp_p
     mass = Campaign.load(write(tmp_path, VARY + RUN, stand="demo3")).stand.carrier.mass
     body = '[vary]\n"w2.mass" = { relative = 0.01 }\n"carrier.mass" = { uniform = [1, %r] }' % (2 * mass - 1)
     # the same random number in a narrower interval tells which samples were negative
-    share = (load(tmp_path, body + RUN).drawn(0, number + 1)["carrier.mass"] - 1) / (2 * mass - 2)
+    share = (load(tmp_path, body + RUN).parameter_values(0, number + 1)["carrier.mass"] - 1) / (2 * mass - 2)
     negative = -2 + 24 * share < 0
     assert np.flatnonzero(negative).tolist() == [number]
 

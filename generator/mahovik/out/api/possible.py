@@ -28,7 +28,7 @@ class PossibleTables:
 
 
 def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = None) -> PossibleTables:
-    """As `Model.tables`; samples that no stand file may have are left out, each with its reason in one line.
+    """Tables as of `Model.tables`, without the samples that no stand file may have; each of these with its reason.
 
     Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere.
     """
@@ -51,7 +51,7 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
 
 
 def _reasons(model: Model, samples: Samples) -> dict[int, str]:
-    """By number, why samples cannot be. Raises UsageError."""
+    """Reasons of the samples that cannot be, by number. Raises UsageError."""
     stand, reasons = Stand.of(model.stand), dict[int, str]()
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
         changed(stand, samples.values(0) if samples.n else {})

@@ -92,8 +92,8 @@ class Sobol:
 class Saltelli:
     """Pairs of points of a Sobol' sequence that exchange one factor after the other: for Sobol' indices.
 
-    The order of the samples is that of SALib without second order: a point A of the sequence, A with each factor in
-    turn from B, then B.
+    The order of the samples is that of SALib without second order: the first point, then it with each factor in
+    turn of the second point, then the second point.
     """
 
     factors: tuple[str, ...]
