@@ -10,6 +10,7 @@ import mahovik
 from campaign.files import refusal, write
 from mahovik.errors import CampaignError, UsageError
 from mahovik.out.campaign.campaign import Campaign
+from mahovik.out.campaign.file import files_in, load_campaign
 from mahovik.out.campaign.places import Places
 from mahovik.out.campaign.rows import Rows
 
@@ -127,6 +128,14 @@ def test_identity_is_that_of_what_decides_the_rows(tmp_path: Path) -> None:
     assert load(tmp_path, vary + RUN, stand="own.toml").identity["stand"] == first["stand"]
 
 
+def test_files_that_other_files_name_are_part_of_the_identity(tmp_path: Path) -> None:
+    (tmp_path / "spin.toml").write_text('schema = 1\n[default]\ntable = "speeds.csv"\n')
+    run = RUN.replace('{ default = { speed = "1000 rpm" } }', '"spin.toml"')
+    (tmp_path / "speeds.csv").write_text("t,speed\n0,1\n")
+    file = load_campaign(write(tmp_path, VARY + run, stand="demo3"))
+    assert [path.name for path in files_in(file.document, file.folder)] == ["spin.toml", "speeds.csv"]
+
+
 def stand_text() -> str:
     from mahovik import stands
 
@@ -156,6 +165,8 @@ KEYS = {
     "sample = 3": 'unknown key "sample", did you mean "samples"?',
     'until = "2 %"': "until: of which quantile?",
     'until = "2 s"': "until: ",
+    'design = "latin"\nsamples = 6000000': 'samples: at most 5000000 with design "latin"',
+    'design = "morris"\nsamples = 3000000': 'at most 625000 with design "morris"; expected fewer, or another design',
     "seed = -1": "seed: -1: expected 0 to",
     'quantile = { of = "shake", at = 95 }': "quantile, at: 95: expected above 0 and below 1",
     'until = 0.1\ndesign = "morris"\nquantile = { of = "shake" }': 'until: not allowed with design "morris"',

@@ -15,7 +15,7 @@ from mahovik.out.api.model import Model
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables, check_sample
-from mahovik.out.api.variants import changed, reason_of, variants
+from mahovik.out.api.variants import changed, first_reason, variants
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def _reasons(model: Model, samples: Samples) -> dict[int, str]:
         try:
             check_sample(stand, samples, number)
         except (StandError, UsageError) as error:
-            reasons[number] = reason_of(stand, samples, number, error)
+            reasons[number] = first_reason(error, f"{stand.name}, sample {number}")
     return reasons
 
 
@@ -69,5 +69,5 @@ def _refusal(model: Model, samples: Samples) -> str:
     try:
         model.tables(samples.given, samples.n)
     except StandError as error:
-        return str(error).splitlines()[0].partition(", sample 0: ")[2] or str(error)
+        return first_reason(error, f"{model.stand.name}, sample 0")
     return ""

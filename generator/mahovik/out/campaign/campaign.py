@@ -33,6 +33,9 @@ Array = NDArray[np.float64]
 SHARD_TIME = 12.0
 """Time for a shard, s, where the file does not say how many samples it has."""
 
+_DECIDES_NO_ROW = ("name", "stand", "shard", "until", "quantile")
+"""Keys of a file that are no part of the identity of its campaign; the stand has one of its own."""
+
 _LONGEST_SHARD = 50_000
 _MEASURED = 0.5  # s
 
@@ -95,7 +98,7 @@ class Campaign:
 
         Names, and when the campaign stops, decide no row, so they are no part of it. Files that the campaign names are.
         """
-        deciding = {k: v for k, v in self.file.document.items() if k not in ("name", "shard", "until", "quantile")}
+        deciding = {key: value for key, value in self.file.document.items() if key not in _DECIDES_NO_ROW}
         named = dict.fromkeys((*self.file.files, *files_in(deciding, self.file.folder)))
         content = [hashlib.sha256(path.read_bytes()).hexdigest() for path in named]
         canonical = json.dumps([deciding, content], sort_keys=True, default=str)

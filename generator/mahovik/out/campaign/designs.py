@@ -16,6 +16,9 @@ Array = NDArray[np.float64]
 LEVELS = 4
 """Levels of a factor in Morris' design."""
 
+MOST_HELD = 5_000_000
+"""Samples of a Latin hypercube, and numbers of Morris' design, at most: every process makes them whole."""
+
 _HELD = 8_000_000
 """Numbers of a Latin hypercube that are kept, 64 MB; other columns are made again when they are asked for."""
 
