@@ -39,7 +39,7 @@ def tables_of(own: Computation, changes: Mapping[str, Any]) -> Tables:
 
 
 def refusal(name: str, run: Keys, quantities: Mapping[str, Keys], folder: Path = Path()) -> str:
-    """What is said of sections that are refused: one line."""
+    """Message about sections that are refused: one line."""
     try:
         computation(mahovik.example(name), run, quantities, folder=folder)
     except MahovikError as error:

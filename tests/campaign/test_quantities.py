@@ -1,4 +1,4 @@
-"""What is kept of signals, what is refused, functions of the user, and loads by the literal reference."""
+"""Statistics of signals, refusals, functions of the user, and loads by the literal reference."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ TABLE = "bench8"
         (SPEED, {"peak": "rate", "at": "carrier", "band": ["1 Hz", "2 Hz"]}, "band: only allowed with `rms`"),
         (SPEED, {"rms": "rate", "at": "carrier", "band": ["1 Hz", "900 Hz"]}, "band: 900 Hz needs `every` of at most"),
         (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "8 Hz"]}, "band: expected a lower and a higher"),
-        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "19 Hz"]}, "cannot be told in 0.01 s; needs 0.2 s"),
+        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "19 Hz"]}, "cannot be resolved in 0.01 s; needs 0.2 s"),
         (SPEED, {"peak": "rate", "at": "carrier", "after": "1 s"}, "after: 1 s: expected less than `until`"),
         (SPEED, {"settling": "rate", "at": "carrier"}, "within: required with `settling`"),
         (SPEED, {"settling": "rate", "at": "carrier", "within": "1 mm"}, "expected an angular speed (rad/s)"),
@@ -179,7 +179,7 @@ def test_a_function_of_the_user_gets_the_arrays_of_one_sample(tmp_path: Path) ->
 
 
 def test_a_function_that_gives_no_number_is_a_reason(tmp_path: Path) -> None:
-    """Of every sample, never an exception."""
+    """Every sample has it, and nothing is raised."""
     (tmp_path / "own.py").write_text(FUNCTIONS, encoding="utf-8")
     own = computation(mahovik.example(TABLE), SPEED, {"q": {"function": "own.py:words"}}, folder=tmp_path)
     values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([12.0, 12.1])}))

@@ -35,7 +35,7 @@ class Runner(Protocol):
 
 
 class Computation:
-    """What is computed of each sample.
+    """Quantities of samples, ready to be computed.
 
     stand  of which tables are made
     units  of the quantities, by their names in the order of the file
@@ -71,7 +71,7 @@ def prepare(
     folder: Path = Path(),
     user_functions: Mapping[str, Callable[[Mapping[str, Any]], float]] | None = None,
 ) -> Computation:
-    """What is to be computed of each sample of a stand.
+    """Check what a campaign file wants of each sample, and make ready what computes it.
 
     over, wanted    `[run]` and `[quantities]` of a campaign file, whose files are in `folder`
     user_functions  by the text of `function` in the file; of those not given the function is imported

@@ -61,7 +61,7 @@ class GivenSpeeds:
         given["phi_ddot"][:] = case.motion(times[:1])[2][0][:, None]
         given["wrench"][:] = self._wrench(0.0)[:, None]
         observer.take(float(times[0]))
-        for stretch in self._kept if self._few else self.stretches(AHEAD):
+        for stretch in self._stretches_in_memory if self._few else self.stretches(AHEAD):
             count = len(stretch.phi_ddot)
             rows["phi"][: count + 1], rows["phi_dot"][: count + 1] = stretch.phi, stretch.phi_dot
             rows["phi_ddot"][:count], rows["wrench"][:count] = stretch.phi_ddot, stretch.wrench
@@ -91,7 +91,7 @@ class GivenSpeeds:
         return (case.until / min(case.dt, case.every) + len(case.times)) * width <= KEPT
 
     @cached_property
-    def _kept(self) -> tuple[Stretch, ...]:
+    def _stretches_in_memory(self) -> tuple[Stretch, ...]:
         return tuple(self.stretches(AHEAD))
 
     def stretches(self, ahead: int) -> Iterator[Stretch]:

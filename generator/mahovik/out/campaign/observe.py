@@ -1,4 +1,4 @@
-"""What is kept of the samples of a block at the times of output, in chunks of a few times."""
+"""Observation of the samples of a block at the times of output, in chunks of a few times."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Chunk:
 
     @property
     def position(self) -> Array:
-        """Of O1 in E0 (K, 3, n), m."""
+        """Position of O1 in E0 (K, 3, n), m."""
         return self.state[:, :3]
 
     @property
@@ -57,7 +57,7 @@ class Chunk:
         return self.state[:, 13 + N :]
 
     def rest(self, first: int) -> Chunk:
-        """What is from a time on, by its number."""
+        """The later part, from the time with this number on."""
         return Chunk(
             self.t[first:], self.state[first:], self.V_dot[first:], self.phi_ddot[first:], self.tau[first:],
             self.readings[first:], self.loads[first:], self.I[first:],
@@ -69,7 +69,7 @@ class Chunk:
         return rotation(self.attitude)
 
 
-def after(chunk: Chunk, t: float) -> Chunk:
+def cut_before(chunk: Chunk, t: float) -> Chunk:
     """The part of a chunk from a time (s) on."""
     if t <= 0.0 or chunk.t[0] >= t * (1 - 1e-12):
         return chunk

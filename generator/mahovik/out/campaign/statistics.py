@@ -1,4 +1,4 @@
-"""What is kept of a signal in time: sums over chunks, one number for each sample at the end."""
+"""Statistics of a signal in time: sums over chunks, one number for each sample at the end."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ class _Stored:
         self._times.append(t.copy())
         self._values.append(values.copy())
 
-    def kept(self) -> tuple[Array, Array]:
+    def collected(self) -> tuple[Array, Array]:
         """All times (T), and values (n, c, T): each sample by itself, so that its sums do not depend on the others."""
         values = np.concatenate(self._values)
         return np.concatenate(self._times), np.ascontiguousarray(values.transpose(2, 1, 0))
@@ -139,7 +139,7 @@ class _Stored:
 class BandRms(_Stored):
     """Root mean square of the part within a band of frequencies (Hz), by the spectrum of the whole run.
 
-    The mean is taken off and a Hann window is put on, so that what has no whole number of periods does not spill over
+    The mean is subtracted and a Hann window is put on, so that what has no whole number of periods does not spill over
     the spectrum; the sum is divided by the mean square of the window.
     """
 
@@ -149,7 +149,7 @@ class BandRms(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.kept()
+        t, values = self.collected()
         every = t[1] - t[0]
         even = int(np.count_nonzero(np.abs(np.diff(t) - every) <= 1e-6 * every)) + 1
         values = np.ascontiguousarray(values[..., :even])  # a last time of output may be nearer
@@ -175,7 +175,7 @@ class Settling(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.kept()
+        t, values = self.collected()
         last = max(1, len(t) // 10)
         aside = values - np.ascontiguousarray(values[..., -last:]).mean(axis=-1, keepdims=True)
         outside = sum(part**2 for part in aside.transpose(1, 0, 2)) > self._within**2  # (n, T)

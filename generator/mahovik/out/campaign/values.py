@@ -37,7 +37,7 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What the signals of n samples are measured from.
+    """References from which the signals of n samples are measured.
 
     start    states (13 + 2 N, n) at the start
     frames   of the points and instruments, by name, and of the carrier
