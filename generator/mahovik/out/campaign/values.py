@@ -150,7 +150,7 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
 
 def _of_flywheels(own: Signal, scene: Scene, values: Array) -> Array:
     if own.part == EVERY:
-        return np.abs(values).max(axis=1, keepdims=True)
+        return np.asarray(np.abs(values).max(axis=1, keepdims=True))
     k = [s.name for s in scene.stand.flywheels].index(own.part)
     return values[:, k : k + 1]
 
