@@ -79,14 +79,14 @@ def make_tables(
     stand, samples = Stand.of(of), Samples.of(changes, n)
     found = variants(stand, real, samples)
     for number in np.flatnonzero(found.doubtful):
-        _check(stand, samples, int(number))
+        check_sample(stand, samples, int(number))
 
     def prepare(mountings: bool) -> tuple[Blocks, NDArray[np.int32]]:
         blocks, status = prepare_tables(made, element, threads, found, samples.n, mountings)
         refused = np.flatnonzero(status < 0)
         if refused.size:
             first = int(refused[0])
-            _check(stand, samples, first)
+            check_sample(stand, samples, first)
             name = status_words(int(status[first]))
             raise StandError([f"{stand.name}, sample {first}: refused by prepare: {name}"])
         return blocks, status
@@ -94,7 +94,7 @@ def make_tables(
     return Tables(of, real, samples, prepare)
 
 
-def _check(stand: Stand, samples: Samples, number: int) -> None:
+def check_sample(stand: Stand, samples: Samples, number: int) -> None:
     """Read the stand of one sample as a stand file is read. Raises StandError, UsageError."""
     read(changed(stand, samples.values(number)), f"{stand.name}, sample {number}")
 
