@@ -13,9 +13,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import mahovik
+from mahovik.errors import UsageError
+from mahovik.out.campaign.convergence import Goal
 from mahovik.out.campaign.rows import Rows
+from mahovik.out.campaign.sensitivity import Sensitivity
 
 POISON = "no such body"
 
@@ -35,6 +39,7 @@ class Stub:
     pause: float = 0.0
     killer: str = ""
     stand_file: str = ""
+    goal: Goal | None = None
 
     @property
     def name(self) -> str:
@@ -47,7 +52,8 @@ class Stub:
     @property
     def identity(self) -> Mapping[str, str]:
         stand = json.dumps(self.stand.to_dict(), default=float)
-        known = {"stand": stand, "campaign": self.path.read_text(), "version": "", "seed": str(self.seed)}
+        deciding = {"samples": self.samples, "seed": self.seed}
+        known = {"stand": stand, "campaign": json.dumps(deciding)}
         hashes = {key: hashlib.sha256(text.encode()).hexdigest() for key, text in known.items()}
         return hashes | {"version": mahovik.__version__, "seed": str(self.seed)}
 
@@ -76,6 +82,12 @@ class Stub:
     def draw(self, sample: int) -> float:
         return float(np.random.Generator(np.random.Philox(key=self.seed, counter=sample << 64)).normal(1.0, 1.0))
 
+    def stand_of(self, number: int) -> mahovik.Stand:
+        return self.stand.replace({"carrier.mass": self.draw(number)})
+
+    def sensitivity(self, values: NDArray[np.float64]) -> Sensitivity:
+        raise UsageError("sensitivity: the design has none")
+
 
 def write_stub(path: Path, **values: Any) -> Path:
     """Write the file of a campaign."""
@@ -83,6 +95,9 @@ def write_stub(path: Path, **values: Any) -> Path:
     return path
 
 
-def load_stub(path: Path) -> Stub:
+def load_stub(path: Path, shard_size: int | None = None) -> Stub:
     """Read it: what processes get instead of the reader of campaign files."""
-    return Stub(path, **json.loads(path.read_text()))
+    known = json.loads(path.read_text())
+    within = known.pop("within", None)
+    goal = None if within is None else Goal("root", 0.9, 0.95, within)
+    return Stub(path, goal=goal, **(known if shard_size is None else {**known, "shard_size": shard_size}))

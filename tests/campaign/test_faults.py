@@ -33,7 +33,7 @@ def run(tmp_path: Path) -> Iterator[Processes]:
 
 def bare(file: Path, out: Path) -> list[bytes]:
     """Bytes of all shards, computed here one after the other."""
-    begin(out, load_stub(file))
+    begin(out, file, load_stub(file))
     for number in range(read_manifest(out).shards):
         make_shard(out, number, load_stub)
     return [path.read_bytes() for path in shard_files(out)]
@@ -191,7 +191,7 @@ def test_a_full_disk_is_said_and_nothing_is_half_written(tmp_path: Path) -> None
 
 def test_a_limit_of_the_size_of_files_is_said(tmp_path: Path) -> None:
     file = write_stub(tmp_path / "c.json", samples=400, shard_size=200)
-    begin(tmp_path / "out", load_stub(file))
+    begin(tmp_path / "out", file, load_stub(file))
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     try:

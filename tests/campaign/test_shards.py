@@ -24,8 +24,8 @@ from mahovik.out.campaign.shards import DamagedError, pattern, read_shard, runs_
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder that has been begun, with 25 samples in 4 shards."""
-    work = load_stub(write_stub(tmp_path / "c.json", samples=25, shard_size=7))
-    begin(tmp_path / "out", work)
+    file = write_stub(tmp_path / "c.json", samples=25, shard_size=7)
+    begin(tmp_path / "out", file, load_stub(file))
     return tmp_path / "out"
 
 
@@ -110,8 +110,8 @@ def test_a_shard_in_the_place_of_another_is_found(folder: Path) -> None:
 
 def test_a_shard_of_another_campaign_is_found(folder: Path, tmp_path: Path) -> None:
     make_all(folder)
-    other = load_stub(write_stub(tmp_path / "d.json", samples=25, shard_size=7, seed=2))
-    begin(tmp_path / "other", other)
+    other = write_stub(tmp_path / "d.json", samples=25, shard_size=7, seed=2)
+    begin(tmp_path / "other", other, load_stub(other))
     make_shard(tmp_path / "other", 1, load_stub)
     shutil.copyfile(shard_path(tmp_path / "other", 1), shard_path(folder, 1))
     assert "of another campaign" in status(folder).damaged[1]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mahovik.errors import CheckError
-from mahovik.out.campaign.manifest import Manifest, read_manifest
+from mahovik.out.campaign.manifest import Manifest, read_manifest, write_manifest
 from mahovik.out.campaign.shards import (
     ROWS,
     UNITS,
@@ -18,6 +18,7 @@ from mahovik.out.campaign.shards import (
     record_of,
     runs_of,
     schema,
+    shard_path,
     units_text,
 )
 from mahovik.out.functions.notices import OnProgress, Progress, tell
@@ -119,6 +120,21 @@ def remove_drafts(folder: Path) -> None:
 
 def _drafts(folder: Path) -> list[Path]:
     return drafts_below(folder / ROWS, "*.parquet")
+
+
+def reopen(folder: Path) -> None:
+    """Want all samples of a campaign again, of which fewer were enough."""
+    manifest = read_manifest(folder)
+    if manifest.end < manifest.samples:
+        write_manifest(folder, manifest.ended(manifest.samples))
+
+
+def end_at(folder: Path, samples: int) -> None:
+    """Let the first samples be all that are wanted, and remove the shards of others."""
+    manifest = read_manifest(folder)
+    write_manifest(folder, manifest.ended(samples))
+    for number in range(manifest.ended(samples).shards, manifest.shards):
+        shard_path(folder, number).unlink(missing_ok=True)
 
 
 def require_complete(found: Status, folder: Path) -> None:

@@ -14,9 +14,9 @@ from typing import Any
 from mahovik import __version__
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.out.campaign.cluster import LOST, ClusterError, Workers, connect
-from mahovik.out.campaign.dataset import Status, remove_drafts, status
+from mahovik.out.campaign.dataset import Status, end_at, remove_drafts, reopen, status
 from mahovik.out.campaign.folder import Load, load_campaign, make_shard
-from mahovik.out.campaign.manifest import Manifest, write_manifest
+from mahovik.out.campaign.manifest import Manifest
 from mahovik.out.campaign.reached import Accuracy
 from mahovik.out.campaign.shards import Record
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
@@ -151,46 +151,45 @@ def run_shards(
     """
     begin = time.monotonic()
     remove_drafts(folder)
+    reopen(folder)
     before = status(folder, progress)
-    manifest = before.manifest
-    wanted = [*before.missing, *before.damaged]
-    if not wanted and accuracy is None:
-        return Outcome(before, 0.0)
-    rows = before.rows
-    records = dict(before.records)
-    with connect(workers, scheduler, progress) as client:
-        run = _Run(client, Workers(client), folder, manifest, load, iter(sorted(wanted)))
-        try:
-            while True:
-                if accuracy is not None and accuracy.is_reached(folder, manifest, records):
-                    manifest = manifest.ended(accuracy.samples)
-                    write_manifest(folder, manifest)
-                    break
-                run.submit()
-                if not run.running:
-                    break
-                found = run.next_record()
-                if found is not None:
-                    records[found.number] = found
-                    rows += found.count
-                tell(progress, Progress(_words(manifest, run, accuracy), rows, manifest.end))
-        except CheckError as error:
-            raise CheckError(f"{error}; {_so_far(folder, manifest, records)}") from None
-        except MahovikError as error:
-            raise UsageError(f"{error}; {_so_far(folder, manifest, records)}") from None
-        finally:
-            with contextlib.suppress(Exception):
-                client.cancel(list(run.running))
-    return Outcome(status(folder), time.monotonic() - begin, tuple(run.given_up.values()))
+    wanted = sorted([*before.missing, *before.damaged])
+    given_up: tuple[str, ...] = ()
+    if wanted and not (accuracy and accuracy.is_reached(folder, before.manifest, before.records)):
+        with connect(workers, scheduler, progress) as client:
+            run = _Run(client, Workers(client), folder, before.manifest, load, iter(wanted))
+            try:
+                _follow(run, dict(before.records), accuracy, progress)
+            finally:
+                with contextlib.suppress(Exception):
+                    client.cancel(list(run.running))
+            given_up = tuple(run.given_up.values())
+    if accuracy is not None and accuracy.reached and accuracy.samples < before.manifest.samples:
+        end_at(folder, accuracy.samples)
+    return Outcome(status(folder), time.monotonic() - begin, given_up)
 
 
-def _words(manifest: Manifest, run: _Run, accuracy: Accuracy | None) -> str:
-    """Name of the campaign, and what is special about its state."""
+def _follow(run: _Run, records: dict[int, Record], accuracy: Accuracy | None, progress: OnProgress | None) -> None:
+    """Feed the workers until nothing is left to do. Raises UsageError, CheckError."""
+    manifest, rows = run.manifest, sum(each.count for each in records.values())
+    try:
+        while accuracy is None or not accuracy.is_reached(run.folder, manifest, records):
+            run.submit()
+            if not run.running:
+                return
+            found = run.next_record()
+            if found is not None:
+                records[found.number] = found
+                rows += found.count
+            tell(progress, Progress(_words(run, accuracy), rows, manifest.end))
+    except MahovikError as error:
+        kind = CheckError if isinstance(error, CheckError) else UsageError
+        so_far = f"{len(records)} of {manifest.shards} shards are whole"
+        raise kind(f"{error}; {so_far}; `mahovik campaign resume {run.folder}` goes on") from None
+
+
+def _words(run: _Run, accuracy: Accuracy | None) -> str:
+    """Name of the campaign, and how it goes on."""
     workers = len(set(run.workers.addresses()) - set(run.refused))
-    reached = "" if accuracy is None else accuracy.words()
-    waiting = "" if workers > 0 else ", waiting for workers"
-    return f"{manifest.name}, {workers} workers{waiting}{', ' + reached if reached else ''}"
-
-
-def _so_far(folder: Path, manifest: Manifest, records: dict[int, Record]) -> str:
-    return f"{len(records)} of {manifest.shards} shards are whole; `mahovik campaign resume {folder}` goes on"
+    parts = [run.manifest.name, f"{workers} workers" if workers else "waiting for workers"]
+    return ", ".join([*parts, accuracy.words] if accuracy is not None and accuracy.words else parts)

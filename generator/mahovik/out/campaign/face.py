@@ -28,8 +28,8 @@ class Campaign:
     """
 
     def __init__(self, file: str | Path, *, load: Load = load_campaign) -> None:
-        self._load = load
-        self._work: Work = load(Path(file))
+        self._file, self._load = Path(file), load
+        self._work: Work = load(Path(file), None)
 
     @property
     def name(self) -> str:
@@ -62,8 +62,8 @@ class Campaign:
 
     def prepare(self, out: str | Path) -> CampaignFolder:
         """Begin a folder without computing anything. Raises UsageError: rows of another campaign are in it."""
-        folder.begin(Path(out), self._work)
-        return CampaignFolder(out, load=self._load)
+        folder.begin(Path(out), self._file, self._work)
+        return CampaignFolder(out, load=self._load, work=self._work)
 
     def run(
         self,
@@ -88,9 +88,10 @@ class Campaign:
 class CampaignFolder:
     """Folder of a campaign that was begun. Raises UsageError: no campaign was begun there."""
 
-    def __init__(self, path: str | Path, *, load: Load = load_campaign) -> None:
+    def __init__(self, path: str | Path, *, load: Load = load_campaign, work: Work | None = None) -> None:
+        """`load` reads campaign files, `work` is the campaign if it has been read."""
         self.path = Path(path)
-        self._load = load
+        self._load, self._read = load, work
         self.manifest: Manifest = read_manifest(self.path)
 
     def shard(self, number: int) -> Record:
@@ -101,12 +102,14 @@ class CampaignFolder:
         self, *, workers: int | None = None, scheduler: str | None = None, progress: OnProgress | None = None
     ) -> Outcome:
         """Compute the shards that are missing or damaged; arguments as of `Campaign.run`."""
-        manifest, work = folder.open_work(self.path, self._load)
-        judge = getattr(work, "judge", None)
-        accuracy = None if judge is None or manifest.end < manifest.samples else Accuracy(judge)
+        goal = self._work().goal
+        accuracy = None if goal is None else Accuracy(goal)
         return run_shards(
             self.path, workers=workers, scheduler=scheduler, load=self._load, accuracy=accuracy, progress=progress
         )
+
+    def _work(self) -> Work:
+        return self._read or folder.open_work(self.path, self._load)
 
     def status(self, progress: OnProgress | None = None) -> dataset.Status:
         """State of the folder: every shard is read and checked."""

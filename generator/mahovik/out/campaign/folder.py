@@ -10,21 +10,21 @@ from mahovik.errors import UsageError
 from mahovik.out.campaign.manifest import NAME, Manifest, describe, read_manifest, require_same, write_manifest
 from mahovik.out.campaign.rows import Work
 from mahovik.out.campaign.shards import DamagedError, Record, read_shard, record_of, write_shard
+from mahovik.writing import probe
 
-Load = Callable[[Path], Work]
-"""Reads a campaign file; processes of other machines import it by its name."""
-
-
-def load_campaign(path: Path) -> Work:
-    """The campaign of a file. Raises CampaignError with every problem of the file."""
-    from importlib import import_module
-
-    found: Work = import_module("mahovik.out.campaign.campaign").Campaign.load(path)
-    return found
+Load = Callable[[Path, int | None], Work]
+"""Reads a campaign file, with samples a shard or None; processes of other machines import it by its name."""
 
 
-def begin(folder: Path, work: Work) -> Manifest:
-    """Begin a folder, or go on with one of the same campaign.
+def load_campaign(path: Path, shard_size: int | None) -> Work:
+    """The campaign of a file. Raises CampaignError with every problem of the file, StandError."""
+    from mahovik.out.campaign.campaign import Campaign
+
+    return Campaign.load(path, shard=shard_size)
+
+
+def begin(folder: Path, file: Path, work: Work) -> Manifest:
+    """Begin a folder for the campaign of a file, or go on with one of the same campaign.
 
     Raises UsageError: rows of another campaign, of a changed stand or of another version; other files.
     """
@@ -34,28 +34,27 @@ def begin(folder: Path, work: Work) -> Manifest:
         return manifest
     if folder.is_dir() and any(folder.iterdir()):
         raise UsageError(f"{folder}: holds other files; give an empty or a new folder")
-    manifest = describe(work, folder.resolve())
+    probe(folder / NAME)
+    manifest = describe(work, folder, file, work.shard_size)
     write_manifest(folder, manifest)
     return manifest
 
 
-def open_work(folder: Path, load: Load = load_campaign) -> tuple[Manifest, Work]:
-    """Manifest of a folder and the campaign of its file, which a process reads once.
+def open_work(folder: Path, load: Load = load_campaign) -> Work:
+    """The campaign of a folder, whose file a process reads once.
 
     Raises UsageError: the file, the stand or the version is not that with which the folder was begun.
     """
     manifest = read_manifest(folder)
     manifest.require_version(str(folder))
-    if not manifest.file:
-        raise UsageError(f"{folder}: was begun without a campaign file; go on in Python, with the same Campaign")
-    path = (folder.resolve() / manifest.file).resolve()
-    return manifest, _opened(path, manifest.digest, str(folder), load)
+    return _opened((folder.resolve() / manifest.file).resolve(), manifest.digest, str(folder), load)
 
 
 @lru_cache(maxsize=2)
 def _opened(path: Path, _digest: str, folder: str, load: Load) -> Work:
-    work = load(path)
-    require_same(read_manifest(Path(folder)), work, folder)
+    manifest = read_manifest(Path(folder))
+    work = load(path, manifest.shard_size)
+    require_same(manifest, work, folder)
     return work
 
 
@@ -78,5 +77,4 @@ def make_shard(folder: Path, number: int, load: Load = load_campaign) -> Record:
     found = whole_shard(folder, manifest, number)
     if found is not None:
         return found
-    _, work = open_work(folder, load)
-    return write_shard(folder, manifest, number, work.rows(first, count))
+    return write_shard(folder, manifest, number, open_work(folder, load).rows(first, count))

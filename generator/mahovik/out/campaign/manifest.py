@@ -17,6 +17,12 @@ from mahovik.writing import write
 
 NAME = "manifest.json"
 FORMAT = 1
+SHOWN = 3
+"""Changes of a stand that are shown."""
+
+KEYS = {"campaign": "the text of its file", "seed": "its seed", "campaign and seed": "the text of its file"}
+"""Words for what differs between two identities."""
+
 RESERVED = ("sample", "reason")
 """Columns of every row besides parameters and quantities."""
 
@@ -30,7 +36,7 @@ class Manifest:
     samples     number of samples; `end`: how many of them are wanted, fewer where the accuracy was reached before
     shard_size  samples a shard; the last shard may have fewer
     parameters, quantities   units by name, in the order of the columns
-    file        the campaign file, from this folder; "" where Python made the campaign
+    file        the campaign file, from this folder
     stand       keys of the stand file, to tell what has changed
     """
 
@@ -58,8 +64,8 @@ class Manifest:
 
     @property
     def digest(self) -> str:
-        """SHA-256 of all that decides the rows, which every shard bears: `end` and the place of the file do not."""
-        known = {key: value for key, value in asdict(self).items() if key not in ("end", "file", "stand")}
+        """SHA-256 of all that decides the rows, which every shard bears: names and `end` do not."""
+        known = {key: value for key, value in asdict(self).items() if key not in ("name", "end", "file", "stand")}
         return hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()
 
     def ended(self, samples: int) -> Manifest:
@@ -76,23 +82,22 @@ class Manifest:
             )
 
 
-def describe(work: Work, folder: Path) -> Manifest:
+def describe(work: Work, folder: Path, file: Path, shard_size: int) -> Manifest:
     """The manifest of new rows. Raises UsageError: two columns of one name."""
     names = [*RESERVED, *work.parameters, *work.quantities]
     for name in names:
         if names.count(name) > 1:
             raise UsageError(f"{work.name}: two columns are named {name}; give the quantity another name")
-    path, stand = getattr(work, "path", None), getattr(work, "stand", None)
     return Manifest(
         name=work.name,
         identity=dict(work.identity),
         samples=work.samples,
         end=work.samples,
-        shard_size=work.shard_size,
+        shard_size=shard_size,
         parameters=dict(work.parameters),
         quantities=dict(work.quantities),
-        file="" if path is None else os.path.relpath(path, folder),
-        stand={} if stand is None else stand.to_dict(),
+        file=os.path.relpath(file.resolve(), folder.resolve()),
+        stand=json.loads(_plain(work.stand.to_dict())),
     )
 
 
@@ -124,19 +129,18 @@ def require_same(manifest: Manifest, work: Work, where: str) -> None:
     manifest.require_version(where)
     begun, now = dict(manifest.identity), dict(work.identity)
     if begun.get("stand") != now.get("stand"):
-        stand = getattr(work, "stand", None)
-        changes = [] if stand is None else _changes(manifest.stand, json.loads(_plain(stand.to_dict())))
-        what = f": {'; '.join(changes[:3])}" if changes else ""
-        more = f"; and {len(changes) - 3} more" if len(changes) > 3 else ""
+        changes = _changes(manifest.stand, json.loads(_plain(work.stand.to_dict())))
+        what = f": {'; '.join(changes[:SHOWN])}" if changes else ""
+        more = f"; and {len(changes) - SHOWN} more" if len(changes) > SHOWN else ""
         raise UsageError(
             f"{where}: the stand file has changed since the campaign was begun{what}{more}; "
             f"undo that, or begin again in another folder"
         )
-    if begun != now or manifest.digest != describe(work, Path()).digest:
-        what = ", ".join(sorted(key for key in begun.keys() | now.keys() if begun.get(key) != now.get(key)))
+    if begun != now or manifest.digest != describe(work, Path(), Path(), manifest.shard_size).digest:
+        what = " and ".join(sorted(key for key in begun.keys() | now.keys() if begun.get(key) != now.get(key)))
         raise UsageError(
-            f'{where}: holds rows of another campaign, "{manifest.name}" ({what or "other columns"} differs); '
-            f"undo the change of the campaign file, or give another folder"
+            f'{where}: holds rows of another campaign, "{manifest.name}": {KEYS.get(what, "its columns")} '
+            f"differs; undo the change of the campaign file, or give another folder"
         )
 
 
