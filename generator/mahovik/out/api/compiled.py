@@ -136,7 +136,13 @@ def functions_called(functions: Sequence[ArrayFunction], tables: Mapping[str, An
         yield f.name
         if any(a.name in tables for a in f.arguments):
             yield f"{f.name}_of"
+        if f.name == "step_driven":
+            yield COURSE
     yield "prepare"
+
+
+COURSE = "course_of"
+"""Many steps under given speeds in one call."""
 
 
 def _compile(
