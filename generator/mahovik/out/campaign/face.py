@@ -18,7 +18,11 @@ from mahovik.out.campaign.rows import Rows, Work
 from mahovik.out.campaign.shards import Record, read_shard
 
 if TYPE_CHECKING:
+    from mahovik.out.campaign.report.page import CampaignReport
     from mahovik.out.functions.notices import OnProgress
+
+WORST = 3
+"""Samples with the largest value of each quantity that a report writes as stand files."""
 
 
 class Campaign:
@@ -118,6 +122,12 @@ class CampaignFolder:
     def merge(self, path: str | Path, progress: OnProgress | None = None) -> int:
         """Write all rows into one Parquet file; return their number. Raises CheckError: some are missing."""
         return dataset.merge(self.path, Path(path), progress)
+
+    def report(self, path: str | Path, *, worst: int = WORST, progress: OnProgress | None = None) -> CampaignReport:
+        """Write a page on the rows, and the stand files of the `worst` samples of each quantity into the folder."""
+        from mahovik.out.campaign.report.page import write_report
+
+        return write_report(self.path, self._work(), Path(path), worst=worst, progress=progress)
 
     def columns(self) -> dict[str, NDArray[Any]]:
         """All rows that are there: arrays by the names of the columns. Raises DamagedError."""

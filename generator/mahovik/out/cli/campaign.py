@@ -8,7 +8,7 @@ import click
 
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import argument, command, file_option, flag, json_option, option
-from mahovik.out.cli.output import INTERRUPTED, print_json, require_suffix
+from mahovik.out.cli.output import INTERRUPTED, print_json, print_paths, require_suffix
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -112,6 +112,27 @@ def merge(
     with progress("reading shards") as stage:
         found.merge(output, stage.show)
     click.echo(click.format_filename(output))
+
+
+@command(group=campaign)
+def report(
+    folder: str = FOLDER,
+    output: str = file_option("-o", "FILE.html", "Write the page to this file.", required=True),
+    worst: int = option(
+        "--worst", "Write this number of stand files for each quantity.", type=click.IntRange(0, 1000), default=3
+    ),
+) -> None:
+    """Report on the rows: one page that opens offline in any browser.
+
+    Histograms, quantiles with confidence intervals, convergence, influences of the drawn numbers, Sobol' indices or
+    effects of Morris where the design has them. The samples with the largest quantities are written as stand files
+    into DIR/worst.
+    """
+    require_suffix(output, [".html"])
+    found = _folder(folder)
+    with progress("sections of the report") as stage:
+        written = found.report(output, worst=worst, progress=stage.show)
+    print_paths([written.page, *written.stands])
 
 
 def _folder(path: str) -> CampaignFolder:
