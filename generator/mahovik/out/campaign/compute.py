@@ -82,7 +82,10 @@ def prepare(
         raise UsageError("quantities: none, expected at least one")
     own = Stand.of(stand)
     quantities = quantities_of(own, over, wanted, folder, user_functions or {})
-    return Computation(_runner(own, over, quantities, folder), quantities)
+    try:
+        return Computation(_runner(own, over, quantities, folder), quantities)
+    except UsageError as error:
+        raise UsageError(f"run: {error}") from None
 
 
 def _runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> Runner:

@@ -76,7 +76,7 @@ class TimeRunner:
         each = 8 * T * stored
         if each * PER_BLOCK > MOST_STORED:
             raise UsageError(
-                f"run: {T:,} times of output, all of which are kept for bands, settling and functions, need "
+                f"{T:,} times of output, all of which are kept for bands, settling and functions, need "
                 f"{each * PER_BLOCK / 2**30:.1f} GB; expected a larger `every`"
             )
         return SIZE if not each else max(PER_BLOCK, min(SIZE, STORED // each // PER_BLOCK * PER_BLOCK))
@@ -189,7 +189,7 @@ def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start
         made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
         return AtRest(stand, phases, Block(stand, made, own, 0, 1))
     except CheckError as error:
-        raise UsageError(f"run: {error}; give an initial state by `start`") from None
+        raise UsageError(f"{error}; give an initial state by `start`") from None
 
 
 def with_quaternion(stand: Stand, state: Any) -> Any:
