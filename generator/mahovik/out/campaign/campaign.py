@@ -5,23 +5,24 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import mahovik
+from mahovik.core.stand.units import show
 from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
+from mahovik.nearest import suggestion
 from mahovik.out.api.model import Model, build
 from mahovik.out.api.possible import PossibleTables, possible_tables
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.bounds import check_bounds
+from mahovik.out.campaign.compute import Computation, prepare
 from mahovik.out.campaign.designs import DESIGNS, Design
 from mahovik.out.campaign.file import CampaignFile, files_in, load_campaign
 from mahovik.out.campaign.rows import Rows
@@ -36,27 +37,6 @@ _LONGEST_SHARD = 50_000
 _MEASURED = 0.5  # s
 
 
-class Computation(Protocol):
-    """What is computed of each sample."""
-
-    @property
-    def units(self) -> Mapping[str, str]:
-        """Units of the quantities by name."""
-
-    def values(self, tables: Tables) -> tuple[Mapping[str, Array], Sequence[str]]:
-        """Quantities of the samples, (n,) each, and why a sample has none; "" if it has."""
-
-
-class Nothing:
-    """No quantities: only what was drawn."""
-
-    units: Mapping[str, str] = MappingProxyType({})
-
-    def values(self, tables: Tables) -> tuple[Mapping[str, Array], Sequence[str]]:
-        """No quantities of any sample."""
-        return {}, [""] * len(tables)
-
-
 class Campaign:
     """Samples of a campaign file; implements `rows.Work`.
 
@@ -68,12 +48,12 @@ class Campaign:
         """`shard`: samples of a shard; else as the file says, or as many as take some seconds. Raises CampaignError."""
         table = file.table
         self.file, self.stand, self.goal = file, file.stand, file.goal
-        self.model: Model = build(file.stand)
+        self.model: Model = build(computation.stand)
         self.design: Design = DESIGNS[table.design](file.draw.factors, table.samples, table.seed)
         self._computation, self._shard = computation, shard or table.shard
         if self.goal is not None and self.goal.of not in computation.units:
-            known = ", ".join(computation.units) or "none is computed"
-            raise CampaignError([f"{file.source}: quantile, of: no quantity {self.goal.of!r}; expected one of {known}"])
+            known = suggestion(self.goal.of, computation.units)
+            raise CampaignError([f"{file.source}: quantile, of: unknown quantity {show(self.goal.of)}{known}"])
         try:
             check_bounds(file, self.design, self.possible)
         except UsageError as error:
@@ -84,11 +64,25 @@ class Campaign:
         path: str | Path,
         *,
         shard: int | None = None,
-        user_functions: Mapping[str, Callable[..., Any]] | None = None,
+        user_functions: Mapping[str, Callable[[Mapping[str, Any]], float]] | None = None,
     ) -> Campaign:
-        """The campaign of a file, compiled. Raises CampaignError with every problem of the file, StandError."""
+        """The campaign of a file, compiled.
+
+        shard           samples of a shard, whatever the file says
+        user_functions  functions of quantities by the text of `function` in the file; else they are imported
+
+        Raises CampaignError with every problem of the file, and what the files raise that it names.
+        """
         file = load_campaign(path)
-        return Campaign(file, Nothing(), shard)
+        if file.table.run is None:
+            raise CampaignError([f"{file.source}: run: required, but missing; expected over what samples are computed"])
+        try:
+            computation = prepare(
+                file.stand, file.table.run, file.table.quantities, folder=file.folder, user_functions=user_functions
+            )
+        except UsageError as error:
+            raise CampaignError([f"{file.source}: {error}"]) from None
+        return Campaign(file, computation, shard)
 
     @property
     def name(self) -> str:

@@ -25,8 +25,11 @@ from mahovik.out.api.stands import Stand, load
 from mahovik.out.campaign.convergence import Goal
 from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
+from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.places import Places
+from mahovik.out.campaign.spellings import usual
 from mahovik.out.campaign.vary import read_vary
+from mahovik.out.campaign.wanted import WantedTable
 
 MOST_SAMPLES = 10**10
 _LONGEST_SEED = 2**63 - 1
@@ -94,8 +97,8 @@ class CampaignTable(Table):
     quantile: Annotated[QuantileTable | None, NOT_NULL] = None
     vary: dict[str, Any]
     correlation: list[CorrelationTable] = Field(default_factory=list)
-    over: dict[str, Any] | None = None
-    quantity: list[dict[str, Any]] = Field(default_factory=list)
+    run: Annotated[OverTable | None, NOT_NULL] = None
+    quantities: dict[str, WantedTable] = Field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -123,8 +126,8 @@ def load_campaign(path: str | Path) -> CampaignFile:
     source, folder = path.name, path.parent
     document = document_of(text_of(path, TEXT, CampaignError), source, CampaignError, is_json=False)
     problems = Problems(source)
-    table = validate_table(CampaignTable, document, problems)
-    if table is None:
+    table = validate_table(CampaignTable, usual(document, problems), problems)
+    if table is None or problems.lines:
         raise CampaignError(problems.lines)
     places = Places(_stand(table.stand, folder, problems))
     vary = read_vary(table.vary, places, folder, problems)
@@ -132,6 +135,9 @@ def load_campaign(path: str | Path) -> CampaignFile:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")
     draw = _draw(vary.parameters, table, places, problems)
     goal = _goal(table, problems)
+    taken = {"sample", "error", "reason", *(each.place.path for each in vary.parameters)}
+    for name in taken & table.quantities.keys():
+        problems.add(f"quantities {show(name)}", "is the name of another column; expected another name")
     if problems.lines or draw is None:
         raise CampaignError(problems.lines)
     return CampaignFile(

@@ -80,14 +80,21 @@ class Places:
     def found(self, pattern: str) -> list[Place]:
         """The numbers of a path, or of all paths that a pattern with `*` matches, in the order of the file.
 
-        A path that ends at a vector stands for all its elements. Raises UsageError.
+        A path that ends at a vector stands for all its elements. Names that match, but that do not have such a number,
+        are left out. Raises UsageError.
         """
         steps = _INDEX.sub(r".\1", pattern).split(".")
         if not all(steps):
             raise UsageError(f"{show(pattern)} is no path; expected names joined by dots, such as carrier.mass")
-        places = [place for name in self._names(steps[0], pattern) for place in self._of(name, steps[1:], pattern)]
+        places: list[Place] = []
+        refusals: list[UsageError] = []
+        for name in self._names(steps[0], pattern):
+            try:
+                places += self._of(name, steps[1:], pattern)
+            except UsageError as error:  # of a pattern: only what some of its names have is meant
+                refusals.append(error)
         if not places:
-            raise UsageError(f"{pattern}: matches no number of {self._source}")
+            raise refusals[0] if refusals else UsageError(f"{pattern}: matches no number of {self._source}")
         return places
 
     def stand(self) -> Stand:
