@@ -63,10 +63,8 @@ class Status:
     def lines(self) -> Iterator[str]:
         """The state in words."""
         known = self.manifest
-        yield (
-            f"{known.name}: {self.rows} of {known.end} samples in {len(self.records)} of {known.shards} shards, "
-            f"{self.failed} without quantities"
-        )
+        shards = f"{len(self.records)} of {count_of(known.shards, 'shard')}"
+        yield (f"{known.name}: {self.rows} of {known.end} samples in {shards}, {self.failed} without quantities")
         if known.end < known.samples:
             yield f"the wanted accuracy was reached before all {known.samples} samples"
         if self.missing:
@@ -92,6 +90,11 @@ class Status:
             "drafts": self.drafts,
             "complete": self.complete,
         }
+
+
+def count_of(number: int, noun: str) -> str:
+    """A number with its noun: `1 shard`, `2 shards`."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def status(folder: Path, progress: OnProgress | None = None) -> Status:

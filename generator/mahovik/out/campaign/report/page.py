@@ -44,7 +44,7 @@ def write_report(
     query = Query(folder, state.manifest)
     files = _write_stands(folder, work, query, worst)
     names = list(state.manifest.quantities)
-    found = [overview(work, state, query)]
+    found = [overview(state, query)]
     for k, name in enumerate(names):
         tell(progress, Progress(f"quantity {name}", k, len(names)))
         section = quantity(work, query, name, worst)

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
-from mahovik.out.campaign.dataset import Status
+from mahovik.out.campaign.dataset import Status, count_of
 from mahovik.out.campaign.reached import words
 from mahovik.out.campaign.report.influence import Influence, bin_means, influences
 from mahovik.out.campaign.report.query import Query
@@ -50,22 +50,21 @@ FIGURES = {
 """Heads of the columns of a sensitivity analysis."""
 
 
-def overview(work: Work, state: Status, query: Query) -> Section:
+def overview(state: Status, query: Query) -> Section:
     """What was computed, and what has no quantities."""
     known = state.manifest
     parts = [
-        f"{state.rows} samples in {len(state.records)} shards",
+        f"{state.rows} samples in {count_of(len(state.records), 'shard')}",
         f"{state.failed} of them without quantities" if state.failed else "all with all quantities",
     ]
     if known.end < known.samples:
         parts.append(f"enough of the {known.samples} that were allowed")
-    html = paragraph(f"{', '.join(parts)}. {len(known.parameters)} numbers vary.")
+    html = paragraph(f"{', '.join(parts)}. Numbers that vary: {len(known.parameters)}.")
     reasons = query.reasons()
     if reasons:
         rows = [[text, str(count), str(first)] for text, count, first in reasons]
         html += table(["Why samples have no quantities", "samples>", "first>"], [rows])
     failures = () if state.complete else (f"{known.end - state.rows} of {known.end} samples are missing or damaged",)
-    del work
     return Section("samples", "Samples", html, failures=failures, summary=parts[0])
 
 

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from mahovik.out.campaign.convergence import Goal, quantile_interval
-from mahovik.out.report.plot.panel import Line, Mark, Panel
+from mahovik.out.report.plot.panel import Line, Mark, Panel, limit
 from mahovik.out.report.stand.markup import figure, table
 
 Array = NDArray[np.float64]
@@ -78,15 +78,14 @@ def scatter(
     parameter, other_unit, column = against
     every = max(1, len(values) // SAMPLES)
     marks = [Mark(float(x), float(y), "a sample") for x, y in zip(column[::every], values[::every], strict=True)]
+    ends = np.array(_span(np.append(column[::every], [mark.x for mark in worst])))
+    levels = (limit("smallest", ends, float(values.min())), limit("largest", ends, float(values.max())))
     return Panel(
         f"{name}{unit_text(unit)}",
-        (Line("mean in bins", *means),),
+        (Line("mean in bins", *means), *levels),
         abscissa=f"{parameter}{unit_text(other_unit)}",
         marks=(*marks, *worst),
-        span=_span(np.append(column[::every], [mark.x for mark in worst])),
-        top=None,
-        least=0.0,
-        note="",
+        span=(float(ends[0]), float(ends[1])),
     )
 
 
