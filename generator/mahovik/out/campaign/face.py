@@ -35,6 +35,11 @@ class Campaign:
         self._file, self._load = Path(file), load
         self._work: Work = load(Path(file), None)
 
+    @staticmethod
+    def open(folder: str | Path) -> CampaignFolder:
+        """The folder of a campaign that was begun. Raises UsageError."""
+        return CampaignFolder(folder)
+
     @property
     def name(self) -> str:
         """Name of the campaign."""
