@@ -60,7 +60,11 @@ def test_paths_lead_into_the_tables_of_a_model() -> None:
 
 
 def test_dimensions_are_those_of_the_stand_file() -> None:
-    units = {place.path: place.dimension.si for pattern in PATTERNS["sat4"] for place in Places(Stand.of(stand("sat4"))).found(pattern)}
+    units = {
+        place.path: place.dimension.si
+        for pattern in PATTERNS["sat4"]
+        for place in Places(Stand.of(stand("sat4"))).found(pattern)
+    }
     assert units["rw1.unbalance.static"] == "kg m"
     assert units["rw4.unbalance.dynamic_at"] == "rad"
     assert units["carrier.inertia.J12"] == "kg m^2"

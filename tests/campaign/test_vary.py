@@ -38,7 +38,9 @@ def test_a_pattern_draws_each_of_its_matches_by_itself(tmp_path: Path) -> None:
 def test_a_plain_path_has_precedence_over_a_pattern_and_a_number_stays_when_others_vary(tmp_path: Path) -> None:
     pattern = '[vary]\n"rw*.mass" = { tolerance = "1 g" }\n'
     few = values(tmp_path, pattern)
-    more = values(tmp_path, pattern + '"rw2.mass" = { uniform = ["2 kg", "3 kg"] }\n"carrier.mass" = { relative = 0.1 }')
+    more = values(
+        tmp_path, pattern + '"rw2.mass" = { uniform = ["2 kg", "3 kg"] }\n"carrier.mass" = { relative = 0.1 }'
+    )
     assert np.array_equal(few["rw1.mass"], more["rw1.mass"])
     assert more["rw2.mass"].max() > 2.9 > 2.4011 > few["rw2.mass"].max()
 
@@ -81,7 +83,9 @@ def test_a_grade_gives_the_permissible_unbalance_in_any_direction(tmp_path: Path
         assert e_per * omega == pytest.approx(2.5e-3, rel=1e-12)
         angle = found[f"rw{i}.unbalance.static_at"]
         assert stats.kstest(angle, stats.uniform(-math.pi, 2 * math.pi).cdf).pvalue > 0.01
-    part = values(tmp_path, '[vary]\n"rw1.unbalance" = { grade = "G 2.5", speed = "3000 rpm", share = { uniform = [0, 1] } }')
+    part = values(
+        tmp_path, '[vary]\n"rw1.unbalance" = { grade = "G 2.5", speed = "3000 rpm", share = { uniform = [0, 1] } }'
+    )
     most = found["rw1.unbalance.static"][0]
     assert stats.kstest(part["rw1.unbalance.static"], stats.uniform(0, most).cdf).pvalue > 0.01
 

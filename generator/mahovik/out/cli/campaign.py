@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import click
 
+from mahovik.errors import UsageError
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import argument, command, file_option, flag, json_option, option
 from mahovik.out.cli.output import INTERRUPTED, print_json, print_paths, require_suffix
@@ -70,14 +72,27 @@ def resume(
 
 
 @command(group=campaign)
-def shard(folder: str = FOLDER, number: int = argument("NUMBER", type=click.INT)) -> None:
-    """Compute one shard in this process alone.
+def shard(folder: str = FOLDER, numbers: tuple[str, ...] = argument("NUMBER|A-B...", nargs=-1, required=True)) -> None:
+    """Compute shards in this process alone.
 
-    For Slurm arrays, HTCondor, Snakemake and the like, after `mahovik campaign run --prepare`. A shard that is there
-    and whole is not computed again. Shards are numbered from 0.
+    For Slurm arrays, HTCondor, Snakemake and the like, after `mahovik campaign run --prepare`. Shards are numbered
+    from 0; numbers beyond the last one in a range A-B are left out. A shard that is there and whole is not computed
+    again.
     """
-    record = _folder(folder).shard(number)
-    click.echo(f"shard {record.number}: {record.count} samples, {record.failed} without quantities, {record.hash[:16]}")
+    found = _folder(folder)
+    for number in _numbers(numbers, found.manifest.shards):
+        record = found.shard(number)
+        counts = f"{record.count} samples, {record.failed} without quantities"
+        click.echo(f"shard {record.number}: {counts}, {record.hash[:16]}")
+
+
+def _numbers(texts: tuple[str, ...], shards: int) -> Iterator[int]:
+    """Numbers of shards, ranges cut at the last one. Raises UsageError."""
+    for text in texts:
+        low, dash, high = text.partition("-")
+        if not low.isdecimal() or (dash and not high.isdecimal()):
+            raise UsageError(f"{text}: expected the number of a shard, or a range as 10-19")
+        yield from range(int(low), min(int(high), shards - 1) + 1) if dash else [int(low)]
 
 
 @command(group=campaign)

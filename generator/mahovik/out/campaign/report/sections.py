@@ -11,7 +11,7 @@ from mahovik.out.campaign.dataset import Status, count_of
 from mahovik.out.campaign.reached import words
 from mahovik.out.campaign.report.influence import Influence, bin_means, influences
 from mahovik.out.campaign.report.query import Query
-from mahovik.out.campaign.report.spread import histogram, quantile_table, scatter, settling, unit_text
+from mahovik.out.campaign.report.spread import FEW, histogram, quantile_table, scatter, settling, unit_text
 from mahovik.out.campaign.rows import Work
 from mahovik.out.report.plot.draw import COLOURS
 from mahovik.out.report.plot.inline import charts
@@ -81,7 +81,9 @@ def quantity(work: Work, query: Query, name: str, worst: int) -> Section | None:
     kept = ~np.isnan(columns[name])
     parameters = {path: columns[path][kept] for path in manifest.parameters}
     found, explained = influences(parameters, columns[name][kept])
-    panels = [histogram(name, unit, values), settling(name, unit, values, goal)]
+    panels = [histogram(name, unit, values)]
+    if len(values) > FEW:
+        panels.append(settling(name, unit, values, goal))
     if found:
         path = found[0].parameter
         marks = [

@@ -18,6 +18,9 @@ SHOWN = 0.95
 
 CONFIDENCE = 0.95
 MOST_BINS = 80
+FEW = 20
+"""Samples from which on the convergence is shown."""
+
 STEPS = 40
 """Numbers of samples at which the quantile is shown."""
 
@@ -59,7 +62,7 @@ def quantile_table(name: str, unit: str, values: Array) -> Markup:
 def settling(name: str, unit: str, values: Array, goal: Goal | None) -> Panel:
     """Quantile and its interval against the number of samples."""
     p, confidence = (goal.p, goal.confidence) if goal is not None else (SHOWN, CONFIDENCE)
-    counts = np.unique(np.geomspace(min(20, len(values)), len(values), STEPS).astype(int))
+    counts = np.unique(np.geomspace(FEW, len(values), STEPS).astype(int))
     found = [quantile_interval(values[:n], p, confidence) for n in counts]
     x = counts.astype(float)
     low, value, high = (np.array([getattr(each, key) for each in found]) for key in ("low", "value", "high"))
