@@ -11,10 +11,10 @@ from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.stands import Stand
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(seed=st.integers(0, 10**6), spread=st.sampled_from([1e-3, 0.3, 1.0, 5.0]))
 def test_exactly_the_samples_that_no_stand_file_may_have_are_left_out(seed: int, spread: float) -> None:
-    m, n, rng = model("demo3"), 12, np.random.default_rng(seed)
+    m, n, rng = model("demo3"), 6, np.random.default_rng(seed)
     of, wheel = Stand.of(m.stand), m.flywheels[0]
     changes = {
         "carrier.mass": of.carrier.mass * (1 + spread * rng.normal(size=n)),
@@ -32,7 +32,7 @@ def test_exactly_the_samples_that_no_stand_file_may_have_are_left_out(seed: int,
             (place,) = np.flatnonzero(found.numbers == j)
             assert found.tables.stand(int(place)) == own
     alone = m.tables({path: column[found.numbers] for path, column in changes.items()})
-    assert found.tables.block("stand").tobytes() == alone.block("stand").tobytes()
+    assert found.tables.block("table").tobytes() == alone.block("table").tobytes()
 
 
 def test_samples_that_are_all_impossible_leave_empty_tables() -> None:
@@ -50,8 +50,8 @@ def test_what_is_wrong_with_all_samples_is_no_reason() -> None:
 
 
 def test_another_structure_is_a_reason() -> None:
-    m = model("demo3")
-    gravity = np.array([[0.0, 0.0, -9.81], [0.0, 0.0, 0.0]])
-    found = possible_tables(m, {"gravity": gravity})
-    assert found.numbers.tolist() == [0] if any(m.stand.gravity) else [1]
-    assert "another structure" in next(iter(found.reasons.values()))
+    m = model("general")
+    assert any(m.stand.gravity)
+    found = possible_tables(m, {"gravity": np.array([m.stand.gravity, (0.0, 0.0, 0.0)])})
+    assert found.numbers.tolist() == [0]
+    assert "another structure" in found.reasons[1]

@@ -1,5 +1,7 @@
 """Designs: the same samples however they are parted and ordered, and what SciPy and SALib say of them."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -26,7 +28,7 @@ def made(name: str, samples: int = 200, seed: int = 5, factors: tuple[str, ...] 
 def test_samples_depend_on_their_numbers_alone(name: str, cuts: list[int], order: object) -> None:
     whole = made(name).unit(0, 200)
     edges = sorted({0, *cuts, 200})
-    parts = list(zip(edges, edges[1:], strict=False))
+    parts = list(itertools.pairwise(edges))
     order.shuffle(parts)  # type: ignore[attr-defined]
     for first, last in parts:
         part = made(name).unit(first, last - first)  # another process would make its own design
@@ -103,7 +105,7 @@ def test_sobol_indices_of_ishigami_s_function() -> None:
     first = np.array([0.5 * (1 + 0.1 * np.pi**4 / 5) ** 2, 7**2 / 8, 0.0]) / variance
     both = 0.1**2 * np.pi**8 * (1 / 18 - 1 / 50) / variance
     assert found.figures["S1"] == pytest.approx(first, abs=0.02)
-    assert found.figures["ST"] == pytest.approx(first + [both, 0, both], abs=0.02)
+    assert found.figures["ST"] == pytest.approx(first + np.array([both, 0, both]), abs=0.02)
     assert (found.used, found.left_out) == (design.samples, 0)
 
 

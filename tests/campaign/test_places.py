@@ -1,16 +1,13 @@
 """Numbers of a stand file found by path: each of them, moved, moves that number of the stand and no other."""
 
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
 import mahovik
-from api.models import model, stand
+from api.models import stand
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.draw import Draw, Parameter
 from mahovik.out.campaign.distributions import Fixed
+from mahovik.out.campaign.draw import Draw, Parameter
 from mahovik.out.campaign.places import Place, Places
 
 PATTERNS = {
@@ -51,7 +48,7 @@ def test_paths_lead_into_the_tables_of_a_model() -> None:
         found = [place for pattern in PATTERNS[name] for place in places.found(pattern)]
         draw = Draw(tuple(Parameter(each, Fixed(0.0), None) for each in found), (), None, places.matrices())
         n = 3
-        columns = {each.path: each.nominal * (1 + 1e-6 * np.arange(n)) for each in found}
+        columns = {each.path: np.array([each.nominal * (1 + 1e-6 * k) for k in range(n)]) for each in found}
         tables = mahovik.build(places.stand()).tables(draw.changes(columns))
         for each in found:
             if "unbalance" not in each.path:

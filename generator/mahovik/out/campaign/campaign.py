@@ -154,7 +154,7 @@ class Campaign:
     def stand_of(self, number: int) -> Stand:
         """The stand of one sample, to look at or to save. Raises StandError if it cannot be."""
         values = self.file.draw.changes(self.drawn(number, 1))
-        return self.stand.replace({key: float(column[0]) for key, column in values.items()})
+        return self.stand.replace({key: column[0].tolist() for key, column in values.items()})
 
     def sensitivity(self, values: Array) -> Sensitivity:
         """Which factors a quantity depends on; `values` of the first samples in order. Raises UsageError."""

@@ -85,7 +85,7 @@ def prepare(
     try:
         return Computation(_runner(own, over, quantities, folder), quantities)
     except UsageError as error:
-        raise UsageError(f"run: {error}") from None
+        raise UsageError(f"run: {str(error).replace('--', '')}") from None  # keys of the file, not options
 
 
 def _runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> Runner:

@@ -48,7 +48,7 @@ class GivenSpeeds:
     def run(self, block: Block, observer: Observer) -> None:
         """Step all samples from their states at t = 0, and show the observer every time of output."""
         case, N = self._case, len(self._case.stand.flywheels)
-        most = max(len(s.phi_ddot) for s in self.stretches(1))
+        most = self._most_steps
         rows: dict[str, NDArray[Any]] = {
             "phi": np.zeros((most + 2, N)), "phi_dot": np.zeros((most + 2, N)), "phi_ddot": np.zeros((most + 1, N)),
             "wrench": np.zeros((most + 1, 6 * len(self._inputs))), "count": np.zeros(1, dtype=np.int32),
@@ -78,6 +78,11 @@ class GivenSpeeds:
         """Note the samples that a step of the stretch refused."""
         begin = stretch.t - len(stretch.phi_ddot) * stretch.h
         block.refuse(rows["status"], lambda j: f"at t = {begin + stretch.h * rows['refused'][j]:.6g} s ", "a step")
+
+    @cached_property
+    def _most_steps(self) -> int:
+        """Steps between two times of output, at most."""
+        return math.ceil(float(np.diff(self._case.times).max(initial=0.0)) / self._case.dt) + 1
 
     @property
     def _few(self) -> bool:

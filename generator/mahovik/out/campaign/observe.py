@@ -81,7 +81,7 @@ class Observer:
 
     def __init__(self, block: Block, needs: Collection[str], consume: Callable[[Chunk], None]) -> None:
         self._block, self._consume = block, consume
-        self._functions = [function for need, function in NEEDED.items() if need in needs]
+        self._functions = [f for need, f in NEEDED.items() if need in needs and block.has(f)]
         self._needs = needs
         n = block.n
         self.rows = max(1, CACHE // n)
@@ -113,11 +113,11 @@ class Observer:
                 block.call(function, t)
         if "tau" in self._needs:
             own.tau[k] = block.given["tau"]
-        if "readings" in self._needs:
+        if "points" in self._functions:
             own.readings[k] = block.found["points"]
-        if "loads" in self._needs:
+        if "mounts" in self._functions:
             own.loads[k] = block.found["mounts"]
-        if "I" in self._needs:
+        if "matrices" in self._functions:
             own.I[k] = block.member("matrices", "I").reshape(-1, block.n)
         self._row += 1
         if self._row == self.rows:

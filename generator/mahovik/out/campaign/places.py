@@ -41,6 +41,9 @@ _BODIES: dict[str, type[Table]] = {
 }
 _INDEX = re.compile(r"\[(\d+|\*)\]")
 _ELEMENT = re.compile(r"J([1-3])([1-3])")
+_IDLE = frozenset(("motor", "encoder", "inverse_weight", "inverse_most", "schema"))
+"""Keys whose numbers are in no table of the C."""
+
 _SYMMETRIC = ("inertia", "added_mass")
 
 
@@ -208,7 +211,7 @@ class _Walk:
         for each in keys:
             if each not in known:
                 raise UsageError(f"{self.pattern}: unknown key {show(each)}{suggestion(each, known)}")
-            if "*" in key and each not in raw:
+            if "*" in key and (each not in raw or each in _IDLE):
                 continue
             yield from self.key(schema, raw, values, each, rest, raw)
 
@@ -216,6 +219,8 @@ class _Walk:
         self, schema: type[BaseModel], raw: Any, values: Any, key: str, rest: list[str], document: Any
     ) -> Iterator[Place]:
         """Numbers of one key; `values`: the valid table, `document`: the table of the file that has the key."""
+        if key in _IDLE:
+            raise UsageError(f"{self.pattern}: acts in no table of the C; expected a number of a body or a law")
         field = schema.model_fields[key]
         dimension, inner = dimension_and_table((field.annotation, *field.metadata))
         value = getattr(values, key)

@@ -143,8 +143,8 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     for law in laws.parts("loads"):
         if own.part in law.names(structure(scene.stand)):
             pose = Pose(at.position, at.C, at.V)
-            found: Array = np.asarray(law.wrench(own.part, scene.laws, pose, at.attitude))
-            return found[:, first : first + 3]
+            found = law.wrench(own.part, scene.laws, pose, at.attitude)
+            return np.asarray(found[:, first : first + 3])
     raise KeyError(own.part)
 
 
