@@ -34,6 +34,7 @@ SHARD_TIME = 12.0
 """What a shard takes, s, where the file does not say how many samples it has."""
 
 _LONGEST_SHARD = 50_000
+_FEWEST_SHARDS = 32  # of many samples, so that all workers have some
 _MEASURED = 0.5  # s
 
 
@@ -169,4 +170,5 @@ class Campaign:
             if taken > _MEASURED or count == min(self.samples, _LONGEST_SHARD):
                 break
             count = min(4 * count, self.samples, _LONGEST_SHARD)
-        return max(1, min(_LONGEST_SHARD, self.samples, round(float(f"{count * SHARD_TIME / taken:.1g}"))))
+        most = min(_LONGEST_SHARD, -(-self.samples // _FEWEST_SHARDS))
+        return max(1, min(most, round(float(f"{count * SHARD_TIME / taken:.1g}"))))
