@@ -38,6 +38,7 @@ LAW_PARTS = {
     "plan": ("core.stand.model", "errors", "use.plan.array", "use.plan.residual.kinematics",
              "use.plan.residual.slopes", "use.plan.residual.spatial"),
     "mismatch": ("core.stand.model", "use.control.measurement"),
+    "loads": ("core.stand.structure", "out.campaign.pose"),
     "report": ("core.stand.model", "out.report.stand.markup", "out.report.stand.tie"),
 }  # fmt: skip
 """Parts of a law, and all that each may import of the package: the vocabulary of the stage that asks for it, never the

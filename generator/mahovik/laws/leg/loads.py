@@ -1,4 +1,4 @@
-"""What a leg transmits, of many samples whose numbers differ."""
+"""Force that a leg transmits, for many samples whose numbers differ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the suspension transmits, of many samples whose numbers differ."""
+"""Wrench that the suspension transmits, for many samples whose numbers differ."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ NAME = "suspension"
 
 
 def names(structure: Structure) -> tuple[str, ...]:
-    """Its name; empty where the stand has none."""
+    """Name of the suspension; empty where the stand has none."""
     return (NAME,) if structure.law(NAME) else ()
 
 

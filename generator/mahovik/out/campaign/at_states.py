@@ -52,7 +52,7 @@ def _read(path: Path, stand: Stand) -> tuple[State, ...]:
     try:
         text = readable(path, "a file of states").decode("utf-8-sig")
     except ValueError as error:
-        raise UsageError(f"run: states: {error}") from None
+        raise UsageError(f"states: {error}") from None
     found = []
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip():
@@ -64,7 +64,7 @@ def _read(path: Path, stand: Stand) -> tuple[State, ...]:
                     raise StateError(f'unknown key "{key}"{suggestion(key, KEYS)}')
             found.append(with_quaternion(stand, read_request(stand, {**given, "want": ["forward"]}).state))
         except StateError as error:
-            raise UsageError(f"run: states: {path.name}, line {number}: {error}") from None
+            raise UsageError(f"states: {path.name}, line {number}: {error}") from None
     if not found:
-        raise UsageError(f"run: states: {path.name}: no state, expected one a line")
+        raise UsageError(f"states: {path.name}: no state, expected one a line")
     return tuple(found)

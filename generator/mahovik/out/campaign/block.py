@@ -56,6 +56,10 @@ class Block:
         """States (13 + 2 N, n)."""
         return self.given["x"]
 
+    def has(self, function: str) -> bool:
+        """Whether the stand has a function of the C."""
+        return function in self._made.functions
+
     def call(self, function: str, t: float | None = None) -> None:
         """Call a function for all samples; those that it refuses are noted, at the time `t`."""
         call = self._calls.get(function)

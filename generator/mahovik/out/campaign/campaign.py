@@ -37,6 +37,7 @@ _DECIDES_NO_ROW = ("name", "stand", "shard", "until", "quantile")
 """Keys of a file that are no part of the identity of its campaign; the stand has one of its own."""
 
 _LONGEST_SHARD = 50_000
+_FEWEST_SHARDS = 32  # of many samples, so that all workers have some
 _MEASURED = 0.5  # s
 
 
@@ -172,4 +173,5 @@ class Campaign:
             if taken > _MEASURED or count == min(self.samples, _LONGEST_SHARD):
                 break
             count = min(4 * count, self.samples, _LONGEST_SHARD)
-        return max(1, min(_LONGEST_SHARD, self.samples, round(float(f"{count * SHARD_TIME / taken:.1g}"))))
+        most = min(_LONGEST_SHARD, -(-self.samples // _FEWEST_SHARDS))
+        return max(1, min(most, round(float(f"{count * SHARD_TIME / taken:.1g}"))))

@@ -35,7 +35,7 @@ class Runner(Protocol):
 
 
 class Computation:
-    """What is computed of each sample.
+    """Quantities of samples, ready to be computed.
 
     stand  of which tables are made
     units  of the quantities, by their names in the order of the file
@@ -71,7 +71,7 @@ def prepare(
     folder: Path = Path(),
     user_functions: Mapping[str, Callable[[Mapping[str, Any]], float]] | None = None,
 ) -> Computation:
-    """What is to be computed of each sample of a stand.
+    """Check what a campaign file wants of each sample, and make ready what computes it.
 
     over, wanted    `[run]` and `[quantities]` of a campaign file, whose files are in `folder`
     user_functions  by the text of `function` in the file; of those not given the function is imported
@@ -82,7 +82,10 @@ def prepare(
         raise UsageError("quantities: none, expected at least one")
     own = Stand.of(stand)
     quantities = quantities_of(own, over, wanted, folder, user_functions or {})
-    return Computation(_runner(own, over, quantities, folder), quantities)
+    try:
+        return Computation(_runner(own, over, quantities, folder), quantities)
+    except UsageError as error:
+        raise UsageError(f"run: {str(error).replace('--', '')}") from None  # keys of the file, not options
 
 
 def _runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> Runner:

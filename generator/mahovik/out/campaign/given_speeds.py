@@ -48,7 +48,7 @@ class GivenSpeeds:
     def run(self, block: Block, observer: Observer) -> None:
         """Step all samples from their states at t = 0, and show the observer every time of output."""
         case, N = self._case, len(self._case.stand.flywheels)
-        most = max(len(s.phi_ddot) for s in self.stretches(1))
+        most = self._most_steps
         rows: dict[str, NDArray[Any]] = {
             "phi": np.zeros((most + 2, N)), "phi_dot": np.zeros((most + 2, N)), "phi_ddot": np.zeros((most + 1, N)),
             "wrench": np.zeros((most + 1, 6 * len(self._inputs))), "count": np.zeros(1, dtype=np.int32),
@@ -61,7 +61,7 @@ class GivenSpeeds:
         given["phi_ddot"][:] = case.motion(times[:1])[2][0][:, None]
         given["wrench"][:] = self._wrench(0.0)[:, None]
         observer.take(float(times[0]))
-        for stretch in self._kept if self._few else self.stretches(AHEAD):
+        for stretch in self._stretches_in_memory if self._few else self.stretches(AHEAD):
             count = len(stretch.phi_ddot)
             rows["phi"][: count + 1], rows["phi_dot"][: count + 1] = stretch.phi, stretch.phi_dot
             rows["phi_ddot"][:count], rows["wrench"][:count] = stretch.phi_ddot, stretch.wrench
@@ -79,6 +79,11 @@ class GivenSpeeds:
         begin = stretch.t - len(stretch.phi_ddot) * stretch.h
         block.refuse(rows["status"], lambda j: f"at t = {begin + stretch.h * rows['refused'][j]:.6g} s ", "a step")
 
+    @cached_property
+    def _most_steps(self) -> int:
+        """Steps between two times of output, at most."""
+        return math.ceil(float(np.diff(self._case.times).max(initial=0.0)) / self._case.dt) + 1
+
     @property
     def _few(self) -> bool:
         case = self._case
@@ -86,7 +91,7 @@ class GivenSpeeds:
         return (case.until / min(case.dt, case.every) + len(case.times)) * width <= KEPT
 
     @cached_property
-    def _kept(self) -> tuple[Stretch, ...]:
+    def _stretches_in_memory(self) -> tuple[Stretch, ...]:
         return tuple(self.stretches(AHEAD))
 
     def stretches(self, ahead: int) -> Iterator[Stretch]:

@@ -16,7 +16,7 @@ from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.driven import DrivenByTorque
 from mahovik.out.campaign.given_speeds import GivenSpeeds
-from mahovik.out.campaign.observe import Chunk, Observer, after
+from mahovik.out.campaign.observe import Chunk, Observer, cut_before
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
@@ -76,7 +76,7 @@ class TimeRunner:
         each = 8 * T * stored
         if each * PER_BLOCK > MOST_STORED:
             raise UsageError(
-                f"run: {T:,} times of output, all of which are kept for bands, settling and functions, need "
+                f"{T:,} times of output, all of which are kept for bands, settling and functions, need "
                 f"{each * PER_BLOCK / 2**30:.1f} GB; expected a larger `every`"
             )
         return SIZE if not each else max(PER_BLOCK, min(SIZE, STORED // each // PER_BLOCK * PER_BLOCK))
@@ -109,7 +109,7 @@ class TimeRunner:
             for q in self._quantities:
                 if q.signal is None:
                     continue
-                sums, part = gathered[q.name], after(chunk, q.after)
+                sums, part = gathered[q.name], cut_before(chunk, q.after)
                 if len(part.t):
                     sums.add(part.t, q.signal.values(scene, part, sums.turned))
             if records is not None:
@@ -153,7 +153,7 @@ def regime_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity],
     from mahovik.out.functions.simulation import warn_of_steps
 
     assert over.until is not None
-    regime = regime_of(_beside(over.regime, folder), stand, over.until)
+    regime = regime_of(_path_or_table(over.regime, folder), stand, over.until)
     needed = set(regime.wrenches) | ({stand.carrier.name} if regime.mixed else set())
     lacking = [body.name for body in stand.bodies if body.name in needed and not body.wrench_input]
     run_stand = stand.replace({f"{name}.wrench_input": True for name in lacking}) if lacking else stand
@@ -182,14 +182,14 @@ def course_of(stand: Stand, case: Case) -> Course:
 def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start | AtRest:
     """The state at t = 0: a file's or a table's, or that of rest. Raises UsageError."""
     if given not in (None, "rest"):
-        state = state_of(_beside(given, folder), stand, START_KEYS, HINT)
+        state = state_of(_path_or_table(given, folder), stand, START_KEYS, HINT)
         return Start(with_quaternion(stand, state))
     try:
         own = build(stand).tables({}, 1)
         made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
         return AtRest(stand, phases, Block(stand, made, own, 0, 1))
     except CheckError as error:
-        raise UsageError(f"run: {error}; give an initial state by `start`") from None
+        raise UsageError(f"{error}; give an initial state by `start`") from None
 
 
 def with_quaternion(stand: Stand, state: Any) -> Any:
@@ -202,6 +202,6 @@ def with_quaternion(stand: Stand, state: Any) -> Any:
     return replace(state, angles=None, quaternion=tuple(attitude.tolist()))
 
 
-def _beside(given: Any, folder: Path) -> Any:
+def _path_or_table(given: Any, folder: Path) -> Any:
     """A file's name, as from the folder of the campaign file; a table as it is."""
     return folder / given if isinstance(given, str) else given

@@ -1,4 +1,4 @@
-"""What is kept of the samples of a block at the times of output, in chunks of a few times."""
+"""Observation of the samples of a block at the times of output, in chunks of a few times."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Chunk:
 
     @property
     def position(self) -> Array:
-        """Of O1 in E0 (K, 3, n), m."""
+        """Position of O1 in E0 (K, 3, n), m."""
         return self.state[:, :3]
 
     @property
@@ -57,7 +57,7 @@ class Chunk:
         return self.state[:, 13 + N :]
 
     def rest(self, first: int) -> Chunk:
-        """What is from a time on, by its number."""
+        """The later part, from the time with this number on."""
         return Chunk(
             self.t[first:], self.state[first:], self.V_dot[first:], self.phi_ddot[first:], self.tau[first:],
             self.readings[first:], self.loads[first:], self.I[first:],
@@ -69,7 +69,7 @@ class Chunk:
         return rotation(self.attitude)
 
 
-def after(chunk: Chunk, t: float) -> Chunk:
+def cut_before(chunk: Chunk, t: float) -> Chunk:
     """The part of a chunk from a time (s) on."""
     if t <= 0.0 or chunk.t[0] >= t * (1 - 1e-12):
         return chunk
@@ -81,7 +81,7 @@ class Observer:
 
     def __init__(self, block: Block, needs: Collection[str], consume: Callable[[Chunk], None]) -> None:
         self._block, self._consume = block, consume
-        self._functions = [function for need, function in NEEDED.items() if need in needs]
+        self._functions = [f for need, f in NEEDED.items() if need in needs and block.has(f)]
         self._needs = needs
         n = block.n
         self.rows = max(1, CACHE // n)
@@ -113,11 +113,11 @@ class Observer:
                 block.call(function, t)
         if "tau" in self._needs:
             own.tau[k] = block.given["tau"]
-        if "readings" in self._needs:
+        if "points" in self._functions:
             own.readings[k] = block.found["points"]
-        if "loads" in self._needs:
+        if "mounts" in self._functions:
             own.loads[k] = block.found["mounts"]
-        if "I" in self._needs:
+        if "matrices" in self._functions:
             own.I[k] = block.member("matrices", "I").reshape(-1, block.n)
         self._row += 1
         if self._row == self.rows:

@@ -54,10 +54,10 @@ def programme_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantit
     """Over a programme, from the required state at its t = 0. Raises UsageError and what the files raise."""
     for key, value in (("begin", over.begin), ("table", over.table)):
         if value not in (None, "programme"):
-            raise UsageError(f"run: {key}: only allowed with `servo`; open loop begins in the required state")
+            raise UsageError(f"{key}: only allowed with `servo`; open loop begins in the required state")
     programme, motion = read_programme(stand, over, folder)
     if not programme.periodic and over.periods not in (None, 1):
-        raise UsageError(f"run: periods: {over.periods}: the programme is finite and is run once")
+        raise UsageError(f"periods: {over.periods}: the programme is finite and is run once")
     until = motion.span * (over.periods or PERIODS)
     begin = programme.at(np.zeros(1)).phi[0]
     driven = tuple(
@@ -78,10 +78,10 @@ def read_programme(stand: Stand, over: OverTable, folder: Path) -> tuple[Program
     assert over.programme is not None and over.motion is not None
     programme = programme_of(folder / over.programme)
     if not (whose := stand_finding(stand, programme)).passed:
-        raise UsageError(f"run: programme: {over.programme}: {whose.words}")
+        raise UsageError(f"programme: {over.programme}: {whose.words}")
     motion = motion_of(folder / over.motion, stand, programme)
     if not (whose := motion_finding(motion, programme)).passed:
-        raise UsageError(f"run: programme: {over.programme}: {whose.words}")
+        raise UsageError(f"programme: {over.programme}: {whose.words}")
     return programme, motion
 
 

@@ -19,7 +19,7 @@ KINDS: Mapping[Kind, tuple[str, ...]] = {
     "programme": ("motion", "servo", "periods", "table", "begin", "dt", "every", "order"),
     "states": (),
 }
-"""What a run is over, by the key that says it, and the further keys of each."""
+"""Kinds of run by the key that chooses them, and the further keys of each."""
 
 REQUIRED: Mapping[Kind, tuple[str, ...]] = {"regime": ("until",), "programme": ("motion",)}
 
@@ -77,7 +77,7 @@ class OverTable(Table):
 
     @property
     def kind(self) -> Kind:
-        """What the run is over."""
+        """Kind of the run."""
         return next(kind for kind in KINDS if kind in self.model_fields_set)
 
     @model_validator(mode="after")

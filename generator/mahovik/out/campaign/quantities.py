@@ -153,4 +153,6 @@ def _check_band(over: OverTable, band: tuple[float, float], after: float) -> Non
         raise UsageError(f"band: {band[1]:g} Hz needs `every` of at most {0.5 / band[1]:g} s, found {every:g} s")
     if over.until is not None and (over.until - after) * (band[1] - band[0]) < 2.0:
         least = 2.0 / (band[1] - band[0]) + after
-        raise UsageError(f"band: {band[0]:g} to {band[1]:g} Hz cannot be told in {over.until:g} s; needs {least:g} s")
+        raise UsageError(
+            f"band: {band[0]:g} to {band[1]:g} Hz cannot be resolved in {over.until:g} s; needs {least:g} s"
+        )

@@ -16,7 +16,7 @@ from mahovik.out.api.compiled import ELEMENT, compiled
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.campaign.block import PER_BLOCK, Block
-from mahovik.out.campaign.observe import Chunk, after
+from mahovik.out.campaign.observe import Chunk, cut_before
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
@@ -108,6 +108,6 @@ def _value(q: Quantity, record: Record, real: CoreStand) -> float:
         p.name: Frame(p.origin[:, None], p.axes[:, :, None]) for p in places(real, (*sensors(real), real.carrier.name))
     }
     sums = q.new(1)
-    part = after(chunk, q.after)
+    part = cut_before(chunk, q.after)
     sums.add(part.t, q.signal.values(Scene(Stand.of(real), state[0], frames, {}), part, sums.turned))
     return float(sums.result()[0])

@@ -87,7 +87,7 @@ def ties(stand: Stand) -> tuple[str, ...]:
 
 
 def points(stand: Stand) -> tuple[str, ...]:
-    """What has a place on the carrier: instruments, points, and the carrier itself, which stands for O1."""
+    """Names of places on the carrier: instruments, points, and the carrier itself, which stands for O1."""
     return (*sensors(stand), stand.carrier.name)
 
 

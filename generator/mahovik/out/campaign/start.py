@@ -73,8 +73,9 @@ class AtRest:
             moving = np.any(np.abs(V_dot) > 2.0 * self._accuracy[:, None], axis=0)
             if not moving.any():
                 return {}
-            step = product(self._inverse[:, :, None], V_dot)
-            self._displace(block.x, step * moving)
+            moved = block.x.copy()
+            self._displace(moved, product(self._inverse[:, :, None], V_dot))
+            block.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
         return self._one_by_one(block, tables, np.flatnonzero(moving).astype(np.int64))
 
     def _inverse_stiffness(self, own: Block) -> Array:

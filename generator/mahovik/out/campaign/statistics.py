@@ -1,4 +1,4 @@
-"""What is kept of a signal in time: sums over chunks, one number for each sample at the end."""
+"""Statistics of a signal in time: sums over chunks, one number for each sample at the end."""
 
 from __future__ import annotations
 
@@ -130,15 +130,16 @@ class _Stored:
         self._times.append(t.copy())
         self._values.append(values.copy())
 
-    def kept(self) -> tuple[Array, Array]:
-        """All times (T) and values (T, c, n)."""
-        return np.concatenate(self._times), np.concatenate(self._values)
+    def collected(self) -> tuple[Array, Array]:
+        """All times (T), and values (n, c, T): each sample by itself, so that its sums do not depend on the others."""
+        values = np.concatenate(self._values)
+        return np.concatenate(self._times), np.ascontiguousarray(values.transpose(2, 1, 0))
 
 
 class BandRms(_Stored):
     """Root mean square of the part within a band of frequencies (Hz), by the spectrum of the whole run.
 
-    The mean is taken off and a Hann window is put on, so that what has no whole number of periods does not spill over
+    The mean is subtracted and a Hann window is put on, so that what has no whole number of periods does not spill over
     the spectrum; the sum is divided by the mean square of the window.
     """
 
@@ -148,17 +149,18 @@ class BandRms(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.kept()
+        t, values = self.collected()
         every = t[1] - t[0]
         even = int(np.count_nonzero(np.abs(np.diff(t) - every) <= 1e-6 * every)) + 1
-        values = values[:even]  # a last time of output may be nearer
+        values = np.ascontiguousarray(values[..., :even])  # a last time of output may be nearer
         window = 0.5 - 0.5 * np.cos(2.0 * np.pi * (np.arange(even) + 0.5) / even)
-        spectrum = np.fft.rfft((values - values.mean(axis=0)) * window[:, None, None], axis=0)
+        spectrum = np.fft.rfft((values - values.mean(axis=-1, keepdims=True)) * window)
         frequency, (low, high) = np.fft.rfftfreq(even, every), self._band
         power = np.abs(spectrum) ** 2
-        power[1 : (even + 1) // 2] *= 2.0
+        power[..., 1 : (even + 1) // 2] *= 2.0
         inside = (frequency >= low * (1 - 1e-9)) & (frequency <= high * (1 + 1e-9))
-        return np.asarray(np.sqrt(power[inside].sum(axis=(0, 1)) / even / (window**2).sum()))
+        each = np.ascontiguousarray(power[..., inside]).sum(axis=-1)
+        return np.asarray(np.sqrt(sum(each.T) / even / (window**2).sum()))
 
 
 class Settling(_Stored):
@@ -173,12 +175,13 @@ class Settling(_Stored):
 
     def result(self) -> Array:
         """See Statistic."""
-        t, values = self.kept()
+        t, values = self.collected()
         last = max(1, len(t) // 10)
-        outside = square(values - values[-last:].mean(axis=0)) > self._within**2
-        count = len(t) - np.argmax(outside[::-1], axis=0)  # times up to the last one outside
-        count = np.where(outside.any(axis=0), count, 0)
-        return np.asarray(t[np.minimum(count, len(t) - 1)] - t[0])
+        aside = values - np.ascontiguousarray(values[..., -last:]).mean(axis=-1, keepdims=True)
+        outside = sum(part**2 for part in aside.transpose(1, 0, 2)) > self._within**2  # (n, T)
+        until = len(t) - np.argmax(outside[:, ::-1], axis=1)  # number of times up to the last one outside
+        until = np.where(outside.any(axis=1), until, 0)
+        return np.asarray(t[np.minimum(until, len(t) - 1)] - t[0])
 
 
 def _size(values: Array) -> Array:

@@ -33,10 +33,10 @@ class SteadyRunner:
         ]
         asked = read_speeds(stand, texts)
         if asked.sweep is not None:
-            raise UsageError("run: speeds: a range of speeds, expected one speed of each flywheel")
+            raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
         self._speeds = asked.speeds(0.0)
         common_period(self._speeds)
-        self._phases = by_flywheel("run: phases", over.phases, stand)
+        self._phases = by_flywheel("phases", over.phases, stand)
         self._points = tuple(dict.fromkeys(q.signal.part for q in quantities if q.signal is not None))
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
@@ -59,7 +59,7 @@ class SteadyRunner:
 
 def _number(name: str, value: object) -> float:
     if isinstance(value, bool | dict | list):
-        raise UsageError(f"run: speeds: {name}: expected a speed, found {show(value)}")
+        raise UsageError(f"speeds: {name}: expected a speed, found {show(value)}")
     return float(value)  # type: ignore[arg-type]  # TOML has nothing else
 
 

@@ -28,7 +28,7 @@ class UserFunction:
         return type(self), (self.text, self.call)
 
     def number(self, arrays: Mapping[str, Any]) -> tuple[float, str]:
-        """What it gives for one sample, and why it gives none, or ""."""
+        """Number for one sample, and why there is none, or ""."""
         try:
             found = self.call(arrays)
         except Exception as error:  # anything the user's code may raise is the reason of this sample

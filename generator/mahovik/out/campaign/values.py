@@ -37,7 +37,7 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What the signals of n samples are measured from.
+    """References from which the signals of n samples are measured.
 
     start    states (13 + 2 N, n) at the start
     frames   of the points and instruments, by name, and of the carrier
@@ -143,14 +143,14 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     for law in laws.parts("loads"):
         if own.part in law.names(structure(scene.stand)):
             pose = Pose(at.position, at.C, at.V)
-            found: Array = np.asarray(law.wrench(own.part, scene.laws, pose, at.attitude))
-            return found[:, first : first + 3]
+            found = law.wrench(own.part, scene.laws, pose, at.attitude)
+            return np.asarray(found[:, first : first + 3])
     raise KeyError(own.part)
 
 
 def _of_flywheels(own: Signal, scene: Scene, values: Array) -> Array:
     if own.part == EVERY:
-        return np.abs(values).max(axis=1, keepdims=True)
+        return np.asarray(np.abs(values).max(axis=1, keepdims=True))
     k = [s.name for s in scene.stand.flywheels].index(own.part)
     return values[:, k : k + 1]
 

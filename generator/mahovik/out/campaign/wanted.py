@@ -15,7 +15,7 @@ from mahovik.nearest import suggestion
 from mahovik.out.campaign.signals import AXES, SIGNALS
 
 STATISTICS = ("peak", "rms", "mean", "least", "end", "settling")
-"""What is kept of a signal, by the key that names the signal."""
+"""Statistics of a signal, by the key that names the signal."""
 
 
 def _signal(raw: Any) -> str:

@@ -44,7 +44,7 @@ class SteppedPlant:
     def __init__(
         self, stand: Stand, state: State, x: Array, drive: Array, step: Callable[[float], int], finer: int = 1
     ) -> None:
-        """`x` (13 + 2 N) and `drive` (N): memory that `step` reads; it makes a step of so many s, gives a status."""
+        """`x` (13 + 2 N), `drive` (N): memory of `step`, which makes a step of a length in s and returns a status."""
         self.stand, self._finer = stand, finer
         N = len(stand.flywheels)
         self.position, self.attitude, self.V = x[:3], x[3:7], x[7:13]
