@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from campaign.files import refusal, write
+from campaigns.files import refusal, write
 from mahovik.errors import CampaignError, UsageError
 from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.file import files_in, load_campaign

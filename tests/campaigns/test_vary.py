@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import mahovik
-from campaign.files import read, refusal
+from campaigns.files import read, refusal
 from mahovik.out.campaign.designs import Random
 from mahovik.out.campaign.file import CampaignFile
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from campaign.stub import load_stub, write_stub
+from campaigns.stub import load_stub, write_stub
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.campaign.cluster import connect
 from mahovik.out.campaign.dataset import status
