@@ -44,6 +44,8 @@ help:
 	@echo "make short-steps  what rounding takes from a million short steps in float: docs/results/short-steps.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
 	@echo "make tables-speed  nanoseconds a stand of tables that differ, beside the batch C, into docs/results/tables.md"
+	@echo "make campaign-scale  speed, memory and load of campaigns, a million samples: docs/results/campaigns.md; minutes"
+	@echo "make campaign-faults  a campaign whose processes are killed at random: docs/results/campaign-faults.md; minutes"
 	@echo "make api-speed  nanoseconds a state of Python's forward beside the batch C, into docs/results/python.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/results/generation.md"
@@ -185,6 +187,13 @@ api-speed: setup-test
 
 tables-speed: setup-test
 	$(BIN)/python tools/tables_speed.py
+
+campaign-scale: setup-test
+	$(BIN)/python tools/campaign_scale.py
+	$(BIN)/python tools/campaign_scale.py --million
+
+campaign-faults: setup-test
+	$(BIN)/python tools/campaign_faults.py
 
 lanes-table: setup-test
 	$(BIN)/python tools/lanes_table.py

@@ -28,6 +28,7 @@ LAW_PARTS = {
     "faults": ("core.stand", "proof.reference", "proof.diagnose"),
     "plan": ("core.stand", "errors", "use.plan"),
     "mismatch": ("core.stand", "use.control"),
+    "loads": ("core.stand", "out.campaign"),
     "report": ("core.stand", "out.report"),
 }
 """Parts of a law: the stage that asks for each comes last, before it those whose words the stage itself uses. Every

@@ -25,8 +25,8 @@ from mahovik.use.control.causes import contributions
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.record import following
-from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.control.reference_motion import ReferenceMotion
+from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.planner import plan_motion
 

@@ -33,6 +33,8 @@ TOOLS = (
     "pil",
     "api_speed",
     "tables_speed",
+    "campaign_scale",
+    "campaign_faults",
     "lanes_table",
     "generation_time",
     "install_size",

@@ -14,6 +14,7 @@ its type stands in `__init__.pyi`.
 __version__ = "0.1.0"
 
 __all__ = [
+    "Campaign",
     "InputError",
     "MahovikError",
     "MahovikWarning",
@@ -50,6 +51,7 @@ __all__ = [
 ]
 
 _PLACES = {
+    "Campaign": "out.campaign.face",
     "MahovikWarning": "out.functions.notices",
     "Model": "out.api.model",
     "Progress": "out.functions.notices",

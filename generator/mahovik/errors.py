@@ -50,6 +50,10 @@ class ServoError(FileError):
     """A servo file was refused."""
 
 
+class CampaignError(FileError):
+    """A campaign file was refused."""
+
+
 class ForeignError(FileError):
     """A model of another program was refused: no stand, or no model."""
 

@@ -11,7 +11,7 @@ import errno
 import os
 import shutil
 import stat
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from mahovik.errors import UsageError
@@ -100,6 +100,46 @@ def write_all(
     finally:
         _remove(drafts.values(), missing)
     return tuple(targets.values())
+
+
+@contextlib.contextmanager
+def synced(path: Path) -> Iterator[Path]:
+    """Yield a draft beside a file, to be written by the body; at its end the draft takes the place of the file.
+
+    Before that it is on the disk, and its folder after that, so that a loss of power leaves the old file or the new
+    one. The folder is made if need be. Raises UsageError, also for an OSError of the body.
+    """
+    place: Path | None = path
+    draft: Path | None = None
+    try:
+        _make(path.parent)
+        place = _place(path)
+        if place is None:
+            raise UsageError(f"{path}: is a device or a FIFO, expected a file to write")
+        draft = _draft_name(place)
+        yield draft
+        _sync(draft)
+        os.replace(draft, place)
+        _sync(place.parent)
+    except OSError as error:
+        raise _unwritable(path, error) from None
+    finally:
+        if draft is not None:
+            _remove([draft], [])
+
+
+def drafts_below(folder: Path, pattern: str) -> list[Path]:
+    """Drafts of files of this pattern at any depth, which killed processes have left, or others write just now."""
+    return sorted(folder.rglob(f".{pattern}.{'[0-9a-f]' * 16}"))
+
+
+def _sync(path: Path) -> None:
+    """Wait until a file or folder is on the disk. Raises OSError."""
+    number = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(number)
+    finally:
+        os.close(number)
 
 
 def write_folder(folder: Path, fill: Callable[[Path], None]) -> None:

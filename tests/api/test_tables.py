@@ -183,7 +183,7 @@ def test_thin_discs_are_bodies_without_being_read_one_by_one(monkeypatch: pytest
     tensor = np.zeros((n, 3, 3))
     tensor[:, 0, 0], tensor[:, 1, 1], tensor[:, 2, 2] = spin, spin / 2, spin / 2
     name = m.flywheels[0]
-    monkeypatch.setattr("mahovik.out.api.tables._check", lambda *_: pytest.fail("read by itself"))
+    monkeypatch.setattr("mahovik.out.api.tables.check_sample", lambda *_: pytest.fail("read by itself"))
     base = Stand.of(m.stand).to_dict()
     wheel = next(each for each in base["flywheel"] if each["name"] == name)
     if "spin_inertia" in wheel:

@@ -18,6 +18,7 @@ INDEX = DOCS / "index.md"
 TUTORIAL = DOCS / "tutorial.md"
 RESULTS = DOCS / "results" / "index.md"
 PYTHON = DOCS / "python.md"
+BATCH = DOCS / "batch.md"
 
 
 def listed(index: Path) -> list[Path]:
@@ -28,7 +29,8 @@ def test_every_page_is_in_one_index_once() -> None:
     there = set(DOCS.rglob("*.md")) - {INDEX}
     functions = [page for page in listed(PYTHON) if page.parent == DOCS / "python"]
     tutorials = [page for page in listed(TUTORIAL) if page.name.startswith("tutorial-")]
-    assert sorted([*listed(INDEX), *listed(RESULTS), *functions, *tutorials]) == sorted(there)
+    campaigns = [page for page in listed(BATCH) if page.name.startswith("campaign")]
+    assert sorted([*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns]) == sorted(there)
     assert {page.parent for page in listed(RESULTS)} == {RESULTS.parent}
 
 

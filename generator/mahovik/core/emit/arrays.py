@@ -79,8 +79,30 @@ def _array_source(stand: Stand, generated: Generated, kind: LibraryKind) -> dict
             if kind != "tables" or any(a.name in TABLES for a in f.arguments)
         ],
         mounts=generated.layout.flywheels > 0,
+        course=_course(generated) if kind == "tables" else None,
     )
     return {f"{stand.name}_arrays.c": text}
+
+
+COURSE = "course_of"
+"""Many steps under given speeds in one call; there is one where there are flywheels."""
+
+
+def _course(generated: Generated) -> dict[str, Any] | None:
+    """Values of the template for COURSE: counts, and where phases and speeds are in a state."""
+    if not generated.layout.flywheels:
+        return None
+    step = next(f for f in _functions(generated) if f.name == "step_driven")
+    parts = members(generated.layout.state)
+    rows = dict(zip((m.name for m in parts), accumulate((m.size for m in parts), initial=0), strict=False))
+    first, *others = (a.name for a in step.arguments)
+    return {
+        "flywheels": int(generated.layout.count),
+        "wrenches": 6 * len(generated.layout.inputs),
+        "phi": rows["phi"],
+        "phi_dot": rows["phi_dot"],
+        "batch": ", ".join([first, "n", *others]),
+    }
 
 
 def _functions(generated: Generated) -> list[Function]:

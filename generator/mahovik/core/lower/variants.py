@@ -6,6 +6,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.member import member
 from mahovik.core.lower.values import laws_of, parameters_of
@@ -42,6 +45,26 @@ def _elements(type_: Kind | Struct, value: Any, depth: int) -> Iterator[Any]:
         yield from reals(type_, value)
     elif type_ is Kind.REAL:
         yield value
+
+
+def columns(struct: Struct, value: Any, varied: Iterator[NDArray[Any] | None], n: int) -> dict[str, Any]:
+    """The members of a struct by name, of n samples: arrays with the samples last, lists of structs.
+
+    `value`: that of the first sample; `varied`: in the order of `reals`, the numbers of all samples, or None.
+    """
+    return {f.name: _columns(f.type, member(value, f.name), len(f.shape), varied, n) for f in struct.fields}
+
+
+def _columns(type_: Kind | Struct, value: Any, depth: int, varied: Iterator[NDArray[Any] | None], n: int) -> Any:
+    if depth:
+        found = [_columns(type_, each, depth - 1, varied, n) for each in value]
+        return np.stack(found) if found and type_ is Kind.REAL else found
+    if isinstance(type_, Struct):
+        return columns(type_, value, varied, n)
+    if type_ is not Kind.REAL:
+        return value
+    numbers = next(varied)
+    return np.full(n, float(value)) if numbers is None else numbers
 
 
 def variant(stand: Stand, layout: Layout, program: Interpreter) -> tuple[dict[str, Any], Any, list[Any]]:

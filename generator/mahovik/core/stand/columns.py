@@ -168,8 +168,8 @@ def _by_sample(function: Callable[..., float], *numbers: Any) -> Any:
     if not columns:
         return function(*numbers)
     n, keys = len(columns[0].values), frozenset[str]().union(*(x.keys for x in columns))
-    rows = zip(*(values_of(x, n).tolist() for x in numbers), strict=True)
-    return Column(np.array([function(*row) for row in rows]), columns[0].run, keys)
+    found = np.fromiter(map(function, *(values_of(x, n).tolist() for x in numbers)), np.float64, n)
+    return Column(found, columns[0].run, keys)
 
 
 def polar(length: Any, angle: Any, divisor: Any) -> tuple[Any, Any]:

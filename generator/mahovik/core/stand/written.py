@@ -74,7 +74,7 @@ def _of_table(raw: dict[str, Any], table: type[BaseModel], where: str, path: str
         field = table.model_fields.get(key)
         if field is None:
             continue
-        dimension, inner = _parts_of((field.annotation, *field.metadata))
+        dimension, inner = dimension_and_table((field.annotation, *field.metadata))
         if isinstance(dimension, tuple):
             yield from _of_matrix6(value, dimension, where, path + key)
         elif dimension is not None:
@@ -112,14 +112,14 @@ def _is_row(raw: Any) -> bool:
     return isinstance(raw["value"] if isinstance(raw, dict) else raw, list)
 
 
-def _parts_of(annotations: tuple[Any, ...]) -> tuple[Dimension | Blocks | None, type[BaseModel] | None]:
+def dimension_and_table(annotations: tuple[Any, ...]) -> tuple[Dimension | Blocks | None, type[BaseModel] | None]:
     """Dimension and table in the annotation of a field, each None where it has none."""
     for each in annotations:
         if isinstance(each, QuantityValidator) and each.dimension is not None:
             return each.dimension, None
         if isinstance(each, type) and issubclass(each, BaseModel):
             return None, each
-        found = _parts_of(typing.get_args(each))
+        found = dimension_and_table(typing.get_args(each))
         if found != (None, None):
             return found
     return None, None

@@ -6,7 +6,7 @@ import ctypes
 import os
 import platform
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -124,6 +124,19 @@ class ArrayLibrary:
             self._threads(1 if _PROCESS["forked"] else threads)
         passed = (ctypes.c_void_p * len(arrays))(*[_address(a) for a in arrays])
         return int(self._calls[function](n, passed, _address(status)))
+
+    def repeated(
+        self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32]
+    ) -> Callable[[], int]:
+        """A call that is made again and again with the same memory, in one thread; see `call`."""
+        passed = (ctypes.c_void_p * len(arrays))(*[_address(a) for a in arrays])
+        called, of_status, kept = self._calls[function], _address(status), (*arrays, status)
+
+        def call() -> int:
+            assert kept  # the memory lives as long as the call
+            return int(called(n, passed, of_status))
+
+        return call
 
 
 def _address(array: NDArray[Any]) -> int | None:

@@ -89,8 +89,8 @@ class Compiled:
 
     def _load_of_tables(self, library: Path) -> ArrayLibrary:
         names = [f"{f.name}_of" for f in self.functions.values() if any(a.name in self.tables for a in f.arguments)]
-        source = self.source
-        return ArrayLibrary(library, source.stand.name, [*names, "prepare"], source.parallel, tables=True)
+        source, course = self.source, [COURSE] if "step_driven" in self.functions else []
+        return ArrayLibrary(library, source.stand.name, [*names, *course, "prepare"], source.parallel, tables=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,6 +167,10 @@ def _load(
         tuple(facts["sensors"]),
         source,
     )
+
+
+COURSE = "course_of"
+"""Many steps of n stands under given speeds in one call."""
 
 
 def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:

@@ -12,6 +12,7 @@ from mahovik.core.stand import build, datasheet
 from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.law_schemas import with_laws
+from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 from mahovik.core.stand.units import show
@@ -92,6 +93,15 @@ def _number(place: list[Any], part: str, path: str, named: Mapping[str, Any] | N
     raise UsageError(f"{path}: {show(part)}, expected a place from 0 to {len(place) - 1}")
 
 
+def unbalance_of(wheel: Flywheel) -> dict[str, Any]:
+    """The four numbers of `unbalance` of a flywheel, however its file gives it."""
+    (_, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
+    return {
+        "static": wheel.mass * hypot(y, z), "static_at": atan2(z, y),
+        "dynamic": hypot(J[0][1], J[0][2]), "dynamic_at": atan2(-J[0][2], -J[0][1]),
+    }  # fmt: skip
+
+
 def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
     """The centre of mass and the inertia of a flywheel after a change of its unbalance, as keys of its table."""
     problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
@@ -99,12 +109,8 @@ def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], key: 
     wheel = None if given is None else build.flywheel(given, where, problems)
     if wheel is None:
         raise StandError(problems.lines)
-    (x, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
-    now = {
-        "static": wheel.mass * hypot(y, z), "static_at": atan2(z, y),
-        "dynamic": hypot(J[0][1], J[0][2]), "dynamic_at": atan2(-J[0][2], -J[0][1]),
-    }  # fmt: skip
-    changed = {name: exact(number) for name, number in now.items()} | {key: exact(value)}
+    (x, _, _), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
+    changed = {name: exact(number) for name, number in unbalance_of(wheel).items()} | {key: exact(value)}
     found = validate_table(UnbalanceTable, changed, problems, f"{where} unbalance")
     if found is None:
         raise StandError(problems.lines)

@@ -51,6 +51,10 @@ class Samples:
         """The values of one sample by path."""
         return {path: self.of_sample(value, number) for path, value in self.given.items()}
 
+    def part(self, rows: NDArray[np.int64]) -> Samples:
+        """Some of the samples, by their numbers."""
+        return Samples({path: _part(value, rows) for path, value in self.given.items()}, len(rows))
+
     def columns(self, rows: NDArray[np.int64], run: Run) -> dict[str, Any]:
         """The values of some samples by path, columns in the place of numbers."""
         return {path: _columns(value, rows, run, frozenset((path,))) for path, value in self.given.items()}
@@ -69,6 +73,12 @@ def _value(path: str, value: Any) -> Any:
     if found.dtype.kind not in "iuf" or found.ndim == 0:
         raise InputError(f"tables: {path}: expected an array of numbers, one of each sample, found {show(value)}")
     return np.asarray(found, dtype=np.float64)
+
+
+def _part(value: Any, rows: NDArray[np.int64]) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _part(each, rows) for key, each in value.items()}
+    return value[rows] if isinstance(value, np.ndarray) else value
 
 
 def _arrays(value: Any) -> Iterator[Array]:

@@ -12,8 +12,9 @@ from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import filled
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import read
+from mahovik.core.stand.structure import structure
 from mahovik.errors import InputError, StandError
-from mahovik.out.api.compiled import Compiled
+from mahovik.out.api.compiled import Compiled, lower_structure
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.variants import Variants, changed, variants
@@ -37,10 +38,10 @@ class Tables:
     the model.
     """
 
-    def __init__(self, made_of: CoreStand, real: str, samples: Samples, prepare: Prepare) -> None:
-        """`prepare`: makes the blocks. Raises StandError."""
+    def __init__(self, made_of: CoreStand, real: str, samples: Samples, found: Variants, prepare: Prepare) -> None:
+        """`found`: the numbers of all samples; `prepare`: makes the blocks. Raises StandError."""
         self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
-        self._prepare = prepare
+        self._found, self._prepare = found, prepare
         self._blocks, _ = prepare(False)
 
     def __len__(self) -> int:
@@ -52,6 +53,16 @@ class Tables:
         if argument not in self._blocks:
             self._blocks, _ = self._prepare(True)
         return self._blocks[argument]
+
+    def laws(self) -> dict[str, Any]:
+        """Numbers of the laws between E0 and the carrier, by member of a table, with the samples last."""
+        from mahovik.core.lower.variants import columns, law_struct, reals
+
+        layout, _program = lower_structure(structure(self.made_of), self.real)
+        varied = iter(self._found.varied)
+        for _ in reals(layout.parameters, self._found.parameters):
+            next(varied)
+        return columns(law_struct(layout), self._found.table, varied, len(self))
 
     def stand(self, number: int) -> Stand:
         """The stand of one sample, as `base.replace` makes it. Raises InputError."""
@@ -79,22 +90,22 @@ def make_tables(
     stand, samples = Stand.of(of), Samples.of(changes, n)
     found = variants(stand, real, samples)
     for number in np.flatnonzero(found.doubtful):
-        _check(stand, samples, int(number))
+        check_sample(stand, samples, int(number))
 
     def prepare(mountings: bool) -> tuple[Blocks, NDArray[np.int32]]:
         blocks, status = prepare_tables(made, element, threads, found, samples.n, mountings)
         refused = np.flatnonzero(status < 0)
         if refused.size:
             first = int(refused[0])
-            _check(stand, samples, first)
+            check_sample(stand, samples, first)
             name = status_words(int(status[first]))
             raise StandError([f"{stand.name}, sample {first}: refused by prepare: {name}"])
         return blocks, status
 
-    return Tables(of, real, samples, prepare)
+    return Tables(of, real, samples, found, prepare)
 
 
-def _check(stand: Stand, samples: Samples, number: int) -> None:
+def check_sample(stand: Stand, samples: Samples, number: int) -> None:
     """Read the stand of one sample as a stand file is read. Raises StandError, UsageError."""
     read(changed(stand, samples.values(number)), f"{stand.name}, sample {number}")
 

@@ -39,10 +39,11 @@ class Variants:
     doubtful: NDArray[np.bool_]
 
 
-def variants(stand: Stand, real: str, samples: Samples) -> Variants:
+def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] | None = None) -> Variants:
     """Read all samples; those that a decision parts from the first are read again, together.
 
-    Raises StandError for a sample that cannot be read, UsageError, InputError.
+    Raises StandError for a sample that cannot be read, UsageError, InputError. With `refused` a sample that cannot be
+    read, or is of another structure, is noted there by number with the reason, and the others are read.
     """
     from mahovik.core.lower.variants import variant
 
@@ -55,13 +56,20 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
     while rows.size or whole is None:
         run = Run.of(len(rows))
         # of no sample at all the stand itself is read
-        found, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+        try:
+            found, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+            if structure(found) != wanted:
+                raise UsageError(
+                    f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
+                    "there and not here, or the other way round; build a model of its own"
+                )
+        except (StandError, UsageError) as error:
+            if refused is None or not rows.size:
+                raise
+            refused |= {int(i): reason_of(stand, samples, int(i), error) for i in rows[~run.diverged]}
+            rows = rows[run.diverged]
+            continue
         parameters, table, numbers = variant(found, layout, interpreter)
-        if structure(found) != wanted:
-            raise UsageError(
-                f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero there "
-                "and not here, or the other way round; build a model of its own"
-            )
         unsure = doubtful_samples(found, len(rows))
         _check_acting(found, numbers)
         kept = ~run.diverged
@@ -88,6 +96,20 @@ def _read(stand: Stand, values: dict[str, Any], samples: Samples, rows: NDArray[
         if rows.size:
             read(changed(stand, samples.values(int(rows[0]))), name)
         raise
+
+
+def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> str:
+    """Why one sample cannot be, in one line, as the reader of stand files says it; else as `error` does."""
+    try:
+        read(changed(stand, samples.values(number)), stand.name)
+    except (StandError, UsageError) as own:
+        error = own
+    return first_reason(error, stand.name)
+
+
+def first_reason(error: Exception, source: str) -> str:
+    """The first line of a refusal, without the name of what is refused."""
+    return str(error).splitlines()[0].removeprefix(f"{source}: ")
 
 
 def changed(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from mahovik.out.api.stands import Stand
+    from mahovik.out.campaign.convergence import Goal
+    from mahovik.out.campaign.sensitivity import Sensitivity
 
 
 @dataclass(frozen=True)
@@ -53,3 +58,17 @@ class Work(Protocol):
 
     def rows(self, first: int, count: int) -> Rows:
         """Rows of the samples from `first` on."""
+
+    @property
+    def stand(self) -> Stand:
+        """Stand that all samples differ from."""
+
+    @property
+    def goal(self) -> Goal | None:
+        """Quantile that is to be known well; None: there is none."""
+
+    def stand_of(self, number: int) -> Stand:
+        """Stand of one sample. Raises StandError: it cannot be."""
+
+    def sensitivity(self, values: NDArray[np.float64]) -> Sensitivity:
+        """Figures that say on which factors a quantity depends. Raises UsageError: the design has none."""

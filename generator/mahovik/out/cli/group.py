@@ -79,7 +79,6 @@ class Commands(click.Group):
             super().format_commands(ctx, formatter)
             return
         width = max(len(name) for name in self.commands)
-        formatter.write_paragraph()
         for title, names in self._sections.items():
             formatter.write_heading(title)
             formatter.indent()

@@ -132,7 +132,7 @@ def follow(
     Ctrl-C keeps what was computed. Raises StandError, MotionError, ProgrammeError, ServoError, UsageError, CheckError.
     """
     own = Stand.of(stand)
-    case = _case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
+    case = following_case(own, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
     record = close_loop(case, lambda t: tell(progress, Progress(words, t - first, last - first)))
@@ -156,7 +156,7 @@ def _name(given: Any, otherwise: str) -> str:
     return Path(given).name if isinstance(given, str | Path) else otherwise
 
 
-def _case(
+def following_case(
     stand: Stand,
     motion: MotionGiven,
     programme: ProgrammeGiven | Programme,

@@ -110,7 +110,7 @@ def simulate(
     own = Stand.of(stand)
     chosen, state = _beginning(own, regime, start, until)
     case = Case(own, chosen, state, until, every, dt, order, real, carried)
-    _warn_of_steps(case)
+    warn_of_steps(case)
     words = f"simulate {own.name}"
     return Simulation(own, run_case(case, backend, mounts, lambda t: tell(progress, Progress(words, t, until))))
 
@@ -133,7 +133,7 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
         raise CheckError(f"{error}; give an initial state by --start") from None
 
 
-def _warn_of_steps(case: Case) -> None:
+def warn_of_steps(case: Case) -> None:
     """Warn of steps in which a flywheel turns far, and of steps in float that lose increments without a carry."""
     _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
     largest = np.abs(np.vstack([speeds, case.phi_dot0])).max(axis=0)

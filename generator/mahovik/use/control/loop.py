@@ -77,8 +77,12 @@ class Case:
         return whole, max(0.0, late - whole) * self.servo.period
 
 
-def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
-    """Run a case. `progress` receives the time (s) now and then.
+def close_loop(
+    case: Case,
+    progress: Callable[[float], None] | None = None,
+    make: Callable[[Stand, State, str], Plant] = plant,
+) -> Record:
+    """Run a case. `progress` receives the time (s) now and then; `make` makes the plant of stand, state, backend.
 
     A lost motion or Ctrl-C ends the run early: the record's `stopped` says why. Raises StateError, CheckError,
     ToolchainError if it cannot begin.

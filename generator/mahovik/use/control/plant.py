@@ -6,6 +6,7 @@ Computed by the emitted C (function `step`, fixed steps), or by SciPy on the lit
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, cast
 
@@ -34,38 +35,24 @@ TURN = 0.05
 """rad: largest turn of a flywheel in a step; the carrier's error is then far below a millionth of its motion."""
 
 
-class PlantByC:
+class SteppedPlant:
     """Plant in steps of fourth order. Torques are those of the motors at the speeds in the middle of each step.
 
     State: position (3), attitude (4, quaternion, w first), V (6), phi, phi_dot (N each); tau: motor torques at the end.
     """
 
-    def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
+    def __init__(
+        self, stand: Stand, state: State, x: Array, drive: Array, step: Callable[[float], int], finer: int = 1
+    ) -> None:
+        """`x` (13 + 2 N), `drive` (N): memory of `step`, which makes a step of a length in s and returns a status."""
         self.stand, self._finer = stand, finer
-        own = compiled_backend(stand)
-        ffi, N = own.library.ffi, len(stand.flywheels)
-        self._x = ffi.new(f"{stand.name}_state *")
-        self._view = np.frombuffer(ffi.buffer(self._x), dtype=np.float64)
-        self.position, self.attitude, self.V = self._view[:3], self._view[3:7], self._view[7:13]
-        self._wrapped, self.phi_dot = self._view[13 : 13 + N], self._view[13 + N : 13 + 2 * N]
-        attitude = own.arguments(state)["x"]["attitude"]
-        self._view[:] = [*state.position, *attitude, *state.V, *state.phi, *state.phi_dot]
+        N = len(stand.flywheels)
+        self.position, self.attitude, self.V = x[:3], x[3:7], x[7:13]
+        self._wrapped, self.phi_dot = x[13 : 13 + N], x[13 + N : 13 + 2 * N]
         self.phi, self.tau, self._rate = np.array(state.phi), np.zeros(N), np.zeros(N)
-        self._drive, self._wrench = np.zeros(N), np.zeros(max(6 * len(own.inputs), 1))
-        self._step = own.library.function("step")
+        self._drive, self._step = drive, step
         self._motors = [(s, each.motor) for s, each in enumerate(stand.flywheels) if each.motor is not None]
         self._fastest = _steepest_rate(stand)
-        known: dict[str, Any] = {
-            "table": own.library.default("default"),
-            "x": self._x,
-            "tau": ffi.cast(f"{stand.name}_real *", self._drive.ctypes.data),
-            "locked": ffi.new(f"int[{N}]"),
-            "wrench": ffi.cast(f"{stand.name}_real *", self._wrench.ctypes.data),
-            "order": 4,
-            "next": self._x,
-        }
-        self._arguments = [(a.name, known.get(a.name)) for a in own.program.function("step").arguments]
-        self._kept = known
 
     def advance(self, command: Array, begin: float, end: float) -> None:
         """Advance from `begin` to `end` (s) under constant commanded torques (N, N m). StateError: out of range."""
@@ -74,13 +61,12 @@ class PlantByC:
             raise StateError(f"at t = {begin:.6g} s a commanded torque is not a number")
         count = self._finer * max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
         h = span / count
-        arguments = [h if name == "dt" else value for name, value in self._arguments]
         for _ in range(count):
             before, phase = self.phi_dot.copy(), self._wrapped.copy()
             self._drive[:] = command
             for s, motor in self._motors:
                 self._drive[s] = drive(motor, float(command[s]), float(before[s] + 0.5 * h * self._rate[s]))
-            status = self._step(*arguments)
+            status = self._step(h)
             if status < 0:
                 raise StateError(
                     f"at t = {begin:.6g} s a step returned {status_words(status)}: the motion leaves its ranges"
@@ -89,6 +75,34 @@ class PlantByC:
             turned, expected = self._wrapped - phase, 0.5 * h * (before + self.phi_dot)
             self.phi = self.phi + turned + 2.0 * np.pi * np.round((expected - turned) / (2.0 * np.pi))
         self.tau = self._drive.copy()
+
+
+class PlantByC(SteppedPlant):
+    """The plant by the C of its own stand."""
+
+    def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
+        own = compiled_backend(stand)
+        ffi, N = own.library.ffi, len(stand.flywheels)
+        x = ffi.new(f"{stand.name}_state *")
+        view = np.frombuffer(ffi.buffer(x), dtype=np.float64)
+        attitude = own.arguments(state)["x"]["attitude"]
+        view[:] = [*state.position, *attitude, *state.V, *state.phi, *state.phi_dot]
+        drive, wrench = np.zeros(N), np.zeros(max(6 * len(own.inputs), 1))
+        known: dict[str, Any] = {
+            "table": own.library.default("default"),
+            "x": x,
+            "tau": ffi.cast(f"{stand.name}_real *", drive.ctypes.data),
+            "locked": ffi.new(f"int[{N}]"),
+            "wrench": ffi.cast(f"{stand.name}_real *", wrench.ctypes.data),
+            "order": 4,
+            "next": x,
+        }
+        names = [a.name for a in own.program.function("step").arguments]
+        at = names.index("dt")
+        before, after = ([known[name] for name in part] for part in (names[:at], names[at + 1 :]))
+        function = own.library.function("step")
+        self._kept = known, wrench
+        super().__init__(stand, state, view, drive, lambda h: function(*before, h, *after), finer)
 
 
 def _steepest_rate(stand: Stand) -> float:
@@ -141,7 +155,7 @@ class PlantByReference:
         return np.concatenate([quaternion_rotation(w, a, b, c) @ y[7:10], turning, V_dot, y[13 + N :], phi_ddot])
 
 
-Plant = PlantByC | PlantByReference
+Plant = SteppedPlant | PlantByReference
 BACKENDS = ("c", "scipy")
 
 

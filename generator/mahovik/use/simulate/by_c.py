@@ -253,9 +253,13 @@ class Steepness:
         reach = 2.0 * h * np.abs(rate)  # steepest slope in the range that the step may reach
         return min(MOST, _parts(h, mobility, self._regime.steepness(speeds - reach, speeds + reach, self._motors)))
 
+    def most_parts(self, h: float, mobility: Array) -> int:
+        """Largest number of parts of a step of `h` s, at any speed."""
+        return _parts(h, mobility, self._most)
+
     def check(self, h: float, mobility: Array) -> None:
         """Raise UsageError if steps of `h` s need too many parts."""
-        parts = _parts(h, mobility, self._most)
+        parts = self.most_parts(h, mobility)
         if parts > MOST:
             worst = int(np.argmax(self._most * np.diag(mobility)))
             raise UsageError(

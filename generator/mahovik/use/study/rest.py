@@ -62,6 +62,12 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
         raise CheckError(f"{stand.name}: the search for an equilibrium failed: {error}") from None
 
 
+def accuracy(stand: Stand, state: State) -> Array:
+    """Largest V_dot (6; m/s2, rad/s2) that counts as none in an equilibrium at `state`, which has a quaternion."""
+    search = _Search(stand, state)
+    return search.tolerance(search.at(state))
+
+
 class _Search:
     """Pseudo-transient continuation in coordinates in which the mass matrix is the unit matrix.
 

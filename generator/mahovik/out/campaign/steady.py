@@ -1,0 +1,84 @@
+"""Quantities over constant speeds: the periodic steady state of each sample, as `response` finds it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from mahovik.core.stand.units import show
+from mahovik.errors import MahovikError, UsageError
+from mahovik.out.api.stands import Stand
+from mahovik.out.api.tables import Tables
+from mahovik.out.campaign.over import OverTable
+from mahovik.out.campaign.pose import Array
+from mahovik.out.campaign.quantities import Quantity
+from mahovik.out.campaign.signals import AXES
+from mahovik.out.functions.given import by_flywheel
+from mahovik.out.functions.vibration import speed_text
+from mahovik.use.study.linear.model import Place, places
+from mahovik.use.study.response.periodic import Periodic, periodic_response, rms
+from mahovik.use.study.response.speeds import common_period, read_speeds
+
+
+class SteadyRunner:
+    """Computes quantities at constant speeds, sample by sample; see `compute.Runner`."""
+
+    def __init__(self, stand: Stand, over: OverTable, quantities: Sequence[Quantity]) -> None:
+        """Raises UsageError: speeds without a common period, or a sweep."""
+        self.stand, self._quantities = stand, quantities
+        given = over.speeds or {}
+        texts = [
+            speed_text(name, value if isinstance(value, str) else _number(name, value)) for name, value in given.items()
+        ]
+        asked = read_speeds(stand, texts)
+        if asked.sweep is not None:
+            raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
+        self._speeds = asked.speeds(0.0)
+        common_period(self._speeds)
+        self._phases = by_flywheel("phases", over.phases, stand)
+        self._points = tuple(dict.fromkeys(q.signal.part for q in quantities if q.signal is not None))
+
+    def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
+        """See `compute.Runner`."""
+        n = len(tables)
+        found, reasons = {q.name: np.full(n, np.nan) for q in self._quantities}, [""] * n
+        for j in range(n):
+            stand = tables.stand(j)
+            try:
+                motion = periodic_response(stand, self._speeds, self._points, self._phases)
+            except MahovikError as error:
+                reasons[j] = str(error)
+                continue
+            known = {place.name: place for place in places(stand, self._points)}
+            for q in self._quantities:
+                assert q.signal is not None
+                found[q.name][j] = _statistic(q, series(motion, known[q.signal.part], q.signal.name), motion)
+        return found, reasons
+
+
+def _number(name: str, value: object) -> float:
+    if isinstance(value, bool | dict | list):
+        raise UsageError(f"speeds: {name}: expected a speed, found {show(value)}")
+    return float(value)  # type: ignore[arg-type]  # TOML has nothing else
+
+
+def series(motion: Periodic, place: Place, name: str) -> Array:
+    """A signal of a point at the nodes of the period (M, 3), on the axes of the point."""
+    if name == "rotation":
+        return np.asarray(motion.y[:, 3:6] @ place.axes)
+    if name == "rate":
+        return np.asarray(motion.y[:, 9:] @ place.axes)
+    return np.asarray(getattr(motion.points[place.name], name))
+
+
+def _statistic(q: Quantity, values: Array, motion: Periodic) -> float:
+    """The peak over the nodes; or the RMS above 0 Hz, or within a band."""
+    assert q.signal is not None
+    chosen = [AXES.index(q.signal.axis)] if q.signal.axis else [0, 1, 2]
+    values = values[:, chosen]
+    if q.statistic == "peak":
+        return float(np.linalg.norm(values, axis=1).max())
+    amplitudes = np.fft.rfft(values, axis=0) * (2.0 / len(values))
+    amplitudes[0] /= 2.0
+    return float(np.linalg.norm(rms(amplitudes, motion.frequencies, q.band)))

@@ -1,0 +1,200 @@
+"""Campaigns of a file: rows that depend on nothing but their number, impossible samples, what is refused before."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mahovik
+from campaigns.files import refusal, write
+from mahovik.errors import CampaignError, UsageError
+from mahovik.out.campaign.campaign import Campaign
+from mahovik.out.campaign.file import files_in, load_campaign
+from mahovik.out.campaign.places import Places
+from mahovik.out.campaign.rows import Rows
+
+RUN = """
+[run]
+regime = { default = { speed = "1000 rpm" } }
+until = "5 ms"
+dt = "1 ms"
+every = "1 ms"
+[quantities]
+shake = { rms = "velocity", at = "carrier" }
+"""
+VARY = """
+[vary]
+"w*.unbalance.static" = { normal = ["1 g mm", "0.5 g mm"] }
+"w*.unbalance.static_at" = { uniform = ["0 deg", "360 deg"] }
+"carrier.inertia.J12" = { tolerance = 1e-4 }
+"carrier.mass" = { normal = [10, 1] }
+"""
+POISON = """
+[vary]
+"carrier.inertia.J11" = { normal = [0.2, 0.1] }
+"w1.mass" = { relative = 0.01 }
+"""
+
+
+def load(folder: Path, body: str, **head: Any) -> Campaign:
+    given: dict[str, Any] = {"stand": "demo3", "samples": 300, **head}
+    return Campaign.load(write(folder, body, **given))
+
+
+def same(one: Rows, other: Rows, part: slice) -> None:
+    """Bits of some rows are those of a part of others."""
+    assert np.array_equal(one.sample, other.sample[part])
+    for mine, theirs in ((one.parameters, other.parameters), (one.quantities, other.quantities)):
+        assert list(mine) == list(theirs)
+        for name, column in mine.items():
+            assert column.tobytes() == theirs[name][part].tobytes(), name
+    assert list(one.reason) == list(other.reason[part])
+
+
+@pytest.mark.parametrize("design", ["random", "saltelli"])
+def test_rows_have_the_same_bits_however_they_are_parted(tmp_path: Path, design: str) -> None:
+    campaign = load(tmp_path, VARY + RUN, design=design)
+    whole = campaign.rows(0, 60)
+    for first, last in ((40, 60), (0, 1), (1, 40)):
+        same(Campaign.load(campaign_path(tmp_path)).rows(first, last - first), whole, slice(first, last))
+    assert list(campaign.parameters) == list(whole.parameters)
+    assert (np.array(whole.quantities["shake"]) > 0).all()
+    assert not any(whole.reason)
+
+
+def campaign_path(folder: Path) -> Path:
+    return folder / "C.toml"
+
+
+def test_a_row_is_of_the_stand_with_its_numbers(tmp_path: Path) -> None:
+    campaign = load(tmp_path, VARY + RUN)
+    rows = campaign.rows(7, 1)
+    places = Places(campaign.stand_of(7))
+    for path, column in rows.parameters.items():
+        if "unbalance" in path:
+            (place,) = places.found(path)
+            turns = (place.nominal - column[0]) / (2 * np.pi) if path.endswith("_at") else place.nominal / column[0] - 1
+            assert turns == pytest.approx(round(turns), abs=1e-6)
+        else:
+            assert places.found(path)[0].nominal == column[0]
+    nominal = load(tmp_path, '[vary]\n"w1.mass" = { tolerance = 0 }' + RUN)
+    assert nominal.rows(0, 1).quantities["shake"] != rows.quantities["shake"]
+
+
+def test_an_impossible_sample_is_a_row_with_its_reason(tmp_path: Path) -> None:
+    campaign = load(tmp_path, POISON + RUN)
+    rows = campaign.rows(0, 100)
+    bad = np.array([bool(reason) for reason in rows.reason])
+    assert 0 < bad.sum() < 100
+    assert np.array_equal(np.isnan(rows.quantities["shake"]), bad)
+    for j in np.flatnonzero(bad)[:3]:
+        with pytest.raises(mahovik.StandError) as found:
+            campaign.stand_of(int(j))
+        assert rows.reason[j] in str(found.value)
+    with pytest.raises(UsageError, match="the campaign has 300"):
+        campaign.rows(299, 2)
+
+
+def test_a_tolerance_that_makes_a_body_impossible_is_named_with_its_sample(tmp_path: Path) -> None:
+    path = write(tmp_path, '[vary]\n"w2.mass" = { relative = 0.01 }\n"carrier.mass" = { tolerance = "12 kg" }' + RUN,
+                 stand="demo3")  # fmt: skip
+    with pytest.raises(CampaignError) as found:
+        Campaign.load(path)
+    text = str(found.value)
+    assert text.startswith(
+        'C.toml: vary "carrier.mass": at its lower end, carrier.mass = -2 kg: carrier, mass: -2 kg is'
+    )
+    number = int(text.partition("; sample ")[2].split()[0])
+    mass = Campaign.load(write(tmp_path, VARY + RUN, stand="demo3")).stand.carrier.mass
+    body = '[vary]\n"w2.mass" = { relative = 0.01 }\n"carrier.mass" = { uniform = [1, %r] }' % (2 * mass - 1)
+    # the same random number in a narrower interval tells which samples were negative
+    share = (load(tmp_path, body + RUN).parameter_values(0, number + 1)["carrier.mass"] - 1) / (2 * mass - 2)
+    negative = -2 + 24 * share < 0
+    assert np.flatnonzero(negative).tolist() == [number]
+
+
+def test_identity_is_that_of_what_decides_the_rows(tmp_path: Path) -> None:
+    (tmp_path / "own.toml").write_text(stand_text())
+    (tmp_path / "w.csv").write_text("mass [kg]\n1.0\n1.1\n")
+    vary = '[vary]\n"w1.mass" = { table = "w.csv" }\n'
+    first = load(tmp_path, vary + RUN, stand="own.toml").identity
+    assert load(tmp_path, 'shard = 9\nname = "x"\nuntil = 0.1\n[quantile]\nof = "shake"\n' + vary + RUN,
+                stand="own.toml").identity == first  # fmt: skip
+    assert load(tmp_path, vary + RUN, stand="own.toml", seed=8).identity["campaign"] != first["campaign"]
+    (tmp_path / "w.csv").write_text("mass [kg]\n1.0\n1.2\n")
+    assert load(tmp_path, vary + RUN, stand="own.toml").identity["campaign"] != first["campaign"]
+    (tmp_path / "own.toml").write_text(stand_text().replace('name = "demo3"', 'name = "demo3"  # the same'))
+    assert load(tmp_path, vary + RUN, stand="own.toml").identity["stand"] == first["stand"]
+
+
+def test_files_that_other_files_name_are_part_of_the_identity(tmp_path: Path) -> None:
+    (tmp_path / "spin.toml").write_text('schema = 1\n[default]\ntable = "speeds.csv"\n')
+    run = RUN.replace('{ default = { speed = "1000 rpm" } }', '"spin.toml"')
+    (tmp_path / "speeds.csv").write_text("t,speed\n0,1\n")
+    file = load_campaign(write(tmp_path, VARY + run, stand="demo3"))
+    assert [path.name for path in files_in(file.document, file.folder)] == ["spin.toml", "speeds.csv"]
+
+
+def stand_text() -> str:
+    from mahovik import stands
+
+    return stands.path("demo3").read_text()
+
+
+def test_other_spellings_say_the_same(tmp_path: Path) -> None:
+    one = load(tmp_path, VARY + RUN, design="latin").rows(0, 5)
+    other = VARY + RUN.replace("[run]", "[over]").replace(
+        '[quantities]\nshake = { rms = "velocity", at = "carrier" }',
+        '[[quantity]]\nname = "shake"\nwhat = "rms velocity"\nat = "carrier"',
+    )
+    same(load(tmp_path, other, design="latin-hypercube").rows(0, 5), one, slice(0, 5))
+
+
+def test_a_shard_takes_some_seconds_or_what_the_file_says(tmp_path: Path) -> None:
+    assert load(tmp_path, "shard = 17\n" + VARY + RUN).shard_size == 17
+    path = write(tmp_path, "shard = 17\n" + VARY + RUN, stand="demo3")
+    assert Campaign.load(path, shard=5).shard_size == 5
+    assert 1 <= load(tmp_path, VARY + RUN, samples=40).shard_size <= 40
+
+
+KEYS = {
+    'design = "sobel"': 'design: unknown "sobel", did you mean "sobol"?',
+    'stand = "sat5"': 'stand: no stand file "sat5" beside it, and no such example, did you mean "sat4"?',
+    "samples = 0": "samples: 0: expected 1 to",
+    "sample = 3": 'unknown key "sample", did you mean "samples"?',
+    'until = "2 %"': "until: of which quantile?",
+    'until = "2 s"': "until: ",
+    'design = "latin"\nsamples = 6000000': 'samples: at most 5000000 with design "latin"',
+    'design = "morris"\nsamples = 3000000': 'at most 625000 with design "morris"; expected fewer, or another design',
+    "seed = -1": "seed: -1: expected 0 to",
+    'quantile = { of = "shake", at = 95 }': "quantile, at: 95: expected above 0 and below 1",
+    'until = 0.1\ndesign = "morris"\nquantile = { of = "shake" }': 'until: not allowed with design "morris"',
+}
+
+
+@pytest.mark.parametrize("keys", KEYS)
+def test_keys_that_mean_nothing_are_refused(tmp_path: Path, keys: str) -> None:
+    path = write(tmp_path, "", stand="demo3")
+    head = {line.split(" = ")[0]: line for line in path.read_text().splitlines()}
+    head |= {line.split(" = ")[0]: line for line in keys.splitlines()}
+    path.write_text("\n".join(head.values()) + VARY + RUN)
+    with pytest.raises(CampaignError) as found:
+        Campaign.load(path)
+    assert KEYS[keys] in str(found.value)
+    assert "\n" not in str(found.value)
+
+
+def test_what_is_computed_must_be_there(tmp_path: Path) -> None:
+    for body, words in (
+        (VARY, "run: required, but missing"),
+        (VARY + RUN.partition("[quantities]")[0], "quantities: none"),
+        ("quantile = { of = 'shak' }" + VARY + RUN, 'quantile, of: unknown quantity "shak", did you mean "shake"?'),
+        (VARY + RUN + 'sample = { rms = "velocity", at = "carrier" }', "is the name of another column"),
+        (VARY + RUN.replace("velocity", "velocty"), 'did you mean "velocity"'),
+    ):
+        with pytest.raises(CampaignError) as found:
+            load(tmp_path, body)
+        assert words in str(found.value)
+    assert "nothing varies" in refusal(tmp_path, "[vary]\n")
+    assert "vary: required" in refusal(tmp_path, "")

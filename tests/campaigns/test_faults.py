@@ -1,0 +1,216 @@
+"""Faults of real processes and disks: at the end every sample is there once, or a line says what is missing."""
+
+from __future__ import annotations
+
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from campaigns.processes import BETWEEN, OTHER_VERSION, Processes, children, finish, processes, shard_files, until
+from campaigns.stub import load_stub, write_stub
+from mahovik.errors import UsageError
+from mahovik.out.campaign.dataset import status
+from mahovik.out.campaign.face import Campaign
+from mahovik.out.campaign.folder import begin, make_shard
+from mahovik.out.campaign.manifest import read_manifest
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Iterator[Processes]:
+    """Processes of the test."""
+    with processes(tmp_path) as found:
+        yield found
+
+
+def bare(file: Path, out: Path) -> list[bytes]:
+    """Bytes of all shards, computed here one after the other."""
+    begin(out, file, load_stub(file))
+    for number in range(read_manifest(out).shards):
+        make_shard(out, number, load_stub)
+    return [path.read_bytes() for path in shard_files(out)]
+
+
+def require_all(file: Path, out: Path) -> None:
+    """Every sample is there once, with the bits that one process computes."""
+    assert status(out).complete
+    assert [path.read_bytes() for path in shard_files(out)] == bare(file, out.parent / "bare")
+
+
+@pytest.mark.parametrize("workers", [1, 2, 4])
+def test_any_number_of_workers_gives_the_same_bits(workers: int, run: Processes, tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=200, shard_size=9)
+    client = run.client(file, tmp_path / "out", workers)
+    said = finish(client)
+    assert client.returncode == 0, said
+    assert "200 of 200 samples in 23 of 23 shards" in said
+    require_all(file, tmp_path / "out")
+
+
+def test_a_worker_is_killed_between_write_and_rename(run: Processes, tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=200, shard_size=9, pause=0.05)
+    address, _ = run.scheduler()
+    bad = run.worker(address, "bad", BETWEEN)
+    client = run.client(file, tmp_path / "out", scheduler=address)
+    assert bad.wait(60.0) == -signal.SIGKILL
+    assert shard_files(tmp_path / "out") == []
+    assert status(tmp_path / "out").drafts == 1  # whole, and not in its place
+    run.worker(address, "good")
+    said = finish(client)
+    assert client.returncode == 0, said
+    require_all(file, tmp_path / "out")
+
+
+def test_the_scheduler_and_then_the_client_are_killed(run: Processes, tmp_path: Path) -> None:
+    file, out = write_stub(tmp_path / "c.json", samples=400, shard_size=9, pause=0.1), tmp_path / "out"
+    address, scheduler = run.scheduler()
+    run.worker(address, "one")
+    client = run.client(file, out, scheduler=address)
+    until(lambda: len(shard_files(out)) > 3)
+    scheduler.kill()
+    begin = time.monotonic()
+    said = finish(client)
+    assert client.returncode == 1
+    assert time.monotonic() - begin < 45.0
+    assert "the scheduler is gone" in said and "shards are whole; `mahovik campaign resume" in said
+    assert said.count("\n") == 1
+    second = run.client(file, out, 2)
+    before = len(shard_files(out))
+    until(lambda: len(shard_files(out)) > before + 3)
+    second.kill()
+    second.wait()
+    assert not status(out).complete
+    until(lambda: not [pid for pid in workers_below(second.pid) if Path(f"/proc/{pid}").exists()])
+    third = run.client(file, out, 2)
+    assert "400 of 400 samples" in finish(third)
+    require_all(file, out)
+
+
+def workers_below(group: int) -> list[int]:
+    """Processes of a group that has lost its leader."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                fields = (entry / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            if int(fields[2]) == group and fields[0] != "Z":
+                found.append(int(entry.name))
+    return found
+
+
+def test_a_stopped_worker_finishes_its_shard_a_second_time(run: Processes, tmp_path: Path) -> None:
+    file, out = write_stub(tmp_path / "c.json", samples=90, shard_size=9, pause=1.0), tmp_path / "out"
+    address, _ = run.scheduler(ttl="4s")
+    stopped = run.worker(address, "stopped")
+    client = run.client(file, out, scheduler=address)
+    until(lambda: len(shard_files(out)) == 2)
+    time.sleep(0.3)  # in the middle of the third
+    os.kill(stopped.pid, signal.SIGSTOP)
+    run.worker(address, "other")
+    said = finish(client)
+    assert client.returncode == 0, said
+    written = {path: path.stat().st_mtime_ns for path in shard_files(out)}
+    os.kill(stopped.pid, signal.SIGCONT)
+    until(lambda: {path: path.stat().st_mtime_ns for path in shard_files(out)} != written)
+    require_all(file, out)
+
+
+def test_ctrl_c_leaves_a_campaign_to_go_on_with(run: Processes, tmp_path: Path) -> None:
+    """To the whole group, as a terminal does."""
+    file, out = write_stub(tmp_path / "c.json", samples=400, shard_size=9, pause=0.1), tmp_path / "out"
+    client = run.client(file, out, 2)
+    until(lambda: len(shard_files(out)) > 3)
+    begin = time.monotonic()
+    os.killpg(client.pid, signal.SIGINT)
+    assert finish(client) == "interrupted\n"
+    assert client.returncode == 130
+    assert time.monotonic() - begin < 15.0
+    until(lambda: not workers_below(client.pid))
+    found = status(out)
+    assert not found.complete and not found.damaged
+    assert "400 of 400 samples" in finish(run.client(file, out, 2))
+    require_all(file, out)
+
+
+def test_a_worker_of_another_version_is_not_used(run: Processes, tmp_path: Path) -> None:
+    file, out = write_stub(tmp_path / "c.json", samples=200, shard_size=9, pause=0.02), tmp_path / "out"
+    address, _ = run.scheduler()
+    other = run.worker(address, "other", OTHER_VERSION)
+    client = run.client(file, out, scheduler=address)
+    said = finish(client)
+    assert client.returncode == 1
+    assert "no worker can go on" in said and "has mahovik 0.0.9, the campaign 0.1.0" in said
+    assert shard_files(out) == []
+    run.worker(address, "good")
+    client = run.client(file, out, scheduler=address)
+    said = finish(client)
+    assert client.returncode == 0, said
+    assert other.poll() is None
+    require_all(file, out)
+
+
+def test_a_shard_that_kills_its_workers_is_given_up(run: Processes, tmp_path: Path) -> None:
+    """The others go on; one that kills once is computed by another worker."""
+    (tmp_path / "once").touch()
+    file, out = write_stub(tmp_path / "c.json", samples=90, shard_size=9, killer="once"), tmp_path / "out"
+    client = run.client(file, out, 2)
+    said = finish(client)
+    assert client.returncode == 0, said
+    require_all(file, out)
+
+
+def test_a_full_disk_is_said_and_nothing_is_half_written(tmp_path: Path) -> None:
+    """A small disk of its own where one can be mounted."""
+    disk, larger = tmp_path / "disk", tmp_path / "larger"
+    disk.mkdir()
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=48k", "tmpfs", str(disk)], check=False)
+    if mounted.returncode != 0:
+        pytest.skip("no disk can be mounted here")
+    try:
+        file = write_stub(tmp_path / "c.json", samples=4000, shard_size=200)
+        with pytest.raises(UsageError, match=r"No space left on device.*of 20 shards are whole; `mahovik campaign res"):
+            Campaign(file, load=load_stub).run(disk / "out", workers=1)
+        found = status(disk / "out")
+        assert found.records and found.missing and not found.damaged and not found.drafts
+        shutil.copytree(disk / "out", larger / "out")
+    finally:
+        subprocess.run(["umount", str(disk)], check=True)
+    assert Campaign(file, load=load_stub).run(larger / "out", workers=1).status.complete
+    require_all(file, larger / "out")
+
+
+def test_a_limit_of_the_size_of_files_is_said(tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=400, shard_size=200)
+    begin(tmp_path / "out", file, load_stub(file))
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2000, before[1]))
+        with pytest.raises(UsageError, match="cannot be written: File too large"):
+            make_shard(tmp_path / "out", 0, load_stub)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
+    found = status(tmp_path / "out")
+    assert found.missing == (0, 1) and not found.drafts
+
+
+def test_workers_end_with_their_client(run: Processes, tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=400, shard_size=9, pause=0.2)
+    client = run.client(file, tmp_path / "out", 2)
+    until(lambda: len(shard_files(tmp_path / "out")) > 1)
+    below = children(client.pid)
+    assert len(below) >= 2
+    client.kill()
+    client.wait()
+    until(lambda: not [pid for pid in workers_below(client.pid) if pid in below])

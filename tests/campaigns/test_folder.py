@@ -1,0 +1,146 @@
+"""Folder of a campaign: rows of one campaign alone, from the first process to the last."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from campaigns.stub import load_stub, write_stub
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.campaign.cluster import connect
+from mahovik.out.campaign.dataset import status
+from mahovik.out.campaign.face import Campaign, CampaignFolder
+from mahovik.out.campaign.folder import _opened
+from mahovik.out.campaign.manifest import read_manifest
+
+
+@pytest.fixture(autouse=True)
+def forget_opened() -> None:
+    """Make the next one read the campaign file, like a new process."""
+    _opened.cache_clear()
+
+
+def prepare(tmp_path: Path, **values: object) -> CampaignFolder:
+    """A folder that was begun; the stand file is beside the campaign file."""
+    mahovik.example("shaker2").save(tmp_path / "stand.toml")
+    file = write_stub(tmp_path / "c.json", **{"samples": 40, "shard_size": 8, "stand_file": "stand.toml"} | values)
+    return Campaign(file, load=load_stub).prepare(tmp_path / "out")
+
+
+def test_every_shard_alone(tmp_path: Path) -> None:
+    found = prepare(tmp_path)
+    for number in reversed(range(5)):
+        record = found.shard(number)
+        assert record.number == number and record.count == 8
+    assert found.status().complete
+    columns = found.columns()
+    assert columns["sample"].tolist() == list(range(40))
+    with np.errstate(invalid="ignore"):
+        assert np.array_equal(columns["root"], np.sqrt(columns["carrier.mass"]), equal_nan=True)
+
+
+def test_a_folder_can_be_moved_with_its_campaign(tmp_path: Path) -> None:
+    (tmp_path / "here").mkdir()
+    prepare(tmp_path / "here").shard(0)
+    (tmp_path / "here").rename(tmp_path / "there")
+    _opened.cache_clear()
+    assert CampaignFolder(tmp_path / "there" / "out", load=load_stub).shard(1).number == 1
+    assert status(tmp_path / "there" / "out").rows == 16
+
+
+def test_another_campaign_is_refused(tmp_path: Path) -> None:
+    prepare(tmp_path).shard(0)
+    for values, what in (({"seed": 2}, "the text of its file"), ({"samples": 50}, "the text of its file")):
+        file = write_stub(tmp_path / "c.json", **{"samples": 40, "shard_size": 8, "stand_file": "stand.toml"} | values)
+        with pytest.raises(UsageError, match=f'out: holds rows of another campaign, "stub": {what} differs; undo'):
+            Campaign(file, load=load_stub).prepare(tmp_path / "out")
+        _opened.cache_clear()
+        with pytest.raises(UsageError, match="holds rows of another campaign"):
+            CampaignFolder(tmp_path / "out", load=load_stub).shard(1)
+
+
+def test_a_changed_stand_is_refused_with_its_changes(tmp_path: Path) -> None:
+    prepare(tmp_path).shard(0)
+    stand = mahovik.load(tmp_path / "stand.toml")
+    name = stand.flywheels[0].name
+    stand.replace({"carrier.mass": 31.5, f"{name}.unbalance.static": "3 g mm"}).save(tmp_path / "stand.toml")
+    _opened.cache_clear()
+    with pytest.raises(UsageError) as refused:
+        CampaignFolder(tmp_path / "out", load=load_stub).shard(1)
+    said = str(refused.value)
+    assert "out: the stand file has changed since the campaign was begun: carrier.mass was" in said
+    assert "is 31.5" in said and name in said and "\n" not in said
+    assert "undo that, or begin again in another folder" in said
+    with pytest.raises(UsageError, match="the stand file has changed"):
+        Campaign(tmp_path / "c.json", load=load_stub).run(tmp_path / "out", workers=1)
+    assert status(tmp_path / "out").rows == 8
+
+
+def test_a_campaign_of_another_version_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = prepare(tmp_path)
+    manifest = json.loads((tmp_path / "out" / "manifest.json").read_text())
+    manifest["identity"]["version"] = "0.0.9"
+    (tmp_path / "out" / "manifest.json").write_text(json.dumps(manifest))
+    words = "out: mahovik 0.1.0 is installed here, but the campaign was begun with 0.0.9; install that version"
+    for action in (lambda: found.shard(0), lambda: Campaign(tmp_path / "c.json", load=load_stub).run(tmp_path / "out")):
+        with pytest.raises(UsageError, match=words):
+            action()
+
+
+def test_other_folders_are_refused(tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=40, shard_size=8)
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "thesis.txt").touch()
+    with pytest.raises(UsageError, match="full: holds other files; give an empty or a new folder"):
+        Campaign(file, load=load_stub).prepare(tmp_path / "full")
+    with pytest.raises(UsageError, match="none: no campaign was begun here; `mahovik campaign run"):
+        CampaignFolder(tmp_path / "none")
+    for text in ("", "[]", '{"format": 1}', '{"format": 1, "nmae": 2}'):
+        (tmp_path / "none").mkdir(exist_ok=True)
+        (tmp_path / "none" / "manifest.json").write_text(text)
+        with pytest.raises(UsageError, match=r"none/manifest.json: no manifest of a campaign"):
+            CampaignFolder(tmp_path / "none")
+
+
+@pytest.mark.slow
+def test_where_enough_samples_end_does_not_depend_on_the_workers(tmp_path: Path) -> None:
+    """Shards come back in any order, and are looked at in that of the samples."""
+    ends = []
+    for workers in (1, 2):
+        (tmp_path / str(workers)).mkdir()
+        found = prepare(tmp_path / str(workers), samples=20000, shard_size=100, within=0.04)
+        outcome = found.resume(workers=workers)
+        ends.append(outcome.status.manifest.end)
+        assert outcome.status.complete and outcome.status.rows == ends[-1]
+    assert ends[0] == ends[1] < 20000
+    assert read_manifest(tmp_path / "1" / "out").shards == len(list((tmp_path / "1" / "out").glob("rows/*/*.parquet")))
+    # a finer accuracy goes on from there
+    finer = write_stub(tmp_path / "2" / "c.json", samples=20000, shard_size=100, within=0.02, stand_file="stand.toml")
+    again = Campaign(finer, load=load_stub).run(tmp_path / "2" / "out", workers=2)
+    assert ends[0] < again.status.manifest.end < 20000
+
+
+@pytest.mark.parametrize(
+    "address", [pytest.param("tcp://127.0.0.1:9", marks=pytest.mark.slow), "nonsense", "http://127.0.0.1:9"]
+)
+def test_a_scheduler_that_cannot_be_reached(address: str) -> None:
+    with pytest.raises(UsageError) as refused, connect(None, address):
+        pass
+    assert str(refused.value).startswith(f"scheduler {address}: cannot be reached, ")
+    assert "\n" not in str(refused.value)
+
+
+def test_a_scheduler_and_workers_exclude_each_other() -> None:
+    with pytest.raises(UsageError, match="--workers: a scheduler has its own workers"), connect(2, "tcp://127.0.0.1:9"):
+        pass
+
+
+def test_merge_of_a_part_is_refused(tmp_path: Path) -> None:
+    found = prepare(tmp_path)
+    found.shard(3)
+    with pytest.raises(CheckError, match="4 of 5 shards are missing or damaged: 0-2, 4;"):
+        found.merge(tmp_path / "all.parquet")

@@ -1,0 +1,288 @@
+"""Statistics of signals, refusals, functions of the user, and loads by the literal reference."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+import mahovik
+from campaigns.computing import Keys, computation, refusal, tables_of
+from mahovik.contract import laws
+from mahovik.core import motion
+from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.structure import structure
+from mahovik.out.campaign import pose
+from mahovik.out.campaign.many_torques import drive_torques
+from mahovik.out.campaign.statistics import BandRms, End, Least, Mean, Peak, Rms, Settling, Statistic
+from mahovik.proof.reference import pieces
+
+SPEED = {"regime": {"default": {"speed": 100}}, "until": "10 ms"}
+
+
+def gathered(sums: Statistic, t: np.ndarray, values: np.ndarray, cuts: list[int]) -> np.ndarray:
+    """The number of a statistic that gets its values in chunks."""
+    edges = [0, *sorted(cuts), len(t)]
+    for first, last in itertools.pairwise(edges):
+        if last > first:
+            sums.add(t[first:last], values[first:last])
+    return sums.result()
+
+
+@given(st.integers(0, 2**32 - 1), st.lists(st.integers(1, 39), max_size=4), st.sampled_from([1, 3]))
+def test_sums_are_those_of_numpy_however_the_chunks_are_cut(seed: int, cuts: list[int], components: int) -> None:
+    """Peak, RMS, mean, least and end of the length, or of the one component with its sign."""
+    values, t = np.random.default_rng(seed).normal(size=(40, components, 5)), np.arange(40.0)
+    size = values[:, 0] if components == 1 else np.linalg.norm(values, axis=1)
+    for made, expected in (
+        (Peak(5), np.abs(size).max(axis=0)),
+        (Rms(5), np.sqrt(np.mean(size**2, axis=0))),
+        (Mean(5), size.mean(axis=0)),
+        (Least(5), size.min(axis=0)),
+        (End(5), size[-1]),
+    ):
+        assert_allclose(gathered(made, t, values, cuts), expected, rtol=1e-14, atol=1e-15)
+
+
+@given(st.floats(40.0, 90.0), st.floats(0.0, 6.0), st.floats(0.1, 10.0))
+def test_a_band_has_the_rms_of_what_swings_in_it(frequency: float, phase: float, amplitude: float) -> None:
+    """A sine at any frequency in the band, beside a mean, a slow and a fast one outside it."""
+    t = 1e-3 * np.arange(1001)
+    inside = amplitude * np.sin(2 * np.pi * frequency * t + phase)
+    outside = 3.0 + 2.0 * np.sin(2 * np.pi * 11.3 * t) + np.cos(2 * np.pi * 203.7 * t)
+    values = np.stack([np.stack([inside, outside], axis=1), np.stack([outside, 2 * inside], axis=1)], axis=2)
+    found = gathered(BandRms((30.0, 100.0)), t, values, [100, 731])
+    assert_allclose(found, np.array([1.0, 2.0]) * amplitude / np.sqrt(2), rtol=1e-2, atol=2e-3)
+
+
+def test_all_of_a_band_is_the_mean_square_that_the_window_lets_through() -> None:
+    """Parseval's theorem: what is in all bands together is what is there."""
+    rng, t = np.random.default_rng(5), 1e-3 * np.arange(64)
+    values = rng.normal(size=(64, 3, 2))
+    window = np.sin(np.pi * (np.arange(64) + 0.5) / 64) ** 2
+    about = (values - values.mean(axis=0)) * window[:, None, None]
+    expected = np.sqrt((about**2).sum(axis=(0, 1)) / (window**2).sum())
+    assert_allclose(gathered(BandRms((0.0, 500.0)), t, values, []), expected, rtol=1e-13)
+
+
+def test_settling_is_the_last_time_outside() -> None:
+    """exp(-t) comes within 0.1 at ln 10, a constant at once, and what swings on never: all of the run."""
+    t = 0.01 * np.arange(2001)
+    values = np.stack([np.exp(-t), np.ones_like(t), np.sin(t)], axis=1)[:, None, :]
+    found = gathered(Settling(0.1), t, values, [7])
+    assert_allclose(found, [np.log(10.0), 0.0, 20.0], atol=0.02)
+
+
+TABLE = "bench8"
+
+
+@pytest.mark.parametrize(
+    ("run", "quantity", "words"),
+    [
+        (SPEED, {"peak": "acceleraton", "at": "carrier"}, 'peak: unknown "acceleraton", did you mean "acceleration"?'),
+        (SPEED, {"peak": "acceleration"}, "at: required, but missing; expected one of carrier"),
+        (SPEED, {"peak": "acceleration", "at": "w1"}, 'at: unknown "w1", expected one of carrier'),
+        (SPEED, {"peak": "force", "of": "leg 1"}, 'of: unknown "leg 1"'),
+        (SPEED, {"peak": "force", "of": "suspensoin"}, 'did you mean "suspension"?'),
+        (SPEED, {"peak": "torque", "of": "w9"}, 'of: unknown "w9", did you mean "w1"?'),
+        (SPEED, {"peak": "torque", "at": "w1"}, "at: not allowed, expected `of`"),
+        (SPEED, {"peak": "torque", "of": "w1", "axis": "x"}, "axis: x: expected none"),
+        (SPEED, {"peak": "error"}, "no signal `error` over regime"),
+        (SPEED, {"peak": "rate", "rms": "rate", "at": "carrier"}, "expected exactly one of"),
+        (SPEED, {"peak": "rate", "at": "carrier", "band": ["1 Hz", "2 Hz"]}, "band: only allowed with `rms`"),
+        (SPEED, {"rms": "rate", "at": "carrier", "band": ["1 Hz", "900 Hz"]}, "band: 900 Hz needs `every` of at most"),
+        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "8 Hz"]}, "band: expected a lower and a higher"),
+        (SPEED, {"rms": "rate", "at": "carrier", "band": ["9 Hz", "19 Hz"]}, "cannot be resolved in 0.01 s; needs 0.2 s"),
+        (SPEED, {"peak": "rate", "at": "carrier", "after": "1 s"}, "after: 1 s: expected less than `until`"),
+        (SPEED, {"settling": "rate", "at": "carrier"}, "within: required with `settling`"),
+        (SPEED, {"settling": "rate", "at": "carrier", "within": "1 mm"}, "expected an angular speed (rad/s)"),
+        (SPEED, {"function": "nothing"}, 'function: "nothing": expected "package.module:function"'),
+        (SPEED, {"function": "no_such_module:f"}, "function: no_such_module cannot be imported"),
+        (SPEED, {"function": "math:squareroot"}, 'function: math has no "squareroot"'),
+        (SPEED, {"function": "f.py:f"}, "function: f.py: no such file"),
+        ({"speeds": {"w1": 100}}, {"peak": "torque", "of": "w1"}, "no signal `torque` over speeds; expected one of"),
+        ({"speeds": {"w1": 100}}, {"end": "rate", "at": "carrier"}, "no statistic `end` over speeds"),
+        ({"speeds": {"w1": 100, "w2": 3.14}}, {"rms": "rate", "at": "carrier"}, "run: speeds 100, 3.14"),
+        ({"speeds": {"w1": "0..100"}}, {"rms": "rate", "at": "carrier"}, "a range of speeds, expected one speed"),
+        ({"states": "none.jsonl"}, {"peak": "rate", "at": "carrier"}, "none.jsonl: no such file"),
+        ({"regime": {"default": {"hold": True}}}, {"peak": "rate", "at": "carrier"}, "until: required with `regime`"),
+        (SPEED | {"servo": "s"}, {"peak": "rate", "at": "carrier"}, "run, servo: not allowed with `regime`"),
+        (SPEED | {"states": "s"}, {"peak": "rate", "at": "carrier"}, "exactly one of regime, speeds, programme"),
+        (SPEED | {"order": 3}, {"peak": "rate", "at": "carrier"}, "run, order: 3: expected 4 or 2"),
+        (SPEED | {"dt": "1 m"}, {"peak": "rate", "at": "carrier"}, "run, dt: "),
+        ({"until": 1}, {"peak": "rate", "at": "carrier"}, "found none"),
+        (SPEED | {"regime": "no.toml"}, {"peak": "rate", "at": "carrier"}, "no.toml: no such file"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_is_refused_in_one_line(run: Keys, quantity: Keys, words: str, tmp_path: Path) -> None:
+    """It says where, what was found and what was expected, before anything is computed."""
+    said = refusal(TABLE, run, {"q": quantity}, tmp_path)
+    assert words in said, said
+    assert said.startswith(("C.toml: ", "quantities, q: ", "run: ", str(tmp_path))), said
+
+
+def test_too_much_to_keep_is_refused() -> None:
+    """A band of a long run with many times of output."""
+    run = SPEED | {"until": "900 s", "every": "0.1 ms"}
+    said = refusal(TABLE, run, {"q": {"rms": "rate", "at": "carrier", "band": ["1 Hz", "100 Hz"]}})
+    assert "expected a larger `every`" in said
+
+
+FUNCTIONS = '''
+def largest(sample):
+    """Largest speed of w1."""
+    return abs(sample["phi_dot"][:, 0]).max()
+
+def picky(sample):
+    if sample["position"][0, 2] < 0:
+        raise ValueError("too heavy")
+    return 1.0
+
+def words(sample):
+    return "no number"
+'''
+
+
+def test_a_function_of_the_user_gets_the_arrays_of_one_sample(tmp_path: Path) -> None:
+    """A sample for which it raises has that as its reason, and the others have their numbers."""
+    (tmp_path / "own.py").write_text(FUNCTIONS, encoding="utf-8")
+    n = 9
+    wanted = {
+        "fast": {"function": "own.py:largest", "unit": "rad/s"},
+        "picky": {"function": "own.py:picky"},
+        "mine": {"function": "given in Python"},
+        "sp": {"peak": "speed", "of": "w1"},
+    }
+    seen: list[dict[str, tuple[int, ...]]] = []
+
+    def mine(sample: Keys) -> float:
+        seen.append({name: values.shape for name, values in sample.items()})
+        return float(sample["t"][-1])
+
+    own = computation(mahovik.example(TABLE), SPEED, wanted, folder=tmp_path, user_functions={"given in Python": mine})
+    assert own.units == {"fast": "rad/s", "picky": "", "mine": "", "sp": "rad/s"}
+    values, reasons = own.values(tables_of(own, {"carrier.mass": np.linspace(11, 13, n)}))
+    failed = np.array([bool(reason) for reason in reasons])
+    assert 0 < failed.sum() < n
+    assert {reason for reason in reasons if reason} == {"own.py:picky: ValueError: too heavy"}
+    assert np.isnan(values["fast"]).tolist() == failed.tolist()
+    assert set(values["fast"][~failed]) == {100.0}
+    assert set(values["mine"][~failed]) == {0.01}
+    expected = {"t": (11,), "V": (11, 6), "attitude": (11, 4), "phi": (11, 8), "tau": (11, 8), "mount w8": (11, 6)}
+    assert seen[0] | expected == seen[0]
+
+
+def test_a_function_that_gives_no_number_is_a_reason(tmp_path: Path) -> None:
+    """Every sample has it, and nothing is raised."""
+    (tmp_path / "own.py").write_text(FUNCTIONS, encoding="utf-8")
+    own = computation(mahovik.example(TABLE), SPEED, {"q": {"function": "own.py:words"}}, folder=tmp_path)
+    values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([12.0, 12.1])}))
+    assert reasons == ["own.py:words: gives str, expected a number"] * 2
+    assert np.isnan(values["q"]).all()
+
+
+LEGS = """
+schema = 1
+name = "legs"
+[carrier]
+mass = 5.0
+inertia = [[0.1, 0, 0], [0, 0.12, 0], [0, 0, 0.15]]
+[suspension]
+stiffness = [[900, 0, 0, 0, 10, 0], [0, 800, 0, 0, 0, 0], [0, 0, 700, 0, 0, 0], [0, 0, 0, 30, 0, 0],
+  [10, 0, 0, 0, 31, 0], [0, 0, 0, 0, 0, 32]]
+damping = [[9, 0, 0, 0, 0, 0], [0, 8, 0, 0, 0, 0], [0, 0, 7, 0, 0, 0], [0, 0, 0, 0.3, 0, 0], [0, 0, 0, 0, 0.2, 0],
+  [0, 0, 0, 0, 0, 0.1]]
+position = [0.01, 0.02, 0.03]
+angles = [0.1, -0.2, 0.3]
+[[leg]]
+ground = [0, 0, -0.5]
+carrier = [0.1, 0, -0.1]
+length = 0.3
+stiffness = 1000
+damping = 5
+[[leg]]
+ground = [0.3, 0.3, -0.5]
+carrier = [0, 0.1, -0.1]
+length = 0.3
+stiffness = 2000
+damping = 6
+"""
+
+
+@pytest.mark.slow
+def test_what_ties_transmit_is_that_of_the_literal_reference(tmp_path: Path) -> None:
+    """Suspension and legs whose numbers differ from sample to sample, at random states: to rounding."""
+    (tmp_path / "legs.toml").write_text(LEGS, encoding="utf-8")
+    stand, n = mahovik.load(tmp_path / "legs.toml"), 4
+    changes = {
+        "suspension.stiffness.0.0": np.linspace(800, 1000, n),
+        "suspension.position.2": np.linspace(0, 0.1, n),
+        "leg.1.stiffness": np.linspace(1000, 3000, n),
+        "leg.0.ground.0": np.linspace(-0.1, 0.1, n),
+    }
+    tables = mahovik.build(stand).tables(changes)
+    numbers = tables.laws()
+    states = [random_state(stand, np.random.default_rng(seed)) for seed in range(n)]
+    found = [pieces(tables.stand(j), state) for j, state in enumerate(states)]
+    C = np.array([own.C for own in found]).transpose(1, 2, 0)
+    q = np.roll(Rotation.from_matrix([own.C for own in found]).as_quat(), 1, axis=1).T
+    at = pose.Pose(np.array([s.position for s in states]).T, C, np.array([s.V for s in states]).T)
+    checked = []
+    for law in laws.parts("loads"):
+        names = law.names(structure(stand))
+        for k, name in enumerate(names):
+            values = law.wrench(name, numbers, at, q)
+            for j, own in enumerate(found):
+                expected = own.terms["carrier"]["suspension" if name == "suspension" else f"leg {k}"]
+                assert_allclose(values[:3, j], expected[:3], atol=1e-12 * np.abs(expected).max(), err_msg=name)
+                if name == "suspension":
+                    assert_allclose(values[3:, j], expected[3:], atol=1e-12 * np.abs(expected).max())
+            checked.append(name)
+    assert checked == ["suspension", "leg 1", "leg 2"]
+
+
+MOTORS = """
+schema = 1
+[flywheel.rw1]
+torque = 0.1
+[flywheel.rw2]
+run_up = { torque = 0.15, to = 300, band = 20 }
+[flywheel.rw3]
+torque = -0.3
+[flywheel.rw4]
+speed = 10
+"""
+
+
+@given(st.lists(st.floats(-700.0, 700.0), min_size=4, max_size=4))
+def test_torques_of_many_are_those_of_one(speeds: list[float]) -> None:
+    """Driving and braking, beyond the limit and the no-load speed, with friction; a given speed has none."""
+    stand = mahovik.example("sat4")
+    regime = motion.loads_regime(MOTORS, stand, 1.0)
+    motors = tuple(s.motor for s in stand.flywheels)
+    found = drive_torques(regime, motors, 0.3, np.array([speeds, speeds[::-1]]).T)
+    for column, given_speeds in zip(found.T, (speeds, speeds[::-1]), strict=True):
+        assert_allclose(column, regime.torques(0.3, np.array(given_speeds), motors), rtol=1e-14, atol=1e-17)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_rotations_of_many_are_those_of_scipy(seed: int) -> None:
+    """Matrix, product, rotation vector, and back."""
+    rng = np.random.default_rng(seed)
+    first, second = Rotation.random(6, rng), Rotation.random(6, rng)
+    p, q = (np.roll(each.as_quat(), 1, axis=1).T for each in (first, second))
+    assert_allclose(np.moveaxis(pose.rotation(p), -1, 0), first.as_matrix(), atol=1e-14)
+    both = pose.rotation_vector(pose.compose(p, q)).T
+    assert_allclose(both, (first * second).as_rotvec(), atol=1e-12)
+    v = rng.normal(size=(6, 3))
+    assert_allclose(pose.turn(pose.rotation(p), v.T).T, first.apply(v), atol=1e-14)
+    assert_allclose(pose.turn_back(pose.rotation(p), v.T).T, first.inv().apply(v), atol=1e-14)
+    small = 1e-3 * v.T
+    assert_allclose(pose.rotation_vector(pose.small_rotation(small)), small, rtol=1e-12)
+    assert_allclose(pose.rotation_vector(pose.conjugate(pose.small_rotation(small))), -small, rtol=1e-12)

@@ -1,0 +1,133 @@
+"""The report of a campaign: what its tables and charts say is what the rows say."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from campaigns.stub import POISON, load_stub, write_stub
+from mahovik.errors import CheckError
+from mahovik.out.campaign.convergence import quantile_interval
+from mahovik.out.campaign.face import Campaign, CampaignFolder
+from mahovik.out.campaign.report.influence import influences
+from mahovik.out.campaign.report.query import Query
+from mahovik.out.campaign.shards import shard_path
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> CampaignFolder:
+    """300 samples, of which some are poison."""
+    place = tmp_path_factory.mktemp("campaign")
+    file = write_stub(place / "c.json", samples=300, shard_size=100, within=0.5)
+    found = Campaign(file, load=load_stub).prepare(place / "out")
+    for number in range(3):
+        found.shard(number)
+    return found
+
+
+def text_of(page: Path) -> str:
+    """Words of a page without scripts and styles, one space between them."""
+    html = re.sub(r"<(script|style|svg).*?</\1>", " ", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    return " ".join(re.sub(r"<[^>]*>", " ", html).replace("\u2007", "").replace("\u2008", "").split())
+
+
+def test_the_page_says_what_the_rows_say(folder: CampaignFolder, tmp_path: Path) -> None:
+    written = folder.report(tmp_path / "page.html", worst=2)
+    text = text_of(written.page)
+    columns = folder.columns()
+    bad = np.isnan(columns["root"])
+    assert f"300 samples in 3 shards, {bad.sum()} of them without quantities. Numbers that vary: 1." in text
+    assert POISON in text
+    found = quantile_interval(columns["root"], 0.95)
+    assert f"95 % below {found.value:.5g}".rstrip("0") in text
+    assert f"90 % of root below {quantile_interval(columns['root'], 0.9).value:.4g} ±" in text
+    worst = int(np.nanargmax(columns["double"]))
+    assert f"double, kg {worst}" in text
+    html = written.page.read_text(encoding="utf-8")
+    assert html.count("<figure class") == 6  # histogram, convergence, scatter of each
+    assert not re.search(r'(src|href)="(http|//)', html)
+
+
+def test_the_page_is_well_formed(folder: CampaignFolder, tmp_path: Path) -> None:
+    page = folder.report(tmp_path / "page.html").page
+    stack: list[str] = []
+
+    class Checker(HTMLParser):
+        def handle_starttag(self, tag: str, attrs: object) -> None:
+            if tag not in ("meta", "rect", "path", "use", "br"):
+                stack.append(tag)
+
+        def handle_endtag(self, tag: str) -> None:
+            if tag in stack:
+                assert stack.pop() == tag
+
+    Checker().feed(page.read_text(encoding="utf-8"))
+    assert stack == []
+
+
+def test_the_worst_samples_are_stand_files(folder: CampaignFolder, tmp_path: Path) -> None:
+    written = folder.report(tmp_path / "page.html", worst=3)
+    columns = folder.columns()
+    order = np.argsort(-np.nan_to_num(columns["double"], nan=-np.inf))[:3]
+    masses = {mahovik.load(path).carrier.mass for path in written.stands}
+    assert masses == {columns["carrier.mass"][k] for k in order}
+    assert {path.name for path in written.stands} == {f"shaker2-{k}.toml" for k in order}
+    assert folder.report(tmp_path / "none.html", worst=0).stands == ()
+
+
+def test_missing_rows_are_said_on_top(tmp_path: Path) -> None:
+    file = write_stub(tmp_path / "c.json", samples=300, shard_size=100)
+    found = Campaign(file, load=load_stub).prepare(tmp_path / "out")
+    with pytest.raises(CheckError, match="no rows yet; `mahovik campaign resume"):
+        found.report(tmp_path / "page.html")
+    found.shard(1)
+    assert "FAIL 200 of 300 samples are missing" in text_of(found.report(tmp_path / "page.html").page)
+    path = shard_path(found.path, 1)
+    path.write_bytes(path.read_bytes()[:-1])
+    (tmp_path / "page.html").unlink()
+    with pytest.raises(CheckError, match="no rows yet"):
+        found.report(tmp_path / "page.html")
+    assert not (tmp_path / "page.html").exists()
+
+
+def test_queries_give_the_columns(folder: CampaignFolder) -> None:
+    query, columns = Query(folder.path, folder.manifest), folder.columns()
+    assert query.count() == 300
+    assert np.array_equal(query.with_gaps("root"), columns["root"], equal_nan=True)
+    good = columns["reason"] == ""
+    assert np.array_equal(query.columns(["double"])["double"], columns["double"][good])
+    assert query.parameters_of(17) == {"carrier.mass": columns["carrier.mass"][17]}
+    thinned = query.columns(["double"], every=7)["double"]
+    assert np.array_equal(thinned, columns["double"][good & (columns["sample"] % 7 == 0)])
+
+
+def test_shares_of_the_variance_are_those_of_ishigami() -> None:
+    """sin x1 + 7 sin^2 x2 + x3^4 sin(x1)/10: shares 0.314, 0.442, 0; a line sees nothing of x2."""
+    rng = np.random.default_rng(1)
+    x = {f"x{k}": rng.uniform(-np.pi, np.pi, 40_000) for k in (1, 2, 3, 4)}
+    y = np.sin(x["x1"]) + 7.0 * np.sin(x["x2"]) ** 2 + 0.1 * x["x3"] ** 4 * np.sin(x["x1"])
+    found, explained = influences(x, y)
+    shares = {each.parameter: each.share for each in found}
+    assert shares["x1"] == pytest.approx(0.314, abs=0.015)
+    assert shares["x2"] == pytest.approx(0.442, abs=0.015)
+    assert shares["x3"] < 0.005 and shares["x4"] < 0.005
+    assert [each.parameter for each in found[:2]] == ["x2", "x1"]
+    assert abs(next(each.change for each in found if each.parameter == "x2")) < 0.02
+    assert explained == pytest.approx(0.19, abs=0.02)
+
+
+def test_influences_of_a_straight_line() -> None:
+    rng = np.random.default_rng(2)
+    x = {"a": rng.normal(0.0, 2.0, 5000), "b": rng.normal(5.0, 1.0, 5000), "still": np.full(5000, 3.0)}
+    found, explained = influences(x, 2.0 * x["a"] - 3.0 * x["b"])
+    assert [each.parameter for each in found] == ["a", "b"]
+    assert explained == pytest.approx(1.0, abs=1e-9)
+    assert found[0].change == pytest.approx(0.8, abs=0.02) and found[1].change == pytest.approx(-0.6, abs=0.02)
+    assert found[0].share == pytest.approx(0.64, abs=0.03)
+    assert influences(x, np.ones(5000)) == ([], 0.0)
+    assert influences({k: v[:30] for k, v in x.items()}, np.arange(30.0)) == ([], 0.0)

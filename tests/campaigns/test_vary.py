@@ -1,0 +1,220 @@
+"""Numbers that vary: paths and patterns, values about those of the stand, groups, tables, correlations."""
+
+import itertools
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy import stats
+
+import mahovik
+from campaigns.files import read, refusal
+from mahovik.out.campaign.designs import Random
+from mahovik.out.campaign.file import CampaignFile
+
+Array = NDArray[np.float64]
+
+
+def first_values(file: CampaignFile, count: int = 4000) -> dict[str, Array]:
+    """Values of the first samples, as a campaign draws them."""
+    design = Random(file.draw.factors, count, file.table.seed)
+    return file.draw.values(design.unit(0, count))
+
+
+def values(folder: Path, body: str, count: int = 4000, stand: str = "sat4") -> dict[str, Array]:
+    return first_values(read(folder, body, stand=stand), count)
+
+
+def test_a_pattern_draws_each_of_its_matches_by_itself(tmp_path: Path) -> None:
+    found = values(tmp_path, '[vary]\n"rw*.unbalance.static" = { normal = ["1 g mm", "0.2 g mm"] }')
+    assert list(found) == [f"rw{i}.unbalance.static" for i in (1, 2, 3, 4)]
+    columns = np.array(list(found.values()))
+    assert columns.mean(axis=1) == pytest.approx([1e-6] * 4, rel=0.02)
+    assert columns.std(axis=1) == pytest.approx([2e-7] * 4, rel=0.05)
+    assert np.abs(np.corrcoef(columns) - np.eye(4)).max() < 0.06
+
+
+def test_a_plain_path_has_precedence_over_a_pattern_and_a_number_stays_when_others_vary(tmp_path: Path) -> None:
+    pattern = '[vary]\n"rw*.mass" = { tolerance = "1 g" }\n'
+    few = values(tmp_path, pattern)
+    more = values(
+        tmp_path, pattern + '"rw2.mass" = { uniform = ["2 kg", "3 kg"] }\n"carrier.mass" = { relative = 0.1 }'
+    )
+    assert np.array_equal(few["rw1.mass"], more["rw1.mass"])
+    assert few["rw2.mass"].max() < 2.4011
+    assert more["rw2.mass"].max() > 2.9
+
+
+def test_tolerances_are_about_the_value_of_the_stand_file(tmp_path: Path) -> None:
+    found = values(
+        tmp_path,
+        '[vary]\n"carrier.center_of_mass" = { tolerance = "0.5 mm" }\n'
+        '"rw1.position[0]" = { tolerance = ["-1 mm", "2 mm"] }'
+        '\n"carrier.mass" = { relative = "2 %" }\n"rw1.unbalance.dynamic" = { relative = 0.01, most = "2.2 g cm^2" }',
+    )
+    middle = np.array([4e-3, -3e-3, 12e-3])
+    for i, x in enumerate(middle):
+        column = found[f"carrier.center_of_mass[{i}]"]
+        assert stats.kstest(column, stats.uniform(x - 5e-4, 1e-3).cdf).pvalue > 0.01
+    assert stats.kstest(found["rw1.position[0]"], stats.uniform(0.109, 3e-3).cdf).pvalue > 0.01
+    assert stats.kstest(found["carrier.mass"], stats.norm(50.4, 0.02 * 50.4).cdf).pvalue > 0.01
+    assert found["rw1.unbalance.dynamic"].max() <= 2.2e-7
+
+
+def test_magnitudes_do_not_go_below_zero(tmp_path: Path) -> None:
+    found = values(
+        tmp_path,
+        '[vary]\n"rw1.unbalance.static" = { normal = ["1 g mm", "1 g mm"] }\n'
+        '"rw1.unbalance.static_at" = { normal = [0, "90 deg"] }\n'
+        '"rw2.unbalance.static" = { normal = ["1 g mm", "1 g mm"], least = "0.5 g mm", most = "1.5 g mm" }',
+    )
+    expected = stats.truncnorm(-1, np.inf, 1e-6, 1e-6)
+    assert found["rw1.unbalance.static"].min() >= 0
+    assert stats.kstest(found["rw1.unbalance.static"], expected.cdf).pvalue > 0.01
+    assert found["rw1.unbalance.static_at"].min() < -1
+    assert 5e-7 <= found["rw2.unbalance.static"].min() < found["rw2.unbalance.static"].max() <= 1.5e-6
+
+
+def test_a_grade_gives_the_permissible_unbalance_in_any_direction(tmp_path: Path) -> None:
+    found = values(tmp_path, '[vary]\n"rw*.unbalance" = { grade = "G 2.5", speed = "3000 rpm" }')
+    assert list(found)[:2] == ["rw1.unbalance.static", "rw1.unbalance.static_at"]
+    omega = 100 * math.pi
+    for i in (1, 2, 3, 4):
+        e_per = found[f"rw{i}.unbalance.static"] / mahovik.example("sat4").flywheels[i - 1].mass
+        assert e_per * omega == pytest.approx(2.5e-3, rel=1e-12)
+        angle = found[f"rw{i}.unbalance.static_at"]
+        assert stats.kstest(angle, stats.uniform(-math.pi, 2 * math.pi).cdf).pvalue > 0.01
+    part = values(
+        tmp_path, '[vary]\n"rw1.unbalance" = { grade = "G 2.5", speed = "3000 rpm", share = { uniform = [0, 1] } }'
+    )
+    most = found["rw1.unbalance.static"][0]
+    assert stats.kstest(part["rw1.unbalance.static"], stats.uniform(0, most).cdf).pvalue > 0.01
+
+
+def test_numbers_of_a_group_have_the_same_quantile(tmp_path: Path) -> None:
+    found = values(
+        tmp_path,
+        '[vary]\n"rw*.mass" = { uniform = ["2 kg", "3 kg"], group = "batch" }\n'
+        '"rw*.spin_inertia" = { normal = [0.019, 1e-4], group = "batch" }',
+    )
+    u = found["rw1.mass"] - 2
+    for i in (2, 3, 4):
+        assert np.array_equal(found[f"rw{i}.mass"], found["rw1.mass"])
+    assert found["rw3.spin_inertia"] == pytest.approx(stats.norm(0.019, 1e-4).ppf(u), rel=1e-9)
+
+
+def test_columns_of_a_table_are_of_the_same_measured_part(tmp_path: Path) -> None:
+    rows = [(0.5, 10.0), (1.5, 200.0), (2.5, -30.0), (0.7, 90.0)]
+    table = "".join(f"{static},x{i},{at}\n" for i, (static, at) in enumerate(rows))
+    (tmp_path / "wheels.csv").write_text("static [g mm],serial,at [deg]\n" + table)
+    found = values(
+        tmp_path,
+        '[vary]\n"rw*.unbalance.static" = { table = "wheels.csv" }\n'
+        '"rw*.unbalance.static_at" = { table = "wheels.csv", column = "at" }',
+    )
+    statics = np.array([static for static, _ in rows])
+    for i in (1, 2, 3, 4):
+        which = np.abs(found[f"rw{i}.unbalance.static"][:, None] * 1e6 - statics).argmin(axis=1)
+        angles = np.deg2rad([at for _, at in rows])[which]
+        assert found[f"rw{i}.unbalance.static_at"] == pytest.approx(angles)
+        assert stats.chisquare(np.bincount(which, minlength=4)).pvalue > 0.01
+    assert (found["rw1.unbalance.static"] != found["rw2.unbalance.static"]).mean() > 0.7
+
+
+def test_correlated_numbers_keep_their_distributions(tmp_path: Path) -> None:
+    body = (
+        '[vary]\n"rw*.unbalance.static" = { lognormal = ["1 g mm", 0.3] }\n"carrier.mass" = { tolerance = "1 kg" }\n'
+        '[[correlation]]\nof = ["rw*.unbalance.static"]\ncoefficient = 0.6\n'
+        '[[correlation]]\nof = ["rw1.unbalance.static", "carrier.mass"]\ncoefficient = -0.5\n'
+    )
+    found = values(tmp_path, body, 20_000)
+    scores = np.log(found["rw1.unbalance.static"]), np.log(found["rw4.unbalance.static"])
+    assert np.corrcoef(*scores)[0, 1] == pytest.approx(0.6, abs=0.02)
+    ranks = stats.spearmanr(found["rw1.unbalance.static"], found["carrier.mass"]).statistic
+    assert ranks == pytest.approx(6 / math.pi * math.asin(-0.5 / 2), abs=0.02)
+    assert abs(np.corrcoef(found["carrier.mass"], scores[1])[0, 1]) < 0.02
+    for i in (1, 2, 3, 4):
+        column = found[f"rw{i}.unbalance.static"]
+        assert stats.kstest(column, stats.lognorm(0.3, scale=1e-6).cdf).pvalue > 0.01
+    assert stats.kstest(found["carrier.mass"], stats.uniform(49.4, 2).cdf).pvalue > 0.01
+
+
+@pytest.mark.parametrize("pieces", [(0, 100), (0, 1, 2, 50, 100), (0, 37, 100)])
+def test_correlated_rows_are_the_same_however_they_are_parted(tmp_path: Path, pieces: tuple[int, ...]) -> None:
+    file = read(
+        tmp_path,
+        '[vary]\n"rw*.mass" = { normal = ["2.4 kg", "1 g"] }\n'
+        '"rw*.unbalance.static" = { lognormal = ["1 g mm", 0.3] }\n'
+        '[[correlation]]\nof = ["rw*.mass"]\ncoefficient = 0.3\n',
+    )
+    design = Random(file.draw.factors, 100, 1)
+    whole = file.draw.values(design.unit(0, 100))
+    for first, last in itertools.pairwise(pieces):
+        for path, column in file.draw.values(design.unit(first, last - first)).items():
+            assert column.tobytes() == whole[path][first:last].tobytes()
+
+
+REFUSALS = {
+    '"rw5.mass" = { tolerance = "1 g" }': 'vary "rw5.mass": sat4 has no "rw5", did you mean "rw1"?',
+    '"wheel*.mass" = { tolerance = "1 g" }': 'no name matches "wheel*"',
+    '"rw1.unbalance.statik" = { tolerance = "1 g mm" }': 'unknown key "statik", did you mean "static"?',
+    '"rw1.mass" = { tolerance = "1 mm" }': 'tolerance: unit "mm" does not fit, expected a mass (kg)',
+    '"rw1.mass" = { normal = ["1 kg", "1 mm"] }': 'vary "rw1.mass": normal[1]: unit "mm" does not fit',
+    '"rw1.mass" = { normal = ["1 kg"] }': "normal: expected 2 numbers, found 1",
+    '"rw1.mass" = { norml = ["1 kg", "1 g"] }': 'unknown key "norml", did you mean "normal"?',
+    '"rw1.mass" = { least = "1 kg" }': 'unknown key "least"',
+    '"rw1.mass" = { normal = [1, 0.1], uniform = [1, 2] }': "expected one of normal, relative",
+    '"rw1.mass" = "1 kg"': "expected a table such as",
+    '"rw1.mass" = { uniform = ["3 kg", "2 kg"] }': "uniform: 2 is below 3 kg",
+    '"rw1.mass" = { normal = [-1, 0.1] }': "normal[0]: -1 kg is negative",
+    '"rw1.mass" = { normal = [2, -0.1] }': "is negative, expected a spread",
+    '"rw1.mass" = { normal = [2, 0.1], least = 9 }': "the distribution has no values between them",
+    '"rw1.mass" = { normal = [2, 0.1], least = 3, most = 1 }': "least: 3 is above most, 1 kg",
+    '"gravity[2]" = { relative = 0.1 }': "gravity[2] is zero in the stand file",
+    '"rw1" = { tolerance = "1 g" }': "is a table; expected the path of a number, such as rw1.mass",
+    '"rw1.name" = { tolerance = "1 g" }': "is no number",
+    '"rw1.position[3]" = { tolerance = "1 mm" }': "expected a place from [0] to [2], found [3]",
+    '"carrier.inertia" = { relative = 0.1 }': "expected an element of the matrix, such as carrier.inertia.J12",
+    '"rw1.buoyancy.displaced_mass" = { relative = 0.1 }': "has no rw1.buoyancy to vary",
+    '"rw1.motor.torque" = { relative = 0.1 }': "acts in no table of the C",
+    '"rw1..mass" = { relative = 0.1 }': "is no path",
+    '"rw1.unbalance" = { grade = "G 2.5" }': "speed: required with grade, but missing",
+    '"rw1.unbalance" = { grade = 2.5, speed = "3000 rpm" }': 'expected a balance quality grade, such as "G 2.5"',
+    '"rw1.unbalance" = { grade = "G 2.5", speed = "50 Hz" }': "speed: ",
+    '"carrier.unbalance" = { grade = "G 2.5", speed = "50 rpm" }': "carrier.unbalance",
+    '"rw1.mass" = { table = "none.csv" }': "none.csv: cannot be read",
+    '"rw1.mass" = { discrete = [] }': "discrete: expected at least one value",
+    '"rw1.mass" = { discrete = [1, 2], weights = [0, 0] }': "weights: expected numbers from 0",
+    '"rw1.mass" = { lognormal = ["0 kg", 0.1] }': "0 kg is not above 0",
+    '"rw*.mass" = { relative = 0.1 }\n"*1.mass" = { relative = 0.2 }': "rw1.mass varies twice, also by",
+}
+
+
+@pytest.mark.parametrize("entry", REFUSALS)
+def test_what_cannot_vary_is_refused_by_name(tmp_path: Path, entry: str) -> None:
+    assert REFUSALS[entry] in refusal(tmp_path, f"[vary]\n{entry}\n")
+
+
+def test_a_table_without_the_column_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "w.csv").write_text("static [g mm],mas [kg]\n1,2\n")
+    text = refusal(tmp_path, '[vary]\n"rw1.mass" = { table = "w.csv" }')
+    assert 'w.csv has no column "mass", did you mean "mas"?' in text
+    (tmp_path / "w.csv").write_text("mass [kg]\n2\nheavy\n")
+    assert '"heavy" is not a number' in refusal(tmp_path, '[vary]\n"rw1.mass" = { table = "w.csv" }')
+
+
+CORRELATIONS = {
+    'of = ["rw1.mass"]\ncoefficient = 0.5': "expected two numbers or more",
+    'of = ["rw1.mass", "carrier.mass"]\ncoefficient = 0.5': "carrier.mass does not vary",
+    'of = ["rw*.mass"]\ncoefficient = 1': "expected above -1 and below 1",
+    'of = ["rw*.mass"]\ncoefficient = -0.5': "not positive definite",
+    'of = ["rw*.mass"]\ncoefficient = 0.1\n[[correlation]]\nof = ["rw1.mass", "rw2.mass"]\ncoefficient = 0.2': "twice",
+}
+
+
+@pytest.mark.parametrize("entry", CORRELATIONS)
+def test_correlations_that_cannot_be_are_refused(tmp_path: Path, entry: str) -> None:
+    text = refusal(tmp_path, f'[vary]\n"rw*.mass" = {{ relative = 0.01 }}\n[[correlation]]\n{entry}\n')
+    assert CORRELATIONS[entry] in text

@@ -1,0 +1,97 @@
+"""`mahovik campaign`: commands over one small campaign, from the file to the page."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.run import refused, run
+
+FILE = """
+schema = 1
+stand = "shaker2"
+samples = 12
+shard = 5
+
+[vary]
+"carrier.mass" = { tolerance = "1 kg" }
+
+[run]
+regime = { default = { speed = "600 rpm" } }
+until = "10 ms"
+dt = "1 ms"
+
+[quantities]
+shake = { rms = "acceleration", at = "carrier" }
+"""
+
+
+@pytest.fixture(scope="module")
+def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder whose shards are computed by commands, one after the other."""
+    folder = tmp_path_factory.mktemp("campaign")
+    (folder / "c.toml").write_text(FILE)
+    place = folder / "out"
+    assert run("campaign", "run", str(folder / "c.toml"), "-o", str(place), "--prepare").output == "3\n"
+    assert run("campaign", "status", str(place)).exit_code == 1
+    said = run("campaign", "shard", str(place), "2", "0-1").output
+    assert [line.partition(",")[0] for line in said.splitlines()] == [
+        "shard 2: 2 samples",
+        "shard 0: 5 samples",
+        "shard 1: 5 samples",
+    ]
+    return place
+
+
+def test_status(out: Path) -> None:
+    said = run("campaign", "status", str(out))
+    assert said.output == "c: 12 of 12 samples in 3 of 3 shards, 0 without quantities\n"
+    state = json.loads(run("campaign", "status", str(out), "--json").output)
+    assert state["complete"] and state["rows"] == state["samples"] == 12 and state["missing"] == []
+
+
+def test_resume_of_what_is_complete_starts_no_worker(out: Path) -> None:
+    result = run("campaign", "resume", str(out), "--scheduler", "tcp://127.0.0.1:9")
+    assert result.exit_code == 0
+    assert result.output == "c: 12 of 12 samples in 3 of 3 shards, 0 without quantities\n"
+
+
+def test_merge_and_report(out: Path) -> None:
+    assert run("campaign", "merge", str(out), "-o", "all.parquet").output == "all.parquet\n"
+    said = run("campaign", "report", str(out), "-o", "page.html", "--worst", "1").output.splitlines()
+    assert said[0] == "page.html" and len(said) == 2
+    assert run("check", said[1]).exit_code == 0
+    assert "-o page.txt: expected a name that ends in .html" in refused(
+        "campaign", "report", str(out), "-o", "page.txt"
+    )
+
+
+def test_bad_input_is_one_line(out: Path) -> None:
+    cases = {
+        ("campaign", "shard", str(out), "3"): "shard 3: not there, expected 0 to 2",
+        ("campaign", "shard", str(out), "x"): "x: expected the number of a shard, or a range as 10-19",
+        (
+            "campaign",
+            "status",
+            "nowhere",
+        ): "nowhere: no campaign was begun here; `mahovik campaign run C.toml -o nowhere`",
+        ("campaign", "run", str(out.parent / "c.toml"), "-o", str(out.parent)): "holds other files",
+        ("campaign", "run", "missing.toml", "-o", "out"): "missing.toml",
+    }
+    for arguments, words in cases.items():
+        said = refused(*arguments)
+        assert said.startswith("error: ") and words in said and said.count("\n") == 1
+
+
+def test_what_is_missing_is_status_1(out: Path, tmp_path: Path) -> None:
+    (tmp_path / "c.toml").write_text(FILE)
+    run("campaign", "run", str(tmp_path / "c.toml"), "-o", str(tmp_path / "out"), "--prepare")
+    run("campaign", "shard", str(tmp_path / "out"), "1")
+    result = run("campaign", "status", str(tmp_path / "out"))
+    assert result.exit_code == 1
+    assert "missing shards: 0, 2" in result.output
+    said = refused("campaign", "merge", str(tmp_path / "out"), "-o", "all.parquet", status=1)
+    assert "2 of 3 shards are missing or damaged: 0, 2; `mahovik campaign resume" in said
+    assert not Path("all.parquet").exists()
