@@ -13,8 +13,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
+from mahovik.core.stand.whole import mass_properties
 from mahovik.out.report.stand import bodies, matrices
-from mahovik.out.report.stand.inertia import whole_inertia
 from mahovik.out.report.stand.markup import figure, figures, table
 from mahovik.out.report.stand.material import WORDS, Material, choose_state, chosen_state
 from mahovik.out.report.stand.matrices import SHADES, Side, matrix, shade
@@ -66,7 +66,8 @@ def test_products_of_inertia_total_inertia_and_axes_are_shown() -> None:
     made = bodies.section(material(stand))
     assert made is not None
     assert all(f"J<sub>{ij}</sub>" in made.html for ij in ("12", "13", "23"))
-    mass, center, tensor = whole_inertia(stand)
+    whole = mass_properties(stand)
+    mass, center, tensor = whole.mass, np.array(whole.center_of_mass), np.array(whole.inertia)
     K = reference.evaluate(stand, replace(chosen_state(stand), phi=(0.0,) * len(stand.flywheels)), ["matrices"])["K"]
     shift = mass * (center @ center * np.eye(3) - np.outer(center, center))
     assert np.allclose(tensor + shift, K[3:, 3:], rtol=1e-12, atol=1e-15)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Stand
+from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Stand
 
 Array = NDArray[np.float64]
 
@@ -24,6 +24,18 @@ def placement(body: Instrument | Flywheel) -> tuple[Array, Array]:
         return position, _axes(body)
     psi, theta, phi = body.angles
     return position, turn(2, psi) @ turn(1, theta) @ turn(0, phi)
+
+
+def pose(stand: Stand, body: Body) -> tuple[Array, Array]:
+    """Origin of a body in E1, m, and its axes there as columns; flywheels at phase zero."""
+    if not isinstance(body, Instrument | Flywheel):
+        return np.zeros(3), np.eye(3)
+    origin, C = placement(body)
+    mount = mount_of(stand, body)
+    if mount is not None:
+        below, axes = placement(mount)
+        origin, C = below + axes @ origin, axes @ C
+    return origin, C
 
 
 def transfer(position: Array, C: Array) -> Array:

@@ -24,8 +24,3 @@ def with_laws(table: type[AnyTable]) -> type[AnyTable]:
     """The table of a body with the keys of the laws."""
     keys: dict[str, Any] = {law.key: (law.table | None, None) for law in body_schemas()}
     return create_model(table.__name__, __base__=table, **keys)
-
-
-def keys_of(table: type[Table]) -> list[str]:
-    """The keys that a table may have."""
-    return [info.alias or name for name, info in table.model_fields.items()]

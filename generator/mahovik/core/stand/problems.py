@@ -38,7 +38,7 @@ class Problems:
         for item in error.errors(include_url=False):
             location, kind = item["loc"], item["type"]
             if kind == "extra_forbidden":
-                known = _known_keys(_table_at(table, location[:-1]))
+                known = keys_of(_table_at(table, location[:-1]))
                 path, reason = (
                     location[:-1],
                     f"unknown key {show(location[-1])}{_instead(str(location[-1]), known)}",
@@ -77,7 +77,8 @@ def _words(location: tuple[int | str, ...]) -> list[str]:
     return words
 
 
-def _known_keys(table: type[BaseModel]) -> list[str]:
+def keys_of(table: type[BaseModel]) -> list[str]:
+    """The keys that a table may have."""
     return [info.alias or name for name, info in table.model_fields.items()]
 
 

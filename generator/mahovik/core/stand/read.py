@@ -12,9 +12,9 @@ from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.law import LawSchema
-from mahovik.core.stand.law_schemas import AnyTable, keys_of, with_laws
+from mahovik.core.stand.law_schemas import AnyTable, with_laws
 from mahovik.core.stand.model import Flywheel, Instrument, LawData, Point, Stand, Task
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.schema import (
     CarrierTable,
     FlywheelTable,

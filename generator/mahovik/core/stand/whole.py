@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import mount_of, placement
+from mahovik.core.stand.frames import pose
 from mahovik.core.stand.inertia import inertia_about_center
-from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Stand, Vec3
+from mahovik.core.stand.model import Body, Mat3, Stand, Vec3
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,8 @@ class MassProperties:
 
 def placed_bodies(stand: Stand) -> list[PlacedBody]:
     """All bodies of a stand in E1, in its order."""
-    return [_place_bodies(stand, body) for body in stand.bodies]
+    found = ((body, *pose(stand, body)) for body in stand.bodies)
+    return [PlacedBody(body, origin, C, origin + C @ np.array(body.center_of_mass)) for body, origin, C in found]
 
 
 def mass_properties(stand: Stand) -> MassProperties:
@@ -63,19 +64,6 @@ def mass_properties(stand: Stand) -> MassProperties:
     signs = np.sign(axes[np.argmax(np.abs(axes), axis=0), range(3)])
     rows = (axes * signs).T + 0.0
     return MassProperties(mass, vec3(center), matrix3(J), vec3(moments), matrix3(rows))
-
-
-def _place_bodies(stand: Stand, body: Body) -> PlacedBody:
-    position, axes = np.zeros(3), np.eye(3)
-    if isinstance(body, Instrument | Flywheel):
-        position, axes = placement(body)
-        mount = mount_of(stand, body)
-        if mount is not None:
-            origin, turn = placement(mount)
-            position, axes = origin + turn @ position, turn @ axes
-    else:
-        assert isinstance(body, Carrier)
-    return PlacedBody(body, position, axes, position + axes @ np.array(body.center_of_mass))
 
 
 def vec3(a: Array) -> Vec3:

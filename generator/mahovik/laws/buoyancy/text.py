@@ -9,11 +9,11 @@ NAME = "buoyancy"
 CARRIES_WEIGHT = True
 
 
-def displacing_bodies(stand: Stand) -> list[str]:
+def bearers(stand: Stand) -> list[str]:
     """The bodies that displace fluid."""
     return [body.name for body in stand.bodies if body.law(Buoyancy) is not None]
 
 
 def short(stand: Stand) -> str:
     """The law in a word; empty where no body has it."""
-    return NAME if displacing_bodies(stand) else ""
+    return NAME if bearers(stand) else ""

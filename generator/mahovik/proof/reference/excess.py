@@ -43,13 +43,8 @@ def motor_shares(stand: Stand, at: Pieces, V_dot: Array, phi_ddot: Array) -> Arr
     return shares_of(stand, at, torque(at, V_dot, phi_ddot), phi_ddot)
 
 
-def spin_up_shares(stand: Stand, at: Pieces, phi_ddot: Array) -> Array:
-    """Likewise (N) by Theta_ff phi'' in place of tau: as fast functions judge."""
-    return shares_of(stand, at, np.diag(at.Theta_ff) * phi_ddot, phi_ddot)
-
-
 def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
-    """Likewise (N) for drive torques tau (N, N m)."""
+    """Need of each flywheel, as `motor_shares` (N), for drive torques tau (N, N m)."""
     found = np.zeros(len(stand.flywheels))
     for k, wheel in enumerate(stand.flywheels):
         motor = wheel.motor

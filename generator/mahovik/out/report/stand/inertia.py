@@ -6,9 +6,10 @@ import numpy as np
 from markupsafe import Markup
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import mount_of, placement
+from mahovik.core.stand.frames import pose
 from mahovik.core.stand.inertia import inertia_about_center
-from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.whole import mass_properties
 from mahovik.out.report.stand.markup import Cell, figure, figures, paragraph, table
 
 Array = NDArray[np.float64]
@@ -17,37 +18,11 @@ ROUNDING = 1e-12
 """Part of the largest of its kind below which a number is rounding."""
 
 
-def axes_of(stand: Stand, body: Body) -> tuple[Array, Array]:
-    """Origin of a body in E1, m, and its axes there as columns; flywheels at phase zero."""
-    if not isinstance(body, Instrument | Flywheel):
-        return np.zeros(3), np.eye(3)
-    origin, C = placement(body)
-    mount = mount_of(stand, body)
-    if mount is not None:
-        below, turn = placement(mount)
-        origin, C = below + turn @ origin, turn @ C
-    return origin, C
-
-
-def whole_inertia(stand: Stand) -> tuple[float, Array, Array]:
-    """Mass, kg; centre of mass in E1, m; tensor about it in axes of E1, kg m2. Without added mass, phases zero."""
-    found = [(body, *axes_of(stand, body)) for body in stand.bodies]
-    centers = [origin + C @ np.array(body.center_of_mass) for body, origin, C in found]
-    mass = sum(body.mass for body in stand.bodies)
-    center = sum((body.mass * c for body, c in zip(stand.bodies, centers, strict=True)), np.zeros(3)) / mass
-    tensor = np.zeros((3, 3))
-    for (body, _, C), c in zip(found, centers, strict=True):
-        d = c - center
-        tensor += C @ inertia_about_center(body) @ C.T + body.mass * (d @ d * np.eye(3) - np.outer(d, d))
-    return mass, center, tensor
-
-
 def inertia_table(stand: Stand) -> Markup:
     """Tensor of the whole, its principal moments and their axes."""
-    _, _, tensor = whole_inertia(stand)
-    tensor = _clean(tensor)
-    moments, axes = np.linalg.eigh(tensor)
-    columns = [figures(column) for column in (*tensor.T, moments, *_clean(axes))]
+    whole = mass_properties(stand)
+    tensor, axes = _clean(np.array(whole.inertia)), _clean(np.array(whole.principal_axes).T)
+    columns = [figures(column) for column in (*tensor.T, whole.principal_inertia, *axes)]
     rows: list[list[Cell]] = [[name, *cells] for name, *cells in zip("123", *columns, strict=True)]
     head = ("axis", "J 1, kg m²>", "J 2>", "J 3>", "principal moment, kg m²>", "its axis: 1>", "2>", "3>")
     words = paragraph(
@@ -77,7 +52,7 @@ def products_table(stand: Stand) -> Markup:
 
 def axes_table(stand: Stand) -> Markup:
     """Origin, spin axis and second axis of each flywheel."""
-    places = [axes_of(stand, body) for body in stand.flywheels]
+    places = [pose(stand, body) for body in stand.flywheels]
     columns = [figures(_clean(np.array([1e3 * origin[k] for origin, _ in places])).tolist()) for k in range(3)]
     for which in (0, 1):
         columns += [[figure(float(_unit(C[k, which])), 4) for _, C in places] for k in range(3)]
