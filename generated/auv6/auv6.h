@@ -345,7 +345,7 @@ auv6_status auv6_forward(const auv6_table *table, const auv6_state *x, const auv
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1568 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
+ * At most 1556 operations on reals, 1 of them a division. Stack: at most 1696 bytes. */
 auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -353,7 +353,7 @@ auv6_status auv6_wrench(const auv6_table *table, const auv6_state *x, auv6_real 
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2282 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
+ * At most 2270 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 auv6_status auv6_matrices(const auv6_table *table, const auv6_state *x, auv6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -567,7 +567,7 @@ auv6_status auv6_state_from_coordinates(const auv6_real position[3], const auv6_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6563 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
+ * At most 6551 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 auv6_status auv6_generalized(const auv6_table *table, const auv6_state *x, const auv6_real angles[3],
                              const auv6_real phi_ddot[AUV6_N], auv6_generalized_result *out);
 
@@ -647,7 +647,7 @@ auv6_status auv6_step_driven_carried(const auv6_table *table, const auv6_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
 auv6_status auv6_center_of_mass_velocity(const auv6_table *table, const auv6_state *x,
                                          auv6_real center_of_mass_velocity[3]);
 

@@ -301,7 +301,7 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2015 operations on reals, 3 of them divisions. Stack: at most 2080 bytes. */
+ * At most 1999 operations on reals, 3 of them divisions. Stack: at most 2080 bytes. */
 bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, bench8_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -309,7 +309,7 @@ bench8_status bench8_wrench(const bench8_table *table, const bench8_state *x, be
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2879 operations on reals, 3 of them divisions. Stack: at most 2224 bytes. */
+ * At most 2863 operations on reals, 3 of them divisions. Stack: at most 2224 bytes. */
 bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -518,7 +518,7 @@ bench8_status bench8_state_from_coordinates(const bench8_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 7387 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
+ * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5152 bytes. */
 bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
                                  const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
                                  bench8_generalized_result *out);
@@ -599,7 +599,7 @@ bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1727 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
+ * At most 1711 operations on reals, 1 of them a division. Stack: at most 1520 bytes. */
 bench8_status bench8_center_of_mass_velocity(const bench8_table *table, const bench8_state *x,
                                              bench8_real center_of_mass_velocity[3]);
 

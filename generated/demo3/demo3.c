@@ -376,7 +376,7 @@ static void demo3_sincos_each(const demo3_real x[DEMO3_N], demo3_real sine[restr
     }
 }
 
-/* Inertia of all bodies and its rate in E1, and their first moment; w = phi', (2), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 DEMO3_CODE
 static void demo3_sum_mass(const demo3_table *table, const demo3_real sine[DEMO3_N],
                            const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
@@ -389,6 +389,7 @@ static void demo3_sum_mass(const demo3_table *table, const demo3_real sine[DEMO3
     sum->mu[0] = table->first_moment[0];
     sum->mu[1] = table->first_moment[1];
     sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     for (int k = 0; k < DEMO3_N; ++k) {
         const demo3_real s = sine[k];
         const demo3_real c = cosine[k];
@@ -425,41 +426,22 @@ static void demo3_sum_mass(const demo3_table *table, const demo3_real sine[DEMO3
             + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
         sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
             + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
-        /* first moment */
+        /* first moment and its rate */
         sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
         sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
         sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
-    }
-}
-
-/* Rate of the first moment of all bodies in E1; w = phi', (6). */
-DEMO3_CODE
-static void demo3_sum_moment_rate(const demo3_table *table, const demo3_real sine[DEMO3_N],
-                                  const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
-                                  demo3_sums *restrict sum)
-{
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    for (int k = 0; k < DEMO3_N; ++k) {
-        const demo3_real s = sine[k];
-        const demo3_real c = cosine[k];
-        const demo3_real w = phi_dot[k];
-        const demo3_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
-        const demo3_real ds = w * c;
-        /* rate of the first moment: force part of I phi' */
         sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
         sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
         sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi' is
- * constant, (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 DEMO3_CODE
 static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
                                   const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
                                   demo3_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -471,15 +453,11 @@ static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sin
         const demo3_real ds = w * c;
         const demo3_real ddc = -w * ds;  /* second time derivatives */
         const demo3_real dds = w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
         /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
         sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
         sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
         sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -492,14 +470,12 @@ static void demo3_sum_steady_spin(const demo3_table *table, const demo3_real sin
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi', a =
- * phi'', (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 DEMO3_CODE
 static void demo3_sum_spin(const demo3_table *table, const demo3_real sine[DEMO3_N],
                            const demo3_real cosine[DEMO3_N], const demo3_real phi_dot[DEMO3_N],
                            const demo3_real phi_ddot[DEMO3_N], demo3_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -512,11 +488,7 @@ static void demo3_sum_spin(const demo3_table *table, const demo3_real sine[DEMO3
         const demo3_real ds = w * c;
         const demo3_real ddc = -w * ds - a * s;  /* second time derivatives */
         const demo3_real dds = a * c + w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -722,7 +694,6 @@ demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
     demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    demo3_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     demo3_real F[6];
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -3464,7 +3435,6 @@ demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3
     demo3_real cosine[DEMO3_N];
     demo3_sincos_each(x->phi, sine, cosine);
     demo3_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    demo3_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     demo3_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

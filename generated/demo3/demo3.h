@@ -290,7 +290,7 @@ demo3_status demo3_forward(const demo3_table *table, const demo3_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1143 operations on reals, no division. Stack: at most 1520 bytes. */
+ * At most 1137 operations on reals, no division. Stack: at most 1520 bytes. */
 demo3_status demo3_matrices(const demo3_table *table, const demo3_state *x, demo3_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -496,7 +496,7 @@ demo3_status demo3_state_from_coordinates(const demo3_real position[3], const de
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4020 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
+ * At most 4014 operations on reals, 5 of them divisions. Stack: at most 3776 bytes. */
 demo3_status demo3_generalized(const demo3_table *table, const demo3_state *x, const demo3_real angles[3],
                                const demo3_real phi_ddot[DEMO3_N], demo3_generalized_result *out);
 
@@ -574,7 +574,7 @@ demo3_status demo3_step_driven_carried(const demo3_table *table, const demo3_sta
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 767 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
+ * At most 761 operations on reals, 1 of them a division. Stack: at most 1424 bytes. */
 demo3_status demo3_center_of_mass_velocity(const demo3_table *table, const demo3_state *x,
                                            demo3_real center_of_mass_velocity[3]);
 

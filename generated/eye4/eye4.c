@@ -373,7 +373,7 @@ static void eye4_sincos_each(const eye4_real x[EYE4_N], eye4_real sine[restrict 
     }
 }
 
-/* Inertia of all bodies and its rate in E1, and their first moment; w = phi', (2), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 EYE4_CODE
 static void eye4_sum_mass(const eye4_table *table, const eye4_real sine[EYE4_N],
                           const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
@@ -386,6 +386,7 @@ static void eye4_sum_mass(const eye4_table *table, const eye4_real sine[EYE4_N],
     sum->mu[0] = table->first_moment[0];
     sum->mu[1] = table->first_moment[1];
     sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     for (int k = 0; k < EYE4_N; ++k) {
         const eye4_real s = sine[k];
         const eye4_real c = cosine[k];
@@ -422,41 +423,22 @@ static void eye4_sum_mass(const eye4_table *table, const eye4_real sine[EYE4_N],
             + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
         sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
             + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
-        /* first moment */
+        /* first moment and its rate */
         sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
         sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
         sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
-    }
-}
-
-/* Rate of the first moment of all bodies in E1; w = phi', (6). */
-EYE4_CODE
-static void eye4_sum_moment_rate(const eye4_table *table, const eye4_real sine[EYE4_N],
-                                 const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
-                                 eye4_sums *restrict sum)
-{
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    for (int k = 0; k < EYE4_N; ++k) {
-        const eye4_real s = sine[k];
-        const eye4_real c = cosine[k];
-        const eye4_real w = phi_dot[k];
-        const eye4_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
-        const eye4_real ds = w * c;
-        /* rate of the first moment: force part of I phi' */
         sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
         sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
         sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi' is
- * constant, (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 EYE4_CODE
 static void eye4_sum_steady_spin(const eye4_table *table, const eye4_real sine[EYE4_N],
                                  const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
                                  eye4_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -468,15 +450,11 @@ static void eye4_sum_steady_spin(const eye4_table *table, const eye4_real sine[E
         const eye4_real ds = w * c;
         const eye4_real ddc = -w * ds;  /* second time derivatives */
         const eye4_real dds = w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
         /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
         sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
         sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
         sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -489,14 +467,12 @@ static void eye4_sum_steady_spin(const eye4_table *table, const eye4_real sine[E
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi', a =
- * phi'', (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 EYE4_CODE
 static void eye4_sum_spin(const eye4_table *table, const eye4_real sine[EYE4_N],
                           const eye4_real cosine[EYE4_N], const eye4_real phi_dot[EYE4_N],
                           const eye4_real phi_ddot[EYE4_N], eye4_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -509,11 +485,7 @@ static void eye4_sum_spin(const eye4_table *table, const eye4_real sine[EYE4_N],
         const eye4_real ds = w * c;
         const eye4_real ddc = -w * ds - a * s;  /* second time derivatives */
         const eye4_real dds = a * c + w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -751,7 +723,6 @@ eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const ey
     eye4_real cosine[EYE4_N];
     eye4_sincos_each(x->phi, sine, cosine);
     eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    eye4_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     eye4_real F[6];
     eye4_external(wrench, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
@@ -5117,7 +5088,6 @@ eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_sta
     eye4_real cosine[EYE4_N];
     eye4_sincos_each(x->phi, sine, cosine);
     eye4_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    eye4_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     eye4_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

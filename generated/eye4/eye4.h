@@ -363,7 +363,7 @@ eye4_status eye4_wrench(const eye4_state *x, const eye4_real wrench[6], eye4_rea
  *   wrench[6]  N, N m; run-time wrenches, six numbers a body (carrier), in its own frame about its origin
  *   out        out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1446 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1438 operations on reals, no division. Stack: at most 1536 bytes. */
 eye4_status eye4_matrices(const eye4_table *table, const eye4_state *x, const eye4_real wrench[6],
                           eye4_matrices_result *out);
 
@@ -665,7 +665,7 @@ eye4_status eye4_state_from_coordinates(const eye4_real position[3], const eye4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4605 operations on reals, 5 of them divisions. Stack: at most 3968 bytes. */
+ * At most 4597 operations on reals, 5 of them divisions. Stack: at most 3968 bytes. */
 eye4_status eye4_generalized(const eye4_table *table, const eye4_state *x, const eye4_real angles[3],
                              const eye4_real phi_ddot[EYE4_N], const eye4_real wrench[6],
                              eye4_generalized_result *out);
@@ -750,7 +750,7 @@ eye4_status eye4_step_driven_carried(const eye4_table *table, const eye4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 959 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 eye4_status eye4_center_of_mass_velocity(const eye4_table *table, const eye4_state *x,
                                          eye4_real center_of_mass_velocity[3]);
 

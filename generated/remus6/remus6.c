@@ -334,7 +334,7 @@ static void remus6_sincos_each(const remus6_real x[REMUS6_N], remus6_real sine[r
     }
 }
 
-/* Inertia of all bodies and its rate in E1, and their first moment; w = phi', (2), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
 REMUS6_CODE
 static void remus6_sum_mass(const remus6_table *table, const remus6_real sine[REMUS6_N],
                             const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
@@ -347,6 +347,7 @@ static void remus6_sum_mass(const remus6_table *table, const remus6_real sine[RE
     sum->mu[0] = table->first_moment[0];
     sum->mu[1] = table->first_moment[1];
     sum->mu[2] = table->first_moment[2];
+    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     for (int k = 0; k < REMUS6_N; ++k) {
         const remus6_real s = sine[k];
         const remus6_real c = cosine[k];
@@ -383,41 +384,22 @@ static void remus6_sum_mass(const remus6_table *table, const remus6_real sine[RE
             + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
         sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
             + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
-        /* first moment */
+        /* first moment and its rate */
         sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
         sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
         sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
-    }
-}
-
-/* Rate of the first moment of all bodies in E1; w = phi', (6). */
-REMUS6_CODE
-static void remus6_sum_moment_rate(const remus6_table *table, const remus6_real sine[REMUS6_N],
-                                   const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
-                                   remus6_sums *restrict sum)
-{
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
-    for (int k = 0; k < REMUS6_N; ++k) {
-        const remus6_real s = sine[k];
-        const remus6_real c = cosine[k];
-        const remus6_real w = phi_dot[k];
-        const remus6_real dc = -w * s;  /* time derivatives: d(cos phi)/dt, ... */
-        const remus6_real ds = w * c;
-        /* rate of the first moment: force part of I phi' */
         sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
         sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
         sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi' is
- * constant, (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
 REMUS6_CODE
 static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
                                    const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
                                    remus6_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -429,15 +411,11 @@ static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real 
         const remus6_real ds = w * c;
         const remus6_real ddc = -w * ds;  /* second time derivatives */
         const remus6_real dds = w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
         /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
         sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
         sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
         sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -450,14 +428,12 @@ static void remus6_sum_steady_spin(const remus6_table *table, const remus6_real 
     }
 }
 
-/* Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi', a =
- * phi'', (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
 REMUS6_CODE
 static void remus6_sum_spin(const remus6_table *table, const remus6_real sine[REMUS6_N],
                             const remus6_real cosine[REMUS6_N], const remus6_real phi_dot[REMUS6_N],
                             const remus6_real phi_ddot[REMUS6_N], remus6_sums *restrict sum)
 {
-    sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
@@ -470,11 +446,7 @@ static void remus6_sum_spin(const remus6_table *table, const remus6_real sine[RE
         const remus6_real ds = w * c;
         const remus6_real ddc = -w * ds - a * s;  /* second time derivatives */
         const remus6_real dds = a * c + w * dc;
-        /* rate of the first moment: force part of I phi' */
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
-        /* its moment part */
+        /* moment part of I phi' (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -752,7 +724,6 @@ remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, re
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
     remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    remus6_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     remus6_real result[6];
     remus6_external(table, &sum, V, g, result);
     F[0] = result[0];  F[1] = result[1];  F[2] = result[2];
@@ -800,7 +771,6 @@ remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, 
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
     remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    remus6_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     remus6_real F[6];
     remus6_external(table, &sum, V, g, F);
     out->F[0] = F[0];  out->F[1] = F[1];  out->F[2] = F[2];
@@ -4191,7 +4161,6 @@ remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const re
     remus6_real cosine[REMUS6_N];
     remus6_sincos_each(x->phi, sine, cosine);
     remus6_sum_mass(table, sine, cosine, x->phi_dot, &sum);
-    remus6_sum_moment_rate(table, sine, cosine, x->phi_dot, &sum);
     remus6_real own_velocity[3];  /* in E1, from the momentum of the bodies, without the fluid's */
     own_velocity[0] = table->mass * x->V[0] + sum.mu[2] * x->V[4] + sum.mu_dot[0] - sum.mu[1] * x->V[5];
     own_velocity[1] = table->mass * x->V[1] + sum.mu[0] * x->V[5] + sum.mu_dot[1] - sum.mu[2] * x->V[3];

@@ -364,7 +364,7 @@ remus6_status remus6_forward(const remus6_table *table, const remus6_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1418 operations on reals, 1 of them a division. Stack: at most 1680 bytes. */
+ * At most 1406 operations on reals, 1 of them a division. Stack: at most 1680 bytes. */
 remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, remus6_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -372,7 +372,7 @@ remus6_status remus6_wrench(const remus6_table *table, const remus6_state *x, re
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2132 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
+ * At most 2120 operations on reals, 1 of them a division. Stack: at most 1840 bytes. */
 remus6_status remus6_matrices(const remus6_table *table, const remus6_state *x, remus6_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -591,7 +591,7 @@ remus6_status remus6_state_from_coordinates(const remus6_real position[3], const
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 6263 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
+ * At most 6251 operations on reals, 7 of them divisions. Stack: at most 4640 bytes. */
 remus6_status remus6_generalized(const remus6_table *table, const remus6_state *x,
                                  const remus6_real angles[3], const remus6_real phi_ddot[REMUS6_N],
                                  remus6_generalized_result *out);
@@ -672,7 +672,7 @@ remus6_status remus6_step_driven_carried(const remus6_table *table, const remus6
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1355 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
+ * At most 1343 operations on reals, 1 of them a division. Stack: at most 1488 bytes. */
 remus6_status remus6_center_of_mass_velocity(const remus6_table *table, const remus6_state *x,
                                              remus6_real center_of_mass_velocity[3]);
 

@@ -350,7 +350,7 @@ sat4_status sat4_forward(const sat4_table *table, const sat4_state *x, const sat
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1416 operations on reals, no division. Stack: at most 1536 bytes. */
+ * At most 1408 operations on reals, no division. Stack: at most 1536 bytes. */
 sat4_status sat4_matrices(const sat4_table *table, const sat4_state *x, sat4_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy and mass centre of the whole system, (1), (2).
@@ -625,7 +625,7 @@ sat4_status sat4_state_from_coordinates(const sat4_real position[3], const sat4_
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4545 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
+ * At most 4537 operations on reals, 5 of them divisions. Stack: at most 3936 bytes. */
 sat4_status sat4_generalized(const sat4_table *table, const sat4_state *x, const sat4_real angles[3],
                              const sat4_real phi_ddot[SAT4_N], sat4_generalized_result *out);
 
@@ -703,7 +703,7 @@ sat4_status sat4_step_driven_carried(const sat4_table *table, const sat4_state *
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 959 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
+ * At most 951 operations on reals, 1 of them a division. Stack: at most 1440 bytes. */
 sat4_status sat4_center_of_mass_velocity(const sat4_table *table, const sat4_state *x,
                                          sat4_real center_of_mass_velocity[3]);
 

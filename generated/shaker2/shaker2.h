@@ -302,7 +302,7 @@ shaker2_status shaker2_forward(const shaker2_table *table, const shaker2_state *
  *   x      state; its attitude within 1e-3 of unit length
  *   F[6]   out: N, N m; total external wrench on the carrier, in E1 about O1
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 863 operations on reals, 3 of them divisions. Stack: at most 1952 bytes. */
+ * At most 859 operations on reals, 3 of them divisions. Stack: at most 1952 bytes. */
 shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x, shaker2_real F[6]);
 
 /* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
@@ -310,7 +310,7 @@ shaker2_status shaker2_wrench(const shaker2_table *table, const shaker2_state *x
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: K, K_dot, M, I, J, F
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1241 operations on reals, 3 of them divisions. Stack: at most 2096 bytes. */
+ * At most 1237 operations on reals, 3 of them divisions. Stack: at most 2096 bytes. */
 shaker2_status shaker2_matrices(const shaker2_table *table, const shaker2_state *x,
                                 shaker2_matrices_result *out);
 
@@ -524,7 +524,7 @@ shaker2_status shaker2_state_from_coordinates(const shaker2_real position[3], co
  *   out          out: A, D, I0, J0, q_dot, q_ddot
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
  * written when the status is negative.
- * At most 4237 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
+ * At most 4233 operations on reals, 11 of them divisions. Stack: at most 4192 bytes. */
 shaker2_status shaker2_generalized(const shaker2_table *table, const shaker2_state *x,
                                    const shaker2_real angles[3], const shaker2_real phi_ddot[SHAKER2_N],
                                    shaker2_generalized_result *out);
@@ -606,7 +606,7 @@ shaker2_status shaker2_step_driven_carried(const shaker2_table *table, const sha
  *   x                           state; its attitude within 1e-3 of unit length
  *   center_of_mass_velocity[3]  out: m/s; relative to E0, in E0
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 575 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
+ * At most 571 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
 shaker2_status shaker2_center_of_mass_velocity(const shaker2_table *table, const shaker2_state *x,
                                                shaker2_real center_of_mass_velocity[3]);
 

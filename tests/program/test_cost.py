@@ -86,6 +86,14 @@ def test_each_further_flywheel_costs_forward_the_same() -> None:
     assert many.divisions == one.divisions
 
 
+def test_operations_that_bound_a_batch() -> None:
+    """docs/batch.md says so: equal bits leave no operation out."""
+    program = generated("bench8").program
+    forward, coupled, torque = (operations(program, name).total for name in ("forward", "coupled", "torque"))
+    assert 1.45 < coupled / forward < 1.55
+    assert 0.5 < torque / forward < 0.6
+
+
 @pytest.mark.parametrize("name", ["hung5", pytest.param("auv6", marks=pytest.mark.slow)])
 def test_flywheels_on_an_instrument_cost_no_more_than_on_the_carrier(name: str) -> None:
     """`prepare` carries their rows to E1: where they are mounted is settled before the first call."""

@@ -250,8 +250,10 @@ def _tested(function: Function, number: int | None, first: bool) -> list[str]:
     if number is not None:
         change, original = planted(function.name, number), Program.__init__
 
-        def init(self: Program, name: str, precision: Any, counts: Any, structs: Any, functions: Any) -> None:
-            original(self, name, precision, counts, structs, change(functions))
+        def init(
+            self: Program, name: str, precision: Any, counts: Any, structs: Any, functions: Any, spare: Any = ()
+        ) -> None:
+            original(self, name, precision, counts, structs, change(functions), spare)
 
         Program.__init__ = init  # type: ignore[method-assign]
     seen = _Noticed()

@@ -7,10 +7,13 @@ from dataclasses import dataclass, replace
 
 from mahovik.contract.functions import BATCH_FUNCTIONS
 from mahovik.contract.quantities import is_shared
+from mahovik.core.lower.flywheels import APART
+from mahovik.core.program.call import Call
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
-from mahovik.core.program.walk import reachable
+from mahovik.core.program.statement import Do, Statement, Statements
+from mahovik.core.program.walk import reachable, with_blocks
 from mahovik.core.program.wide import Wide
 from mahovik.core.program.widen import RESERVED, Widener
 
@@ -47,8 +50,9 @@ class Batches:
         return self.widener.wide.lanes
 
 
-def batches(program: Program, each: tuple[bool, ...] = BOTH) -> Batches:
+def batches(whole: Program, each: tuple[bool, ...] = BOTH) -> Batches:
     """Wide forms of the functions of a program that have a batch; `each`: of one stand, of n stands, or BOTH."""
+    program = _apart(whole)
     public = {f.name: f for f in program.functions if f.public}
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
     preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in each else []
@@ -68,3 +72,24 @@ def batches(program: Program, each: tuple[bool, ...] = BOTH) -> Batches:
     made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)
     return Batches(wide, tuple(found), made, widener)
+
+
+def _apart(program: Program) -> Program:
+    """The program with the calls of APART in place of those that they stand for."""
+    spare = {f.name: f for f in program.spare}
+
+    def body(given: Statements) -> Statements:
+        found: list[Statement] = []
+        for s in given:
+            last = found[-1] if found else None
+            if isinstance(s, Do) and isinstance(last, Do):
+                pair = APART.get((last.call.signature.name, s.call.signature.name))
+                if pair is not None:
+                    found.pop()
+                    calls = zip(pair, (last.call, s.call), strict=True)
+                    found += [Do(Call(spare[name].signature, call.arguments)) for name, call in calls]
+                    continue
+            found.append(with_blocks(s, body))
+        return tuple(found)
+
+    return replace(program, functions=(*program.spare, *(replace(f, body=body(f.body)) for f in program.functions)))

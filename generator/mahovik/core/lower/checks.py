@@ -133,7 +133,7 @@ def _squares(values: Sequence[Expr]) -> Expr:
 
 
 def _look_at_words(lib: Library, body: Body, x: Place, more: Sequence[tuple[Place, Expr]] = ()) -> None:
-    """The same for vectors, which look at each number of the flywheels; those of the carrier are too few for them."""
+    """OK by vectors: the flywheels by bits of each number; the carrier, too small for vectors, by sums of squares."""
     limit = {name: found.expression for name, found in lib.limits.items()}
     width = lib.layout.precision.width
     with body.shortcut():

@@ -102,7 +102,7 @@ def start_sums(lib: Library) -> Function:
     table = lib.table_argument()
     sums = Argument("sum", lib.layout.sums, (), "out")
     body = Body()
-    _start(body, table.place, sums.place, ("mu", "J", "mu_dot", "J_dot", "h_rel", "g_rel", "a_rel"))
+    _start(body, table.place, sums.place, ("mu", "J", "mu_dot", "J_dot", *_SPIN))
     return body.function(
         "start_sums",
         "Sums of carrier, instruments and the constant part of the flywheels.",
@@ -112,29 +112,30 @@ def start_sums(lib: Library) -> Function:
 
 
 _NOTES = {
-    "mu": "first moment",
-    "mu_dot": "rate of the first moment: force part of I phi'",
+    "mu": "first moment and its rate",
     "J": "inertia",
     "J_dot": "its rate: K_dot of (6)",
-    "h_rel": "its moment part",
+    "h_rel": "moment part of I phi' (its force part is mu_dot)",
     "a_rel": "I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)",
 }
 
-_MASS = ("J", "J_dot", "mu")
-"""Sums of one loop. A compiler can keep their number in registers, of doubles or of vectors, not that of all."""
-_MOMENT_RATE = ("mu_dot",)
-"""Which K's rate needs besides."""
-_SPIN = (*_MOMENT_RATE, "h_rel", "g_rel", "a_rel")
+_MASS = ("J", "J_dot", "mu", "mu_dot")
+"""Sums that K and its rate consist of. A compiler can keep their number in registers over a loop, not that of all."""
+_SPIN = ("h_rel", "g_rel", "a_rel")
 """The other sums, of the flywheels alone."""
-_STEADY_SPIN = (*_MOMENT_RATE, "a_rel", "h_rel", "g_rel")
+_STEADY_SPIN = ("a_rel", "h_rel", "g_rel")
 """The sums of the flywheels alone at constant speeds, in the order in which compilers need the fewest instructions."""
 _ALL = ("mu", "mu_dot", "J", "J_dot", "h_rel", "a_rel", "g_rel")
-_USED = {
-    _MASS: ("c2", "s2", "dc", "ds", "dc2", "ds2"),
-    _MOMENT_RATE: ("dc", "ds"),
-    _SPIN: ("dc", "ds", "ddc", "dds"),
-    _STEADY_SPIN: ("dc", "ds", "ddc", "dds"),
+_INERTIA = ("J", "J_dot", "mu")
+"""_MASS but for mu_dot, which goes with the other sums where states are side by side: so both loops keep their sums in
+vector registers, and the second one is too long for gcc's unroll-and-jam, which halves its vectors. Small processors
+need fewer instructions with the loops as they are."""
+APART = {
+    ("sum_mass", "sum_spin"): ("sum_inertia", "sum_turning"),
+    ("sum_mass", "sum_steady_spin"): ("sum_inertia", "sum_steady_turning"),
 }
+"""Calls that follow one another, and those with the same arguments and results for states side by side."""
+_USED = {_MASS: ("c2", "s2", "dc", "ds", "dc2", "ds2"), _SPIN: ("dc", "ds", "ddc", "dds")}
 """Weights of each."""
 
 
@@ -183,67 +184,57 @@ def _sums_of(lib: Library, sums: Place) -> dict[str, list[Place]]:
     return {f.name: list(sums.member(f.name)) for f in lib.layout.sums.fields}
 
 
-def sum_mass(lib: Library) -> Function:
-    """Inertia of all bodies, its rate, and their first moment: row by row, in a loop of its own."""
+def sum_mass(lib: Library, apart: bool = False) -> Function:
+    """First moment and inertia of all bodies, and their rates: row by row, in a loop of its own.
+
+    `apart`: sum_inertia, without the rate of the first moment.
+    """
+    names = _INERTIA if apart else _MASS
     table, turns = lib.table_argument(), lib.turn_arguments()
     phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
     sums = Argument("sum", lib.layout.sums, (), "inout")
     body = Body()
-    _start(body, table.place, sums.place, _MASS)
+    _start(body, table.place, sums.place, names)
     # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
     short = sums.place if lib.layout.precision is FLOAT else None
     with body.loop("k", lib.layout.count) as k:
         given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
         given["phi_dot"] = body.let("w", phi_dot.place[k])
         row = columns_of(table.place.flywheel[k])
-        _add_row(body, given, row, _sums_of(lib, sums.place), _MASS, _USED[_MASS], short)
+        _add_row(body, given, row, _sums_of(lib, sums.place), names, _USED[_MASS], short)
     return body.function(
-        "sum_mass",
-        "Inertia of all bodies and its rate in E1, and their first moment; w = phi'.",
+        "sum_inertia" if apart else "sum_mass",
+        "Inertia of all bodies and its rate in E1, and their first moment; w = phi'."
+        if apart
+        else "First moment and inertia of all bodies, and their rates in E1; w = phi'.",
         (table, *turns, phi_dot, sums),
         equation="(2), (6)",
     )
 
 
-def sum_moment_rate(lib: Library) -> Function:
-    """Rate of the first moment alone, for what needs K and its rate and no more."""
-    table, turns = lib.table_argument(), lib.turn_arguments()
-    phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
-    sums = Argument("sum", lib.layout.sums, (), "inout")
-    body = Body()
-    _start(body, table.place, sums.place, _MOMENT_RATE)
-    with body.loop("k", lib.layout.count) as k:
-        given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
-        given["phi_dot"] = body.let("w", phi_dot.place[k])
-        row = columns_of(table.place.flywheel[k])
-        _add_row(body, given, row, _sums_of(lib, sums.place), _MOMENT_RATE, _USED[_MOMENT_RATE])
-    return body.function(
-        "sum_moment_rate",
-        "Rate of the first moment of all bodies in E1; w = phi'.",
-        (table, *turns, phi_dot, sums),
-        equation="(6)",
-    )
+def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Function:
+    """Terms of the flywheels' turning; `steady`: sum_steady_spin, at constant speeds.
 
-
-def sum_spin(lib: Library, steady: bool = False) -> Function:
-    """Terms of the flywheels' turning; `steady`: sum_steady_spin, at constant speeds."""
+    `apart`: sum_turning, sum_steady_turning, with the rate of the first moment.
+    """
+    names = (*(("mu_dot",) if apart else ()), *(_STEADY_SPIN if steady else _SPIN))
     table, turns = lib.table_argument(), lib.turn_arguments()
     phi_dot = Argument("phi_dot", Kind.REAL, (lib.layout.count,), unit="rad/s")
     phi_ddot = () if steady else (Argument("phi_ddot", Kind.REAL, (lib.layout.count,), unit="rad/s2"),)
     sums = Argument("sum", lib.layout.sums, (), "inout")
     body = Body()
-    _start(body, table.place, sums.place, _SPIN)
+    _start(body, table.place, sums.place, names if apart else _SPIN)
     with body.loop("k", lib.layout.count) as k:
         given: dict[str, Expr] = dict(let_turn(body, places_of(turns), k, ""))
         given["phi_dot"] = body.let("w", phi_dot.place[k])
         for acceleration in phi_ddot:
             given["phi_ddot"] = body.let("a", acceleration.place[k])
         row = columns_of(table.place.flywheel[k])
-        names = _STEADY_SPIN if steady else _SPIN
-        _add_row(body, given, row, _sums_of(lib, sums.place), names, _USED[names])
+        _add_row(body, given, row, _sums_of(lib, sums.place), names, _USED[_SPIN])
     return body.function(
-        "sum_steady_spin" if steady else "sum_spin",
-        "Rate of the first moment, and terms of the flywheels' turning in momentum and forces; w = phi'"
+        f"sum_{'steady_' if steady else ''}{'turning' if apart else 'spin'}",
+        ("Rate of the first moment, and terms" if apart else "Terms")
+        + " of the flywheels' turning in momentum and forces; w = phi'"
         + (" is constant." if steady else ", a = phi''."),
         (table, *turns, phi_dot, *phi_ddot, sums),
         equation="(2), (5)",
@@ -294,8 +285,8 @@ def sum_up(
     if layout.lanes == 1:
         body.call(lib["sum_mass"], table, *turns, x.phi_dot, sums)
         if mass_alone:
-            body.call(lib["sum_moment_rate"], table, *turns, x.phi_dot, sums)
-        elif phi_ddot is None:
+            return
+        if phi_ddot is None:
             body.call(lib["sum_steady_spin"], table, *turns, x.phi_dot, sums)
         else:
             body.call(lib["sum_spin"], table, *turns, x.phi_dot, phi_ddot, sums)

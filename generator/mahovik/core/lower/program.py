@@ -41,7 +41,7 @@ from mahovik.core.lower import (
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.task.functions import add_tasks
-from mahovik.core.program.function import Program
+from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
@@ -175,7 +175,12 @@ def lower_numbers(layout: Layout) -> Program:
 def _program(lib: Library) -> Program:
     layout = lib.layout
     counts = tuple(c for c in (layout.count, layout.input_count, layout.sensor_count, *layout.lane_counts) if c.value)
-    program = Program(layout.structure.name, layout.precision, counts, _structs(layout), reachable(lib.functions))
+    spare: tuple[Function, ...] = ()
+    if layout.flywheels and layout.lanes == 1:
+        turning = (flywheels.sum_spin(lib, steady, apart=True) for steady in (True, False))
+        spare = (flywheels.sum_mass(lib, apart=True), *turning)
+    functions = reachable(lib.functions)
+    program = Program(layout.structure.name, layout.precision, counts, _structs(layout), functions, spare)
     validate(program)
     return program
 
@@ -212,7 +217,6 @@ def _add_rows(lib: Library) -> None:
     """Add the loops over flywheels: one by one, or by blocks."""
     if lib.layout.lanes == 1:
         lib.add(flywheels.sum_mass(lib))
-        lib.add(flywheels.sum_moment_rate(lib))
         lib.add(flywheels.sum_spin(lib, steady=True))
         lib.add(flywheels.sum_spin(lib))
         return

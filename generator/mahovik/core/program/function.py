@@ -38,13 +38,17 @@ class Function:
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """A whole program: functions in an order in which each comes after what it calls."""
+    """A whole program: functions in an order in which each comes after what it calls.
+
+    spare  functions that these do not call, for states side by side
+    """
 
     name: str
     precision: Precision
     counts: tuple[NamedCount, ...]
     structs: tuple[Struct, ...]
     functions: tuple[Function, ...]
+    spare: tuple[Function, ...] = ()
 
     def function(self, name: str) -> Function:
         """The function of that name. Raises KeyError."""

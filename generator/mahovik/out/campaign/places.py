@@ -237,7 +237,7 @@ class _Walk:
                 yield from one._in(inner, document[key][i], value[i], rest[1:] or [""])
         elif inner is not None:
             if not rest:
-                raise UsageError(f"{self.pattern}: is a table; expected one of its keys, {', '.join(keys_of(inner))}")  # type: ignore[arg-type]
+                raise UsageError(f"{self.pattern}: is a table; expected one of its keys, {', '.join(keys_of(inner))}")
             yield from below._in(inner, raw.get(key, {}), value, rest)
         elif isinstance(value, float):
             if rest:
