@@ -15,8 +15,9 @@ from pydantic import BaseModel
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.law_schemas import keys_of, with_laws
+from mahovik.core.stand.law_schemas import with_laws
 from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.schema import (
     CarrierTable,
     FlywheelTable,
