@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.response.periodic import odd_length
 
 Whole = NDArray[np.int64]
 Flags = NDArray[np.bool_]
@@ -137,18 +138,20 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
 
 @lru_cache(maxsize=32)
 def _torus(count: int, order: int) -> Torus | None:
-    """None: too many nodes."""
-    M = 2 * index_count(count, order + BEYOND // 2) - 1  # fewer cannot be enough: all these differ too
-    if M > MOST_NODES:
+    """None: too many nodes. Numbers of nodes that are fast to transform come first, then any odd ones."""
+    least = 2 * index_count(count, order + BEYOND // 2) - 1  # fewer cannot be enough: all these differ too
+    if least > MOST_NODES:
         return None
     k = indices(count, order)
     beyond = indices(count, order + BEYOND)[len(k) :].astype(np.float64)  # a product of floats is the fast one
-    rng = np.random.default_rng(count * 1000 + order)
-    while M <= MOST_NODES:
-        for z in _generators(count, M, rng):
-            if _differ(k, z, M) and _differ_from(beyond, k, z, M):
-                return Torus(k, z, M)
-        M = int(M * 1.15) | 1
+    for next_odd in (odd_length, lambda least: least | 1):
+        rng = np.random.default_rng(count * 1000 + order)
+        M = next_odd(least)
+        while M <= MOST_NODES:
+            for z in _generators(count, M, rng):
+                if _differ(k, z, M) and _differ_from(beyond, k, z, M):
+                    return Torus(k, z, M)
+            M = next_odd(int(M * 1.15))
     return None
 
 
