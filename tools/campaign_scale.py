@@ -15,7 +15,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +25,9 @@ import numpy as np
 from kept import Campaign as Kept
 from kept import Columns, Figures
 
+from mahovik.core.toolchain.arrays import ArrayLibrary
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
-from mahovik.out.api.compiled import compiled
 from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.cluster import connect
 from mahovik.out.campaign.dataset import status
@@ -88,8 +89,10 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 OUTSIDE = 0.03
 """Share of the time outside the C that is wanted at most."""
 
-PLAN_SAMPLES, PLAN_CORES, PLAN_SHARD = 10**9, 1000, 10.0
-"""Of the plan; s a shard."""
+OUTSIDE_C = "outside the C"
+
+PLAN_SAMPLES, PLAN_CORES, PLAN_SHARDS = 10**9, 1000, (10.0, 30.0)
+"""Samples, cores, and lengths of shards, s, of the plan."""
 
 
 class Empty:
@@ -109,48 +112,53 @@ class Empty:
 
 
 def outside(folder: Path) -> list[tuple[Any, ...]]:
-    """Time of shards of bench8, and the part of it that is not in the C; the least of some."""
+    """Processor time of shards of bench8, and the part of it that is not in the C; the least of some."""
     rows = []
-    for order, every in ((2, "1 ms"), (4, "1 ms"), (2, "10 ms")):
-        file = folder / f"bench8-{order}.toml"
-        file.write_text(BENCH8.format(order=order, every=every))
-        work = Campaign.load(file, shard=SAMPLES)
-        out = folder / f"out-{order}-{every.replace(' ', '')}"
-        manifest = begin(out, file, work)
-        inside = _timed_calls(work)
-        best: tuple[float, float] | None = None
-        for number in range(TIMES):
-            before, start = inside(), time.perf_counter()
-            write_shard(out, manifest, number, work.rows(number * SAMPLES, SAMPLES))
-            whole = time.perf_counter() - start
-            share = 1.0 - (inside() - before) / whole
-            if best is None or share < best[1]:
-                best = (whole, share)
-        assert best is not None
-        rows.append((f"order {order}, a row of output each {every}", 1e3 * best[0] / SAMPLES, best[1]))
+    with _timed_calls() as inside:
+        for order, every in ((2, "1 ms"), (4, "1 ms"), (2, "10 ms"), (4, "10 ms")):
+            name = f"{order}-{every.replace(' ', '')}"
+            file, out = folder / f"bench8-{name}.toml", folder / f"out-{name}"
+            file.write_text(BENCH8.format(order=order, every=every))
+            work = Campaign.load(file, shard=SAMPLES)
+            manifest = begin(out, file, work)
+            found = []
+            for number in range(TIMES):
+                before, start = inside(), time.thread_time()
+                write_shard(out, manifest, number, work.rows(number * SAMPLES, SAMPLES))
+                whole = time.thread_time() - start
+                found.append((1.0 - (inside() - before) / whole, 1e3 * whole / SAMPLES))
+            share, sample = min(found)
+            rows.append((f"order {order}, a row of output every {every.replace(' ms', '/1,000 s')}", sample, share))
     return rows
 
 
-def _timed_calls(work: Campaign) -> Callable[[], float]:
-    """Time that all calls of the C of a campaign have taken so far, s."""
-    library = compiled(work.model.stand, "double", np.dtype(np.float64), None, parallel=False).library
-    total = [0.0]
+@contextmanager
+def _timed_calls() -> Iterator[Callable[[], float]]:
+    """Yield the processor time that all calls of C libraries loaded meanwhile have taken so far, s."""
+    total, original = [0.0], ArrayLibrary.__init__
 
     def timed(function: Callable[..., Any]) -> Callable[..., Any]:
         def call(*given: Any) -> Any:
-            start = time.perf_counter()
+            start = time.thread_time()
             found = function(*given)
-            total[0] += time.perf_counter() - start
+            total[0] += time.thread_time() - start
             return found
 
         return call
 
-    library._calls = {name: timed(function) for name, function in library._calls.items()}
-    return lambda: total[0]
+    def init(self: ArrayLibrary, *given: Any, **named: Any) -> None:
+        original(self, *given, **named)
+        self._calls = {name: timed(function) for name, function in self._calls.items()}
+
+    ArrayLibrary.__init__ = init  # type: ignore[method-assign]
+    try:
+        yield lambda: total[0]
+    finally:
+        ArrayLibrary.__init__ = original  # type: ignore[method-assign]
 
 
 def side_by_side(folder: Path) -> list[tuple[Any, ...]]:
-    """Samples a second of one worker and of two, without their start."""
+    """Rate of one worker and of two, without their start."""
     file = folder / "sat4.toml"
     file.write_text(SAT4.format(samples=32_000))
     rows = []
@@ -184,7 +192,7 @@ def memory(folder: Path) -> list[tuple[Any, ...]]:
 
 
 def scheduler(folder: Path) -> dict[str, float]:
-    """Load of a scheduler and of the client by shards that cost nothing: times of their processors a shard, ms."""
+    """Load of a scheduler and of the client by shards that cost nothing: processor time for each shard, ms."""
     file = folder / "sat4.toml"
     out = folder / "empty"
     begin(out, file, Empty(file, None))
@@ -219,7 +227,7 @@ def scheduler(folder: Path) -> dict[str, float]:
 
 
 def _seconds(pid: int) -> float:
-    """Time of the processor that a process has taken, s."""
+    """Processor time that a process has taken, s."""
     fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
@@ -261,59 +269,78 @@ def million(folder: Path) -> dict[str, Any]:
     }  # fmt: skip
 
 
-OUTSIDE_TABLE = Columns({"run of 1,000 steps": "{}", "ms a sample": "{:.3f}", "outside the C": "{:.1%}"})
-WORKERS_TABLE = Columns({"workers": "{}", "samples a second": "{:,.0f}", "of ideal": "{:.0%}"}, 0)
+OUTSIDE_TABLE = Columns({"run of 1,000 steps": "{}", "processor time of a sample, ms": "{:.3f}", OUTSIDE_C: "{:.1%}"})
+WORKERS_TABLE = Columns({"workers": "{}", "samples/s": "{:,.0f}", "of ideal": "{:.0%}"}, 0)
 MEMORY_TABLE = Columns({"shards": "{}", "samples": "{:,}", "largest memory, MB": "{:.0f}"}, 0)
 
 
 def page(found: Figures) -> str:
-    """Tables, the million, and the plan."""
+    """Tables, the million, the plan."""
     load, row = found["scheduler"], found["row"]
+    loads = [
+        ["scheduler, ms of its processor for each shard", f"{load['scheduler_ms']:.2f}"],
+        ["client, ms of its processor for each shard", f"{load['client_ms']:.2f}"],
+        [f"a row of {row['columns']} numbers, bytes", f"{row['bytes']:.0f}"],
+        ["check of a row, µs", f"{row['check_us']:.2f}"],
+    ]
     parts = [
-        f"{found['compiler']}, {found['processor']}, {found['cores']} cores, {found['load']:.1f} other processes at "
-        f"work. Shards of {SAMPLES:,} samples of `bench8`, drawn, prepared, run and written; outside of the C: wanted "
-        f"is at most {OUTSIDE:.0%}.",
+        f"{found['compiler']}, {found['processor']}, {found['cores']} cores; average load of the machine before: "
+        f"{found['load']:.1f}.",
+        f"Shards of {SAMPLES:,} samples of `bench8`, drawn, prepared, run and written. Wanted outside of the C: at most "
+        f"{OUTSIDE:.0%}.",
         OUTSIDE_TABLE.text(found["outside"]),
-        "Workers side by side, `sat4`, 0.1 s in 200 steps of order 4; wanted are 85 % of ideal with 2.",
+        "Workers side by side, `sat4`, 0.1 s in 200 steps of order 4. Wanted with 2: at least 85 %.",
         WORKERS_TABLE.text(found["workers"]),
-        "Largest memory of a process that computes one shard after the other; wanted are at most 400 MB.",
+        "Process that computes one shard after the other. Wanted: at most 400.",
         MEMORY_TABLE.text(found["memory"]),
+        f"{load['shards']} shards without work, two workers, processes of one machine.",
+        campaign.table(["load", "measured"], loads),
     ]
     if found.get("million"):
-        big = found["million"]
-        parts.append(
-            f"A million samples of the same run: {big['seconds']:,.0f} s with {big['workers']} workers, "
-            f"{big['shards']} shards, {big['megabytes']:.0f} MB, {big['failed']} without quantities; the report "
-            f"{big['report_seconds']:.0f} s, {big['page_kilobytes']:.0f} kB."
-        )
-    parts.append(
-        f"Load by {load['shards']} shards without work: scheduler {load['scheduler_ms']:.1f} ms of its processor a "
-        f"shard, client {load['client_ms']:.1f} ms. A row of {row['columns']} numbers takes {row['bytes']:.0f} bytes, "
-        f"and {row['check_us']:.2f} µs to check."
-    )
-    return "\n\n".join([*parts, plan(found)])
+        parts += [
+            "A million samples of `sat4` by `mahovik campaign run`, and their report.",
+            _million(found["million"]),
+        ]
+    return "\n\n".join([*parts, f"Plan for {PLAN_SAMPLES:.0e} samples of `bench8`, on paper.", plan(found), ADVICE])
+
+
+def _million(big: Figures) -> str:
+    rows = [
+        ["workers", f"{big['workers']}"],
+        ["run, s", f"{big['seconds']:,.0f}"],
+        ["shards", f"{big['shards']}"],
+        ["samples without quantities", f"{big['failed']}"],
+        ["rows, MB", f"{big['megabytes']:.0f}"],
+        ["report, s", f"{big['report_seconds']:.0f}"],
+        ["its page, KB", f"{big['page_kilobytes']:.0f}"],
+    ]
+    return campaign.table(["million samples", "measured"], rows)
+
+
+ADVICE = (
+    "The scheduler and the client are the limit: where they are busy for more than half of a core, take longer shards "
+    "(`shard` in the campaign file), or arrays without an engine, which have no scheduler at all. A report holds one "
+    "column at a time in memory."
+)
 
 
 def plan(found: Figures) -> str:
-    """What the figures come to for very many samples."""
-    title = list(OUTSIDE_TABLE.forms)
-    seconds = 1e-3 * found["outside"][0][title[1]]
+    """Hours, files and loads of very many samples, by the length of a shard."""
+    seconds = 1e-3 * found["outside"][0][list(OUTSIDE_TABLE.forms)[1]]
     load, row = found["scheduler"], found["row"]
-    shards = PLAN_SAMPLES * seconds / PLAN_SHARD
-    rate = PLAN_CORES / PLAN_SHARD
-    return (
-        f"**Plan for {PLAN_SAMPLES:.0e} samples on {PLAN_CORES:,} cores**, {1e3 * seconds:.2f} ms a sample. In the C: "
-        f"{PLAN_SAMPLES * seconds / 3600:,.0f} hours of one core, {PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f} "
-        f"minutes of all. Shards of {PLAN_SHARD:g} s, {PLAN_SHARD / seconds:,.0f} samples: {shards:,.0f} files of "
-        f"{PLAN_SHARD / seconds * row['bytes'] / 1e6:.1f} MB in {shards / 1000:,.0f} folders, "
-        f"{PLAN_SAMPLES * row['bytes'] / 1e9:,.0f} GB. {rate:,.0f} shards end in a second: the scheduler is busy "
-        f"{rate * load['scheduler_ms'] / 1e3:.0%} of its core, the client {rate * load['client_ms'] / 1e3:.0%}, and "
-        f"{3 * PLAN_CORES:,} shards are with the workers; shards of 30 s make that a third. Files are written at "
-        f"{rate * PLAN_SHARD / seconds * row['bytes'] / 1e6:,.0f} MB/s in all. `status` checks all rows in "
-        f"{PLAN_SAMPLES * row['check_us'] / 1e6 / 60:,.0f} minutes of one core; a report holds one column at a time, "
-        f"{PLAN_SAMPLES * 8 / 1e9:.0f} GB, so that it needs a machine with memory for some of them. Arrays without an "
-        f"engine have no scheduler at all."
-    )
+    head = ["cores", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files", "MB in a file",
+            "GB", "shards that end in a second", "scheduler", "client", "MB/s written", "hours to check"]  # fmt: skip
+    rows = []
+    for length in PLAN_SHARDS:
+        size, rate = length / seconds, PLAN_CORES / length
+        rows.append([
+            f"{PLAN_CORES:,}", f"{length:g}", f"{size:,.0f}", f"{PLAN_SAMPLES * seconds / 3600:,.0f}",
+            f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}", f"{PLAN_SAMPLES / size:,.0f}",
+            f"{size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['bytes'] / 1e9:,.0f}", f"{rate:.0f}",
+            f"{rate * load['scheduler_ms'] / 1e3:.0%}", f"{rate * load['client_ms'] / 1e3:.0%}",
+            f"{rate * size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['check_us'] / 1e6 / 3600:.1f}",
+        ])  # fmt: skip
+    return campaign.table(head, rows, 0)
 
 
 CAMPAIGN = Kept(

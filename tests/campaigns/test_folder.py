@@ -20,7 +20,7 @@ from mahovik.out.campaign.manifest import read_manifest
 
 @pytest.fixture(autouse=True)
 def forget_opened() -> None:
-    """As in a new process."""
+    """Make the next one read the campaign file, like a new process."""
     _opened.cache_clear()
 
 
