@@ -22,6 +22,7 @@ from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.records import Records
 from mahovik.out.campaign.required import Required
+from mahovik.out.campaign.signals import ties
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
 from mahovik.out.functions.given import regime_of, state_of
@@ -86,7 +87,7 @@ class TimeRunner:
         n = len(tables)
         found = {q.name: np.full(n, np.nan) for q in self._quantities}
         reasons = [""] * n
-        laws = tables.laws()
+        laws = tables.laws() if any(q.signal and q.signal.part in ties(self.stand) for q in self._quantities) else {}
         with np.errstate(all="ignore"):
             for first in range(0, n, self._size):
                 block = Block(self.stand, self._made, tables, first, min(self._size, n - first))
