@@ -156,7 +156,9 @@ SPELLINGS = {
     'what = "velocity"': """quantity "shake", what: expected such as "rms acceleration", found "velocity\"""",
     'what = "rms velocty"': 'did you mean "velocity"',
     "what = 3": "what: expected such as",
-    'name = ""\nwhat = "rms velocity"\n[run]\nregime = { default = { hold = true } }\nuntil = 1': "over: another spelling of run, which the file has too",
+    'name = "x"\nwhat = "rms velocity"\n[run]\nregime = { default = { hold = true } }\nuntil = 1': (
+        "over: another spelling of run, which the file has too"
+    ),
 }
 
 
