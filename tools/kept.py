@@ -27,6 +27,7 @@ UNKNOWN = "unknown"
 NOT_SAMPLED = {
     "python": "wall-clock times of one machine",
     "tables": "wall-clock times of one machine",
+    "campaign-speed": "times of one machine",
     "generation": "wall-clock times of one machine",
     "start": "wall-clock times of one machine",
     "profile": "wall-clock times of one machine",

@@ -33,6 +33,7 @@ TOOLS = (
     "pil",
     "api_speed",
     "tables_speed",
+    "campaign_speed",
     "lanes_table",
     "generation_time",
     "install_size",
