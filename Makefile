@@ -45,6 +45,8 @@ help:
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
 	@echo "make campaign-speed  time of a sample of a campaign beside the batch C alone, into docs/results/campaign-speed.md"
 	@echo "make tables-speed  nanoseconds a stand of tables that differ, beside the batch C, into docs/results/tables.md"
+	@echo "make campaign-scale  speed, memory and load of campaigns, a million samples: docs/results/campaigns.md; minutes"
+	@echo "make campaign-faults  a campaign whose processes are killed at random: docs/results/campaign-faults.md; minutes"
 	@echo "make api-speed  nanoseconds a state of Python's forward beside the batch C, into docs/results/python.md"
 	@echo "make verify-time  how long the comparison of three takes, stand by stand"
 	@echo "make generation-time  generation cold and warm, start of commands, gcc: docs/results/generation.md"
@@ -189,6 +191,13 @@ campaign-speed: setup-test
 
 tables-speed: setup-test
 	$(BIN)/python tools/tables_speed.py
+
+campaign-scale: setup-test
+	$(BIN)/python tools/campaign_scale.py
+	$(BIN)/python tools/campaign_scale.py --million
+
+campaign-faults: setup-test
+	$(BIN)/python tools/campaign_faults.py
 
 lanes-table: setup-test
 	$(BIN)/python tools/lanes_table.py

@@ -13,11 +13,11 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import campaign
 import numpy as np
 import tables_speed
 from kept import Campaign, Columns, Figures
 
-import campaign
 import mahovik
 from mahovik.core.motion.document import validate_table
 from mahovik.core.stand.problems import Problems
@@ -161,8 +161,8 @@ def page(found: Figures) -> str:
     most = max(row[memory] for row in lines)
     limits = (
         f"A campaign keeps at least {worst:.0%} of the speed of the batch C with prepared tables, for runs of 1,000 "
-        f"steps (wanted: at least {SHARE:.0%}). Of samples of 1 ms or more at most {longest:.1%} of the time is outside "
-        f"of the C (wanted: at most {OUTSIDE:.0%}). The process had {most:,.0f} MB (wanted: at most {LIMIT:,.0f} MB)."
+        f"steps (wanted: at least {SHARE:.0%}). Of samples of 1 ms or more at most {longest:.1%} of the time is "
+        f"outside of the C (wanted: at most {OUTSIDE:.0%}). The process had {most:,.0f} MB (wanted: at most {LIMIT:,.0f} MB)."
     )
     head = (
         f"`bench8`, one thread, {SAMPLES:,} samples of 1,000 steps or {SAMPLES // 4:,} of more, peak acceleration "

@@ -34,6 +34,8 @@ TOOLS = (
     "api_speed",
     "tables_speed",
     "campaign_speed",
+    "campaign_scale",
+    "campaign_faults",
     "lanes_table",
     "generation_time",
     "install_size",

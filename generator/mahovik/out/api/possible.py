@@ -15,7 +15,7 @@ from mahovik.out.api.model import Model
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables, check_sample
-from mahovik.out.api.variants import changed, reason_of, variants
+from mahovik.out.api.variants import changed, first_reason, variants
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class PossibleTables:
 
 
 def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = None) -> PossibleTables:
-    """As `Model.tables`; samples that no stand file may have are left out, each with its reason in one line.
+    """Tables as of `Model.tables`, without the samples that no stand file may have; each of these with its reason.
 
     Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere.
     """
@@ -51,7 +51,7 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
 
 
 def _reasons(model: Model, samples: Samples) -> dict[int, str]:
-    """By number, why samples cannot be. Raises UsageError."""
+    """Reasons of the samples that cannot be, by number. Raises UsageError."""
     stand, reasons = Stand.of(model.stand), dict[int, str]()
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
         changed(stand, samples.values(0) if samples.n else {})
@@ -60,7 +60,7 @@ def _reasons(model: Model, samples: Samples) -> dict[int, str]:
         try:
             check_sample(stand, samples, number)
         except (StandError, UsageError) as error:
-            reasons[number] = reason_of(stand, samples, number, error)
+            reasons[number] = first_reason(error, f"{stand.name}, sample {number}")
     return reasons
 
 
@@ -69,5 +69,5 @@ def _refusal(model: Model, samples: Samples) -> str:
     try:
         model.tables(samples.given, samples.n)
     except StandError as error:
-        return str(error).splitlines()[0].partition(", sample 0: ")[2] or str(error)
+        return first_reason(error, f"{model.stand.name}, sample 0")
     return ""

@@ -104,7 +104,12 @@ def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> 
         read(changed(stand, samples.values(number)), stand.name)
     except (StandError, UsageError) as own:
         error = own
-    return str(error).splitlines()[0].removeprefix(f"{stand.name}: ")
+    return first_reason(error, stand.name)
+
+
+def first_reason(error: Exception, source: str) -> str:
+    """The first line of a refusal, without the name of what is refused."""
+    return str(error).splitlines()[0].removeprefix(f"{source}: ")
 
 
 def changed(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:

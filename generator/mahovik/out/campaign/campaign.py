@@ -31,7 +31,10 @@ from mahovik.out.campaign.sensitivity import Sensitivity, sensitivity
 Array = NDArray[np.float64]
 
 SHARD_TIME = 12.0
-"""What a shard takes, s, where the file does not say how many samples it has."""
+"""Time for a shard, s, where the file does not say how many samples it has."""
+
+_DECIDES_NO_ROW = ("name", "stand", "shard", "until", "quantile")
+"""Keys of a file that are no part of the identity of its campaign; the stand has one of its own."""
 
 _LONGEST_SHARD = 50_000
 _FEWEST_SHARDS = 32  # of many samples, so that all workers have some
@@ -96,7 +99,7 @@ class Campaign:
 
         Names, and when the campaign stops, decide no row, so they are no part of it. Files that the campaign names are.
         """
-        deciding = {k: v for k, v in self.file.document.items() if k not in ("name", "shard", "until", "quantile")}
+        deciding = {key: value for key, value in self.file.document.items() if key not in _DECIDES_NO_ROW}
         named = dict.fromkeys((*self.file.files, *files_in(deciding, self.file.folder)))
         content = [hashlib.sha256(path.read_bytes()).hexdigest() for path in named]
         canonical = json.dumps([deciding, content], sort_keys=True, default=str)
@@ -127,7 +130,7 @@ class Campaign:
         """Units of the quantities by name."""
         return self._computation.units
 
-    def drawn(self, first: int, count: int) -> dict[str, Array]:
+    def parameter_values(self, first: int, count: int) -> dict[str, Array]:
         """The numbers that vary, by path, SI, of the samples from `first` on."""
         return self.file.draw.values(self.design.unit(first, count))
 
@@ -139,7 +142,7 @@ class Campaign:
         """Rows of the samples from `first` on: the same bits however the samples are parted."""
         if first < 0 or count < 0 or first + count > self.samples:
             raise UsageError(f"rows: samples {first} to {first + count - 1}, but the campaign has {self.samples}")
-        values = self.drawn(first, count)
+        values = self.parameter_values(first, count)
         possible = self.possible(values, count)
         quantities = {name: np.full(count, np.nan) for name in self.quantities}
         reasons = [possible.reasons.get(i, "") for i in range(count)]
@@ -153,11 +156,11 @@ class Campaign:
 
     def stand_of(self, number: int) -> Stand:
         """The stand of one sample, to look at or to save. Raises StandError if it cannot be."""
-        values = self.file.draw.changes(self.drawn(number, 1))
+        values = self.file.draw.changes(self.parameter_values(number, 1))
         return self.stand.replace({key: column[0].tolist() for key, column in values.items()})
 
     def sensitivity(self, values: Array) -> Sensitivity:
-        """Which factors a quantity depends on; `values` of the first samples in order. Raises UsageError."""
+        """Factors that a quantity depends on; `values` of the first samples in order. Raises UsageError."""
         return sensitivity(self.design, values)
 
     def _measured_shard(self) -> int:

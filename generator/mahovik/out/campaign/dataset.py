@@ -35,7 +35,7 @@ class Status:
     manifest  of the folder
     records   whole shards by number, in order
     missing   numbers of shards that are not there
-    damaged   why a shard that is there does not count, by number
+    damaged   why an existing shard does not count, by number
     drafts    files that killed processes have left, or others write just now
     """
 

@@ -16,6 +16,9 @@ Array = NDArray[np.float64]
 LEVELS = 4
 """Levels of a factor in Morris' design."""
 
+MOST_HELD = 5_000_000
+"""Samples of a Latin hypercube, and numbers of Morris' design, at most: every process makes them whole."""
+
 _HELD = 8_000_000
 """Numbers of a Latin hypercube that are kept, 64 MB; other columns are made again when they are asked for."""
 
@@ -92,8 +95,8 @@ class Sobol:
 class Saltelli:
     """Pairs of points of a Sobol' sequence that exchange one factor after the other: for Sobol' indices.
 
-    The order of the samples is that of SALib without second order: a point A of the sequence, A with each factor in
-    turn from B, then B.
+    The order of the samples is that of SALib without second order: the first point, then it with each factor in
+    turn of the second point, then the second point.
     """
 
     factors: tuple[str, ...]

@@ -168,7 +168,7 @@ class Truncated:
         return max(low, self.low), min(high, self.high)
 
     @property
-    def kept(self) -> float:
+    def kept_share(self) -> float:
         """Share of the whole distribution that is kept."""
         return self._ends[1] - self._ends[0]
 

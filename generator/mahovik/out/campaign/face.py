@@ -135,7 +135,7 @@ class CampaignFolder:
         return write_report(self.path, self._work(), Path(path), worst=worst, progress=progress)
 
     def columns(self) -> dict[str, NDArray[Any]]:
-        """All rows that are there: arrays by the names of the columns. Raises DamagedError."""
+        """All rows so far: arrays by the names of the columns. Raises DamagedError."""
         manifest, parts = read_manifest(self.path), []
         for number in range(manifest.shards):
             try:

@@ -5,6 +5,7 @@ All problems are found before any is reported.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,7 +24,7 @@ from mahovik.errors import CampaignError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand, load
 from mahovik.out.campaign.convergence import Goal
-from mahovik.out.campaign.designs import DESIGNS
+from mahovik.out.campaign.designs import DESIGNS, MOST_HELD
 from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.places import Places
@@ -191,6 +192,10 @@ def _draw(parameters: tuple[Parameter, ...], table: CampaignTable, places: Place
                     matrix[i][j] = each.coefficient
     if table.correlation and table.design in ("morris", "saltelli"):
         problems.add("correlation", f'not allowed with design "{table.design}", which changes factors one by one')
+    held = {"latin": table.samples, "morris": table.samples * len(factors)}.get(table.design, 0)
+    if held > MOST_HELD:
+        least = MOST_HELD if table.design == "latin" else MOST_HELD // len(factors)
+        problems.add("samples", f'at most {least} with design "{table.design}"; expected fewer, or another design')
     if problems.lines:
         return None
     columns = sorted({i for pair in given for i in pair})
@@ -220,5 +225,16 @@ def files_in(value: Any, folder: Path) -> Iterator[Path]:
     elif isinstance(value, list):
         for each in value:
             yield from files_in(each, folder)
-    elif isinstance(value, str) and len(value) < 200 and "\0" not in value and (folder / value).is_file():
-        yield folder / value
+    elif isinstance(value, str):
+        for name in (value, value.rpartition(":")[0]):  # file.py:function
+            if name and len(name) < 200 and "\0" not in name and (folder / name).is_file():
+                yield folder / name
+                yield from _named_inside(folder / name)
+
+
+def _named_inside(path: Path) -> Iterator[Path]:
+    """Files that a regime or another text names, such as tables of speeds."""
+    if path.suffix in (".toml", ".json") and path.stat().st_size < TEXT:
+        for name in re.findall(r'"([^"\n\0]{1,199})"', path.read_text(encoding="utf-8", errors="replace")):
+            if (path.parent / name).is_file():
+                yield path.parent / name

@@ -59,7 +59,7 @@ def _opened(path: Path, _digest: str, folder: str, load: Load) -> Work:
 
 
 def whole_shard(folder: Path, manifest: Manifest, number: int) -> Record | None:
-    """Record of a shard that is there, every bit of it checked; None: it is missing or damaged."""
+    """Record of an existing shard, every bit of it checked; None: it is missing or damaged."""
     try:
         return record_of(read_shard(folder, manifest, number), number)
     except (FileNotFoundError, DamagedError):

@@ -105,18 +105,18 @@ class Places:
         return Stand.from_dict(self._document, self._source)
 
     def matrices(self) -> dict[str, Array]:
-        """Symmetric matrices of which elements were found, by `Place.put`, as the file has them, SI."""
+        """Symmetric matrices of which elements were found, by `Place.put`, SI."""
         return self._matrices
 
     def mass(self, name: str) -> float:
-        """Mass of a body in kg, as the file has it."""
+        """Mass of a body of the file, kg."""
         return float(next(body.mass for body in self._core.bodies if body.name == name))
 
     # -- names -------------------------------------------------------------------------------------------------------
 
     @cached_property
     def _tables(self) -> Mapping[str, tuple[type[Table], Any, str]]:
-        """By first part of a path: schema, keys in the file, and the path of these keys for `put`."""
+        """Schema, keys in the file, and the path of these keys for `put`, by the first part of a path."""
         found: dict[str, tuple[type[Table], Any, str]] = {}
         arrays: dict[str, type[Table]] = {key: with_laws(table) for key, table in _BODIES.items() if key != "point"}
         arrays["point"] = PointTable

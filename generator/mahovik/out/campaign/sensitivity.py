@@ -1,4 +1,4 @@
-"""Which factors a quantity depends on: Sobol' indices, and the elementary effects of Morris, by SALib."""
+"""Factors that a quantity depends on: Sobol' indices, and the elementary effects of Morris, by SALib."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from mahovik.out.campaign.designs import LEVELS, Design, Morris, Saltelli, probl
 Array = NDArray[np.float64]
 
 SEED = 1
-"""Of the resampling for confidence intervals: the same rows give the same figures."""
+"""Seed of the resampling for confidence intervals: the same rows give the same figures."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Files of rows: a shard is a Parquet file that is there whole or not at all, and that can be checked without others.
+"""Files of rows: a shard is a Parquet file, written whole or not at all, and that can be checked without others.
 
 Its metadata hold the digest of the manifest, and the SHA-256 of the file with zeros in the place of that hash: a file
 that was cut or altered, on a disk or on the way, is found before a bit of it is used.

@@ -95,7 +95,7 @@ class _Reader:
             if kind == "table" and factor is not None:  # measured columns of one body belong together
                 factor = f"{raw['table']} {place.body}"
             if "group" in raw and factor is not None:
-                factor = f"group {_at('group', text, raw['group'])}"
+                factor = f"group {_read_key('group', text, raw['group'])}"
             found.append(Parameter(place, _truncated(whole, raw, place), factor))
         return found
 
@@ -137,17 +137,17 @@ class _Reader:
         """A column of a CSV file: one of its rows, each as likely as the others."""
         path = self._folder / text(given)
         names = _columns_of(path)
-        column = _at("column", text, raw["column"]) if "column" in raw else place.key
+        column = _read_key("column", text, raw["column"]) if "column" in raw else place.key
         if column not in names:
             raise QuantityError(f"{path.name} has no column {show(column)}{suggestion(column, names)}")
         needed = place.dimension
 
-        def known(name: str) -> Dimension | None:
+        def dimension_of(name: str) -> Dimension | None:
             return needed if name == column else Dimension("a text", "")
 
         try:
             others = [name for name in names if name != column]
-            found = read_columns(path, known, (column,), names, others).numbers[column]
+            found = read_columns(path, dimension_of, (column,), names, others).numbers[column]
         except FileError as error:
             raise QuantityError(str(error).replace(str(path), path.name)) from None
         if path not in self._files:
@@ -156,10 +156,10 @@ class _Reader:
 
     def _graded(self, pattern: str, raw: Mapping[str, Any]) -> list[Parameter]:
         """Static unbalance that a balance grade permits, in a random direction."""
-        grade = _at("grade", grade_of, raw["grade"])
+        grade = _read_key("grade", grade_of, raw["grade"])
         if "speed" not in raw:
             raise QuantityError("speed: required with grade, but missing")
-        speed = _at("speed", lambda given: number(given, SPEED), raw["speed"])
+        speed = _read_key("speed", lambda given: number(given, SPEED), raw["speed"])
         if speed == 0.0:
             raise QuantityError("speed: expected the highest speed in service, found 0")
         share = self._share(raw.get("share"))
@@ -210,7 +210,7 @@ class _Scaled:
 
 
 def _kind(raw: Any) -> str:
-    """Which distribution a table gives. Raises QuantityError."""
+    """Name of the distribution that a table gives. Raises QuantityError."""
     if not isinstance(raw, Mapping):
         raise QuantityError(f'expected a table such as {{ normal = ["1 g", "0.1 g"] }}, found {show(raw)}')
     kinds = [key for key in raw if key in KINDS]
@@ -224,7 +224,7 @@ def _kind(raw: Any) -> str:
     return str(kinds[0])
 
 
-def _at(key: str, read: Callable[[Any], Any], raw: Any) -> Any:
+def _read_key(key: str, read: Callable[[Any], Any], raw: Any) -> Any:
     """A value of a key, which messages name."""
     try:
         return read(raw)
@@ -266,10 +266,10 @@ def _lognormal(given: Any, dimension: Dimension) -> Distribution:
     pair = _list(given)
     if len(pair) != 2:
         raise QuantityError(f"expected the median and the standard deviation of the logarithm, found {len(pair)}")
-    median = _at("[0]", lambda raw: number(raw, dimension), pair[0])
+    median = _read_key("[0]", lambda raw: number(raw, dimension), pair[0])
     if median <= 0.0:
         raise QuantityError(f"[0]: {median:g} {dimension.si}".rstrip() + " is not above 0")
-    sigma = _not_negative(_at("[1]", lambda raw: number(raw, PLAIN), pair[1]), PLAIN)
+    sigma = _not_negative(_read_key("[1]", lambda raw: number(raw, PLAIN), pair[1]), PLAIN)
     return Lognormal(median, sigma) if sigma else Fixed(median)
 
 
@@ -288,15 +288,15 @@ def _truncated(whole: Distribution, raw: Mapping[str, Any], place: Place) -> Dis
     if place.key in _MAGNITUDES and whole.support[0] == -math.inf:
         low = 0.0
     if "least" in raw:
-        low = _at("least", lambda given: number(given, place.dimension), raw["least"])
+        low = _read_key("least", lambda given: number(given, place.dimension), raw["least"])
     if "most" in raw:
-        high = _at("most", lambda given: number(given, place.dimension), raw["most"])
+        high = _read_key("most", lambda given: number(given, place.dimension), raw["most"])
     if low > high:
         raise QuantityError(f"least: {low:g} is above most, {high:g} {place.dimension.si}".rstrip())
     if low <= whole.support[0] and high >= whole.support[1]:
         return whole
     found = Truncated(whole, low, high)
-    if isinstance(whole, Fixed) or found.kept < 1e-9:
+    if isinstance(whole, Fixed) or found.kept_share < 1e-9:
         raise QuantityError("least, most: the distribution has no values between them")
     return found
 

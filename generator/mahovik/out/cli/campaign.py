@@ -76,7 +76,7 @@ def shard(folder: str = FOLDER, numbers: tuple[str, ...] = argument("NUMBER|A-B.
     """Compute shards in this process alone.
 
     For Slurm arrays, HTCondor, Snakemake and the like, after `mahovik campaign run --prepare`. Shards are numbered
-    from 0; numbers beyond the last one in a range A-B are left out. A shard that is there and whole is not computed
+    from 0; numbers beyond the last one in a range A-B are left out. An existing, whole shard is not computed
     again.
     """
     found = _folder(folder)

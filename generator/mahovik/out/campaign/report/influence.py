@@ -1,4 +1,4 @@
-"""Which drawn numbers a quantity depends on, from rows of any design: shares of its variance, and straight lines.
+"""Influence of the drawn numbers on a quantity, from rows of any design: shares of its variance, and straight lines.
 
 The share of a parameter is the first Sobol' index, estimated from rows as they are: the variance of the means of the
 quantity in bins of equal counts of the parameter, less what scatter within the bins adds to it. Saltelli et al.,

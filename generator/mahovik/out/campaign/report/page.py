@@ -70,7 +70,7 @@ def write_report(
 
 
 def _write_stands(folder: Path, work: Work, query: Query, most: int) -> dict[tuple[str, int], Path]:
-    """Stand files of the samples with the largest quantities: a file a sample, by quantity and sample."""
+    """Stand files of the samples with the largest quantities, by quantity and sample."""
     files = {}
     for name in query.manifest.quantities:
         for number, _ in query.largest(name, most):

@@ -51,7 +51,7 @@ FIGURES = {
 
 
 def overview(state: Status, query: Query) -> Section:
-    """What was computed, and what has no quantities."""
+    """Counts of samples, and reasons of those without quantities."""
     known = state.manifest
     parts = [
         f"{state.rows} samples in {count_of(len(state.records), 'shard')}",

@@ -33,13 +33,15 @@ def test_a_number_is_found_with_its_value(name: str) -> None:
     found = [place for pattern in PATTERNS[name] for place in places.found(pattern)]
     assert len({place.path for place in found}) == len(found)
     assert places.stand() == of  # lists in SI, with the same bits
-    for place in found:
-        (again,) = Places(moved(places, place, place.nominal * 1.001 + 1e-12)).found(place.path)
-        assert again.nominal == pytest.approx(place.nominal * 1.001 + 1e-12, rel=1e-9), place.path
-        for other in found:
-            if other.path != place.path and "unbalance" not in place.path and "unbalance" not in other.path:
-                (same,) = Places(moved(places, place, place.nominal * 1.001)).found(other.path)
-                assert same.nominal == pytest.approx(other.nominal, rel=1e-12), (place.path, other.path)
+    for place in found[:: 1 + len(found) // 8]:
+        value = place.nominal * 1.001 + 1e-12
+        after = Places(moved(places, place, value))
+        there = {each.path: each for pattern in PATTERNS[name] for each in after.found(pattern)}
+        for each in found:
+            if each is place:
+                assert there[each.path].nominal == pytest.approx(value, rel=1e-9), each.path
+            elif "unbalance" not in place.path + each.path:  # a mass changes the unbalance of the same body
+                assert there[each.path].nominal == each.nominal, (place.path, each.path)
 
 
 def test_paths_lead_into_the_tables_of_a_model() -> None:

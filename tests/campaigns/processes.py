@@ -19,7 +19,7 @@ PATIENCE = 60.0
 CLIENT = """
 import signal, sys
 from pathlib import Path
-from campaign.stub import load_stub
+from campaigns.stub import load_stub
 from mahovik.errors import MahovikError
 from mahovik.out.campaign.face import Campaign
 signal.signal(signal.SIGINT, signal.default_int_handler)

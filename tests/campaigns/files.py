@@ -23,7 +23,7 @@ def read(folder: Path, body: str, **head: object) -> CampaignFile:
 
 
 def refusal(folder: Path, body: str, **head: object) -> str:
-    """What the reader says of a file that it refuses: one line."""
+    """Message of the reader on a file that it refuses: one line."""
     try:
         read(folder, body, **head)
     except CampaignError as error:

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pyarrow import parquet
 
-from campaign.stub import POISON, load_stub, write_stub
+from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.campaign.dataset import merge, remove_drafts, status
 from mahovik.out.campaign.folder import begin, make_shard, whole_shard

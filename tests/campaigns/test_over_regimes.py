@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 import mahovik
-from campaign.computing import Keys, computation, tables_of
+from campaigns.computing import Keys, computation, tables_of
 from mahovik.use.study.rest import rest
 
 N = 3

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from campaign.stub import load_stub, write_stub
+from campaigns.stub import load_stub, write_stub
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.campaign.cluster import connect
 from mahovik.out.campaign.dataset import status
@@ -20,7 +20,7 @@ from mahovik.out.campaign.manifest import read_manifest
 
 @pytest.fixture(autouse=True)
 def forget_opened() -> None:
-    """As in a new process."""
+    """Make the next one read the campaign file, like a new process."""
     _opened.cache_clear()
 
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
+from numpy.typing import NDArray
 
 import mahovik
 from mahovik.out.api.compiled import ELEMENT, compiled
@@ -30,7 +33,7 @@ def test_a_course_has_the_bits_of_its_steps(pushed: bool) -> None:
     x = model.states(N, V=rng.normal(size=(N, 6)) * 0.1, phi=phases[0], phi_dot=speeds[0])
     block.x[:] = x.array.T
     block.given["order"][0], block.given["dt"][0] = 2, STEP
-    rows = {
+    rows: dict[str, NDArray[Any]] = {
         "phi": phases, "phi_dot": speeds, "phi_ddot": mean, "wrench": wrenches, "count": np.array([COUNT], np.int32),
         "refused": np.zeros(N, np.int32), "status": np.zeros(N, np.int32),
     }  # fmt: skip
@@ -52,7 +55,7 @@ def test_a_refused_sample_is_named_with_its_first_step() -> None:
     block.x[7, 1] = np.nan
     block.given["order"][0], block.given["dt"][0] = 2, STEP
     none = np.zeros((COUNT + 1, 8))
-    rows = {
+    rows: dict[str, NDArray[Any]] = {
         "phi": none, "phi_dot": none, "phi_ddot": none[1:], "wrench": np.zeros((COUNT, 0)),
         "count": np.array([COUNT], np.int32), "refused": np.full(3, -1, np.int32), "status": np.zeros(3, np.int32),
     }  # fmt: skip

@@ -13,7 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
 import mahovik
-from campaign.computing import Keys, computation, refusal, tables_of
+from campaigns.computing import Keys, computation, refusal, tables_of
 from mahovik.contract import laws
 from mahovik.core import motion
 from mahovik.core.stand.random_state import random_state

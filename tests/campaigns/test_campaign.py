@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 import mahovik
-from campaign.files import refusal, write
+from campaigns.files import refusal, write
 from mahovik.errors import CampaignError, UsageError
 from mahovik.out.campaign.campaign import Campaign
+from mahovik.out.campaign.file import files_in, load_campaign
 from mahovik.out.campaign.places import Places
 from mahovik.out.campaign.rows import Rows
 
@@ -108,7 +109,7 @@ def test_a_tolerance_that_makes_a_body_impossible_is_named_with_its_sample(tmp_p
     mass = Campaign.load(write(tmp_path, VARY + RUN, stand="demo3")).stand.carrier.mass
     body = '[vary]\n"w2.mass" = { relative = 0.01 }\n"carrier.mass" = { uniform = [1, %r] }' % (2 * mass - 1)
     # the same random number in a narrower interval tells which samples were negative
-    share = (load(tmp_path, body + RUN).drawn(0, number + 1)["carrier.mass"] - 1) / (2 * mass - 2)
+    share = (load(tmp_path, body + RUN).parameter_values(0, number + 1)["carrier.mass"] - 1) / (2 * mass - 2)
     negative = -2 + 24 * share < 0
     assert np.flatnonzero(negative).tolist() == [number]
 
@@ -125,6 +126,14 @@ def test_identity_is_that_of_what_decides_the_rows(tmp_path: Path) -> None:
     assert load(tmp_path, vary + RUN, stand="own.toml").identity["campaign"] != first["campaign"]
     (tmp_path / "own.toml").write_text(stand_text().replace('name = "demo3"', 'name = "demo3"  # the same'))
     assert load(tmp_path, vary + RUN, stand="own.toml").identity["stand"] == first["stand"]
+
+
+def test_files_that_other_files_name_are_part_of_the_identity(tmp_path: Path) -> None:
+    (tmp_path / "spin.toml").write_text('schema = 1\n[default]\ntable = "speeds.csv"\n')
+    run = RUN.replace('{ default = { speed = "1000 rpm" } }', '"spin.toml"')
+    (tmp_path / "speeds.csv").write_text("t,speed\n0,1\n")
+    file = load_campaign(write(tmp_path, VARY + run, stand="demo3"))
+    assert [path.name for path in files_in(file.document, file.folder)] == ["spin.toml", "speeds.csv"]
 
 
 def stand_text() -> str:
@@ -156,6 +165,8 @@ KEYS = {
     "sample = 3": 'unknown key "sample", did you mean "samples"?',
     'until = "2 %"': "until: of which quantile?",
     'until = "2 s"': "until: ",
+    'design = "latin"\nsamples = 6000000': 'samples: at most 5000000 with design "latin"',
+    'design = "morris"\nsamples = 3000000': 'at most 625000 with design "morris"; expected fewer, or another design',
     "seed = -1": "seed: -1: expected 0 to",
     'quantile = { of = "shake", at = 95 }': "quantile, at: 95: expected above 0 and below 1",
     'until = 0.1\ndesign = "morris"\nquantile = { of = "shake" }': 'until: not allowed with design "morris"',

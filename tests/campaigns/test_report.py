@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from campaign.stub import POISON, load_stub, write_stub
+from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.errors import CheckError
 from mahovik.out.campaign.convergence import quantile_interval
 from mahovik.out.campaign.face import Campaign, CampaignFolder

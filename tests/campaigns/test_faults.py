@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from campaign.processes import BETWEEN, OTHER_VERSION, Processes, children, finish, processes, shard_files, until
-from campaign.stub import load_stub, write_stub
+from campaigns.processes import BETWEEN, OTHER_VERSION, Processes, children, finish, processes, shard_files, until
+from campaigns.stub import load_stub, write_stub
 from mahovik.errors import UsageError
 from mahovik.out.campaign.dataset import status
 from mahovik.out.campaign.face import Campaign

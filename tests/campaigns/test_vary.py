@@ -1,4 +1,4 @@
-"""What a campaign file lets vary: paths and patterns, values about those of the stand, groups, tables, correlations."""
+"""Numbers that vary: paths and patterns, values about those of the stand, groups, tables, correlations."""
 
 import itertools
 import math
@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 from scipy import stats
 
 import mahovik
-from campaign.files import read, refusal
+from campaigns.files import read, refusal
 from mahovik.out.campaign.designs import Random
 from mahovik.out.campaign.file import CampaignFile
 
 Array = NDArray[np.float64]
 
 
-def drawn(file: CampaignFile, count: int = 4000) -> dict[str, Array]:
+def first_values(file: CampaignFile, count: int = 4000) -> dict[str, Array]:
     """Values of the first samples, as a campaign draws them."""
     design = Random(file.draw.factors, count, file.table.seed)
     return file.draw.values(design.unit(0, count))
 
 
 def values(folder: Path, body: str, count: int = 4000, stand: str = "sat4") -> dict[str, Array]:
-    return drawn(read(folder, body, stand=stand), count)
+    return first_values(read(folder, body, stand=stand), count)
 
 
 def test_a_pattern_draws_each_of_its_matches_by_itself(tmp_path: Path) -> None:
