@@ -43,6 +43,7 @@ help:
 	@echo "make attitude-loop  attitude loop with its plant on emulated M7 and M4, into docs/results/attitude-loop.md"
 	@echo "make short-steps  what rounding takes from a million short steps in float: docs/results/short-steps.md"
 	@echo "make lanes-table  what lanes and --fast are worth, by N, into docs/results/lanes.md"
+	@echo "make campaign-speed  time of a sample of a campaign beside the batch C alone, into docs/results/campaign-speed.md"
 	@echo "make tables-speed  nanoseconds a stand of tables that differ, beside the batch C, into docs/results/tables.md"
 	@echo "make campaign-scale  speed, memory and load of campaigns, a million samples: docs/results/campaigns.md; minutes"
 	@echo "make campaign-faults  a campaign whose processes are killed at random: docs/results/campaign-faults.md; minutes"
@@ -184,6 +185,9 @@ short-steps: setup-test
 
 api-speed: setup-test
 	$(BIN)/python tools/api_speed.py
+
+campaign-speed: setup-test
+	$(BIN)/python tools/campaign_speed.py
 
 tables-speed: setup-test
 	$(BIN)/python tools/tables_speed.py

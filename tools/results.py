@@ -33,6 +33,7 @@ TOOLS = (
     "pil",
     "api_speed",
     "tables_speed",
+    "campaign_speed",
     "campaign_scale",
     "campaign_faults",
     "lanes_table",

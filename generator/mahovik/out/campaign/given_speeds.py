@@ -27,6 +27,8 @@ AHEAD = 256
 class Stretch:
     """Steps from one time of output to the next: their length h (s), rows of phases and speeds (count + 1, N),
     accelerations (count, N), wrenches (count, 6 W); then phi'' (N) and the wrench (6 W) at the end.
+
+    `changes`: phi'' at the end is not that of the last step.
     """
 
     t: float
@@ -37,6 +39,7 @@ class Stretch:
     wrench: Array
     end_phi_ddot: Array
     end_wrench: Array
+    changes: bool
 
 
 class GivenSpeeds:
@@ -70,7 +73,8 @@ class GivenSpeeds:
                 self._refuse(block, stretch, rows)
             if given["wrench"].size:
                 given["wrench"][:] = stretch.end_wrench[:, None]
-            given["phi_ddot"][:] = stretch.end_phi_ddot[:, None]
+            if stretch.changes:
+                given["phi_ddot"][:] = stretch.end_phi_ddot[:, None]
             observer.take(stretch.t)
 
     @staticmethod
@@ -116,9 +120,11 @@ class GivenSpeeds:
             row += len(grid)
             h = float(grid[1] - grid[0])
             wrench = [self._wrench(float(t) + h / 2) for t in grid[:-1]] if self._inputs else []
+            mean = np.diff(speeds[own], axis=0) / h
             yield Stretch(
-                float(grid[-1]), h, phases[own], speeds[own], np.diff(speeds[own], axis=0) / h,
+                float(grid[-1]), h, phases[own], speeds[own], mean,
                 np.array(wrench).reshape(len(grid) - 1, -1), at_end, self._wrench(float(grid[-1])),
+                not np.array_equal(at_end, mean[-1]),
             )  # fmt: skip
 
     def _wrench(self, t: float) -> Array:

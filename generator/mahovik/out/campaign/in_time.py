@@ -22,6 +22,7 @@ from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.records import Records
 from mahovik.out.campaign.required import Required
+from mahovik.out.campaign.signals import ties
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
 from mahovik.out.functions.given import regime_of, state_of
@@ -86,16 +87,21 @@ class TimeRunner:
         n = len(tables)
         found = {q.name: np.full(n, np.nan) for q in self._quantities}
         reasons = [""] * n
-        laws = tables.laws()
+        laws = tables.laws() if any(q.signal and q.signal.part in ties(self.stand) for q in self._quantities) else {}
         with np.errstate(all="ignore"):
+            whole = Block(self.stand, self._made, tables, 0, n)
+            lost = self._start.begin(whole, tables)
             for first in range(0, n, self._size):
                 block = Block(self.stand, self._made, tables, first, min(self._size, n - first))
-                self._compute(block, tables, laws, found, reasons)
+                block.x[:] = whole.x[:, first : first + block.n]
+                self._compute(block, laws, found, reasons)
+        for j, reason in lost.items():
+            reasons[j] = reason
         return found, reasons
 
-    def _compute(self, block: Block, tables: Tables, laws: Any, found: Mapping[str, Array], reasons: list[str]) -> None:
+    def _compute(self, block: Block, laws: Any, found: Mapping[str, Array], reasons: list[str]) -> None:
+        """Quantities and reasons of a block, from its states at t = 0."""
         own = slice(block.first, block.first + block.n)
-        lost = self._start.begin(block, tables)
         readings = None
         if self._made.sensors:
             block.call("points")
@@ -122,7 +128,7 @@ class TimeRunner:
             if q.signal is not None:
                 found[q.name][own] = gathered[q.name].result()
         for j in range(block.n):
-            reasons[block.first + j] = lost.get(j, "") or block.reason(j)
+            reasons[block.first + j] = block.reason(j)
         if records is not None:
             for j in range(block.n):
                 if not reasons[block.first + j]:

@@ -22,7 +22,7 @@ NEEDED = {"readings": "points", "tau": "torque", "loads": "mounts", "I": "matric
 class Chunk:
     """K times of n samples, which come last. What nothing needs has no components.
 
-    t (K); state (K, 13 + 2 N, n); V_dot (K, 6, n); phi_ddot, tau (K, N, n)
+    t (K); state (K, 13 + 2 N, n), or (K, 13, n) of the carrier alone; V_dot (K, 6, n); phi_ddot, tau (K, N, n)
     readings  (K, 24 S, n): of `points`; loads (K, 6 N, n): wrenches of the mounts; I (K, 6 N, n)
     """
 
@@ -53,7 +53,7 @@ class Chunk:
     @property
     def phi_dot(self) -> Array:
         """Speeds (K, N, n), rad/s."""
-        N = (self.state.shape[1] - 13) // 2
+        N = (self.state.shape[1] - 13) // 2  # where they are needed
         return self.state[:, 13 + N :]
 
     def rest(self, first: int) -> Chunk:
@@ -85,13 +85,14 @@ class Observer:
         self._needs = needs
         n = block.n
         self.rows = max(1, CACHE // n)
-        state, N = block.x.shape[0], len(block.stand.flywheels)
+        N = len(block.stand.flywheels)
+        self._numbers = block.x.shape[0] if "speeds" in needs else 13
 
         def memory(need: str, width: int) -> Array:
             return np.zeros((self.rows, width if need in needs or not need else 0, n))
 
         self._chunk = Chunk(
-            np.zeros(self.rows), memory("", state), memory("V_dot", 6), memory("V_dot", N), memory("tau", N),
+            np.zeros(self.rows), memory("", self._numbers), memory("V_dot", 6), memory("phi_ddot", N), memory("tau", N),
             memory("readings", 24 * (len(block.stand.instruments) + len(block.stand.points))), memory("loads", 6 * N),
             memory("I", 6 * N),
         )  # fmt: skip
@@ -101,13 +102,15 @@ class Observer:
         """Keep the state of this time. `solve` computes V_dot and phi_ddot, and tau; otherwise `forward` does."""
         block, own, k = self._block, self._chunk, self._row
         own.t[k] = t
-        own.state[k] = block.x
+        own.state[k] = block.x[: self._numbers]
         if "V_dot" in self._needs:
             if solve is None:
                 block.call("forward", t)
             else:
                 solve(t)
-            own.V_dot[k], own.phi_ddot[k] = block.given["V_dot"], block.given["phi_ddot"]
+            own.V_dot[k] = block.given["V_dot"]
+            if "phi_ddot" in self._needs:
+                own.phi_ddot[k] = block.given["phi_ddot"]
         for function in self._functions:
             if function != "torque" or solve is None:
                 block.call(function, t)

@@ -63,7 +63,11 @@ def _sum(a: Array, b: Array, c: Array, v: Array) -> Array:
 def cross(a: Array, b: Array) -> Array:
     """a x b."""
     (a1, a2, a3), (b1, b2, b3) = ((v[..., 0, :], v[..., 1, :], v[..., 2, :]) for v in (a, b))
-    return np.stack([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1], axis=-2)
+    found = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    for i, (left, right) in enumerate((((a2, b3), (a3, b2)), ((a3, b1), (a1, b3)), ((a1, b2), (a2, b1)))):
+        np.multiply(*left, out=found[..., i, :])
+        found[..., i, :] -= right[0] * right[1]
+    return found
 
 
 def product(A: Array, v: Array) -> Array:

@@ -54,7 +54,7 @@ class Quantity:
     after: float = 0.0
     within: float = 0.0
     function: UserFunction | None = None
-    needs: frozenset[str] = frozenset(("V_dot", "tau", "readings", "loads"))
+    needs: frozenset[str] = frozenset(("V_dot", "phi_ddot", "speeds", "tau", "readings", "loads"))
 
     def new(self, n: int) -> Statistic:
         """What gathers it for n samples."""

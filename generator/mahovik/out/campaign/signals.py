@@ -66,8 +66,8 @@ SIGNALS: Mapping[str, Kind] = {
     "force": _kind("part", FORCE, True, "V_dot loads", "that the part transmits to the carrier or the flywheel"),
     "moment": _kind("part", TORQUE, True, "V_dot loads", "that the part transmits, about its point"),
     "torque": _kind("flywheel", TORQUE, False, "V_dot tau", "whole drive torque"),
-    "power": _kind("flywheel", POWER, False, "V_dot tau", "drive torque times speed"),
-    "speed": _kind("flywheel", SPEED, False, "", "of the flywheel relative to its mount"),
+    "power": _kind("flywheel", POWER, False, "V_dot tau speeds", "drive torque times speed"),
+    "speed": _kind("flywheel", SPEED, False, "speeds", "of the flywheel relative to its mount"),
     "sigma": _kind("stand", Dimension("a coupling", ""), False, "I", "smallest singular value of I of (8), in SI"),
     "error": _kind("stand", PLAIN, False, "", "of the carrier that follows a programme"),
 }

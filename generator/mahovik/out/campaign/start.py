@@ -31,7 +31,7 @@ class Start:
         self.state = state
 
     def begin(self, block: Block, tables: Tables) -> dict[int, str]:
-        """Put the states of the block; samples without one, with their reason."""
+        """Put the states of a block; return samples without one, with their reason."""
         block.x[:] = column(self.state)[:, None]
         return {}
 
@@ -63,7 +63,7 @@ class AtRest:
         return self._nominal
 
     def begin(self, block: Block, tables: Tables) -> dict[int, str]:
-        """Put the states of the block; samples without one, with their reason."""
+        """Put the states of a block; return samples without one, with their reason."""
         block.x[:] = column(self._nominal)[:, None]
         block.given["phi_ddot"][:] = 0.0
         block.given["wrench"][:] = 0.0

@@ -101,9 +101,11 @@ def _on_axes(scene: Scene, frame: Frame, C: Array, v: Array) -> Array:
 
 
 def _acceleration(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
-    frame, omega = scene.frames[own.part], at.V[:, 3:]
-    velocity = at.V[:, :3] + cross(omega, frame.r)
-    found = at.V_dot[:, :3] + cross(omega, velocity) + cross(at.V_dot[:, 3:], frame.r)
+    frame, omega, found = scene.frames[own.part], at.V[:, 3:], at.V_dot[:, :3]
+    if own.part == scene.stand.carrier.name:
+        found = found + cross(omega, at.V[:, :3])
+    else:
+        found = found + cross(omega, at.V[:, :3] + cross(omega, frame.r)) + cross(at.V_dot[:, 3:], frame.r)
     return _on_axes(scene, frame, at.C, found) if turned else found
 
 
