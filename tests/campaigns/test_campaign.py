@@ -149,6 +149,25 @@ def test_other_spellings_say_the_same(tmp_path: Path) -> None:
         '[[quantity]]\nname = "shake"\nwhat = "rms velocity"\nat = "carrier"',
     )
     same(load(tmp_path, other, design="latin-hypercube").rows(0, 5), one, slice(0, 5))
+    same(load(tmp_path, other.replace("rms velocity", "RMS_velocity"), design="latin").rows(0, 5), one, slice(0, 5))
+
+
+SPELLINGS = {
+    'what = "velocity"': """quantity "shake", what: expected such as "rms acceleration", found "velocity\"""",
+    'what = "rms velocty"': 'did you mean "velocity"',
+    "what = 3": "what: expected such as",
+    'name = "x"\nwhat = "rms velocity"\n[run]\nregime = { default = { hold = true } }\nuntil = 1': (
+        "over: another spelling of run, which the file has too"
+    ),
+}
+
+
+@pytest.mark.parametrize("keys", SPELLINGS)
+def test_other_spellings_are_refused_like_the_usual_ones(tmp_path: Path, keys: str) -> None:
+    name = "" if "name" in keys else 'name = "shake"\n'
+    run = RUN.partition("[quantities]")[0].replace("[run]", "[over]")
+    body = VARY + run + '[[quantity]]\nat = "carrier"\n' + name + keys
+    assert SPELLINGS[keys] in refusal(tmp_path, body, stand="demo3")
 
 
 def test_a_shard_takes_some_seconds_or_what_the_file_says(tmp_path: Path) -> None:

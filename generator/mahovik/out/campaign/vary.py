@@ -72,9 +72,24 @@ def read_vary(raw: Mapping[str, Any], places: Places, folder: Path, problems: Pr
                 found[path] = (pattern, each)
             elif "*" not in pattern or "*" in found[path][0]:
                 problems.add(where, f"{path} varies twice, also by {show(found[path][0])}")
+    for path, (pattern, _) in found.items():
+        for other in _same_as(path):
+            if other in found:
+                problems.add(
+                    f"vary {show(pattern)}", f"{path} and {other} are the same unbalance; expected one of them"
+                )
     order = {pattern: i for i, pattern in enumerate(raw)}
     listed_ = sorted(found.values(), key=lambda item: order[item[0]])
     return Vary(tuple(parameter for _, parameter in listed_), tuple(files))
+
+
+def _same_as(path: str) -> tuple[str, ...]:
+    """Paths of unbalances that a centre of mass or a product of inertia of the same flywheel decides as well."""
+    body, _, rest = path.partition(".")
+    static, dynamic = ("center_of_mass[1]", "center_of_mass[2]"), ("inertia.J12", "inertia.J13")
+    amounts = dict.fromkeys(static, "static") | dict.fromkeys(dynamic, "dynamic")
+    amount = amounts.get(rest)
+    return () if amount is None else (f"{body}.unbalance.{amount}", f"{body}.unbalance.{amount}_at")
 
 
 class _Reader:
