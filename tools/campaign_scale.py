@@ -260,13 +260,15 @@ def plan(found: Figures) -> str:
     load, row = found["scheduler"], found["row"]
     seconds = PLAN_SAMPLE
     head = ["cores", "sample, ms", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files",
-            "MB in a file", "GB", "shards that end in a second", "scheduler", "client", "MB/s written", "hours to check"]  # fmt: skip
+            "MB in a file", "GB", "shards that end in a second", "scheduler", "client", "MB/s written",
+            "hours to check"]  # fmt: skip
     rows = []
     for length in PLAN_SHARDS:
         size, rate = length / seconds, PLAN_CORES / length
         rows.append([
             f"{PLAN_CORES:,}", f"{1e3 * seconds:g}", f"{length:g}", f"{size:,.0f}",
-            f"{PLAN_SAMPLES * seconds / 3600:,.0f}", f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}", f"{PLAN_SAMPLES / size:,.0f}",
+            f"{PLAN_SAMPLES * seconds / 3600:,.0f}", f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}",
+            f"{PLAN_SAMPLES / size:,.0f}",
             f"{size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['bytes'] / 1e9:,.0f}", f"{rate:.0f}",
             f"{rate * load['scheduler_ms'] / 1e3:.0%}", f"{rate * load['client_ms'] / 1e3:.0%}",
             f"{rate * size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['check_us'] / 1e6 / 3600:.1f}",
