@@ -162,7 +162,8 @@ def page(found: Figures) -> str:
     limits = (
         f"A campaign keeps at least {worst:.0%} of the speed of the batch C with prepared tables, for runs of 1,000 "
         f"steps (wanted: at least {SHARE:.0%}). Of samples of 1 ms or more at most {longest:.1%} of the time is "
-        f"outside of the C (wanted: at most {OUTSIDE:.0%}). The process had {most:,.0f} MB (wanted: at most {LIMIT:,.0f} MB)."
+        f"outside of the C (wanted: at most {OUTSIDE:.0%}). The process had {most:,.0f} MB (wanted: at most "
+        f"{LIMIT:,.0f} MB)."
     )
     head = (
         f"`bench8`, one thread, {SAMPLES:,} samples of 1,000 steps or {SAMPLES // 4:,} of more, peak acceleration "
