@@ -43,7 +43,7 @@ shake = { rms = "acceleration", at = "acc1" }
 """
 
 WORKERS = 2
-WAIT = (0.2, 3.0)
+WAIT = (0.1, 1.5)
 """s between a worker that computes and its end, drawn evenly."""
 
 PATIENCE = 300.0
@@ -99,8 +99,9 @@ class Cluster:
 
 def kill(process: Any) -> None:
     """End a process by SIGKILL."""
-    process.send_signal(signal.SIGKILL)
-    process.communicate()
+    if process.returncode is None:
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
 
 
 def shards(folder: Path) -> int:
