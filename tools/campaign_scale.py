@@ -1,4 +1,4 @@
-"""Campaigns measured: time outside the C, workers, memory of one, load of a scheduler, a million rows.
+"""Campaigns measured: workers side by side, memory of one, load of a scheduler, a million samples, a billion on paper.
 
 python tools/campaign_scale.py [--million] [--print]
 
@@ -15,8 +15,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +23,6 @@ import numpy as np
 from kept import Campaign as Kept
 from kept import Columns, Figures
 
-from mahovik.core.toolchain.arrays import ArrayLibrary
 from mahovik.core.toolchain.board import version
 from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.campaign.campaign import Campaign
@@ -36,23 +33,6 @@ from mahovik.out.campaign.folder import begin
 from mahovik.out.campaign.manifest import read_manifest
 from mahovik.out.campaign.rows import Rows
 from mahovik.out.campaign.shards import shard_path, write_shard
-
-BENCH8 = """
-schema = 1
-stand = "bench8"
-samples = 100000
-[vary]
-"w*.unbalance.static" = {{ normal = ["1 g mm", "0.3 g mm"] }}
-"w*.unbalance.static_at" = {{ uniform = ["0 deg", "360 deg"] }}
-"carrier.mass" = {{ tolerance = "0.5 kg" }}
-[run]
-regime = {{ default = {{ speed = "2000 rpm" }} }}
-until = "0.1 s"
-every = "{every}"
-order = {order}
-[quantities]
-shake = {{ rms = "acceleration", at = "carrier" }}
-"""
 
 SAT4 = """
 schema = 1
@@ -72,8 +52,6 @@ shake = {{ rms = "acceleration", at = "acc1" }}
 peak_rotation = {{ peak = "rotation", at = "acc1" }}
 """
 
-SAMPLES = 2000
-TIMES = 3
 EMPTY = 600
 """Shards without work, of which the load of a scheduler is measured."""
 
@@ -86,13 +64,8 @@ for number in range(int(sys.argv[2])):
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 
-OUTSIDE = 0.03
-"""Share of the time outside the C that is wanted at most."""
-
-OUTSIDE_C = "outside the C"
-
-PLAN_SAMPLES, PLAN_CORES, PLAN_SHARDS = 10**9, 1000, (10.0, 30.0)
-"""Samples, cores, and lengths of shards, s, of the plan."""
+PLAN_SAMPLES, PLAN_SAMPLE, PLAN_CORES, PLAN_SHARDS = 10**9, 1e-3, 1000, (10.0, 30.0)
+"""Samples, s of a sample, cores, and lengths of shards, s, of the plan."""
 
 
 class Empty:
@@ -111,57 +84,11 @@ class Empty:
         return Rows(np.arange(first, first + count), drawn, found, [""] * count)
 
 
-def outside(folder: Path) -> list[tuple[Any, ...]]:
-    """Processor time of shards of bench8, and the part of it that is not in the C; the least of some."""
-    rows = []
-    with _timed_calls() as inside:
-        for order, every in ((2, "1 ms"), (4, "1 ms"), (2, "10 ms"), (4, "10 ms")):
-            name = f"{order}-{every.replace(' ', '')}"
-            file, out = folder / f"bench8-{name}.toml", folder / f"out-{name}"
-            file.write_text(BENCH8.format(order=order, every=every))
-            work = Campaign.load(file, shard=SAMPLES)
-            manifest = begin(out, file, work)
-            found = []
-            for number in range(TIMES):
-                before, start = inside(), time.thread_time()
-                write_shard(out, manifest, number, work.rows(number * SAMPLES, SAMPLES))
-                whole = time.thread_time() - start
-                found.append((1.0 - (inside() - before) / whole, 1e3 * whole / SAMPLES))
-            share, sample = min(found)
-            rows.append((f"order {order}, a row of output every {every.replace(' ms', '/1,000 s')}", sample, share))
-    return rows
-
-
-@contextmanager
-def _timed_calls() -> Iterator[Callable[[], float]]:
-    """Yield the processor time that all calls of C libraries loaded meanwhile have taken so far, s."""
-    total, original = [0.0], ArrayLibrary.__init__
-
-    def timed(function: Callable[..., Any]) -> Callable[..., Any]:
-        def call(*given: Any) -> Any:
-            start = time.thread_time()
-            found = function(*given)
-            total[0] += time.thread_time() - start
-            return found
-
-        return call
-
-    def init(self: ArrayLibrary, *given: Any, **named: Any) -> None:
-        original(self, *given, **named)
-        self._calls = {name: timed(function) for name, function in self._calls.items()}
-
-    ArrayLibrary.__init__ = init  # type: ignore[method-assign]
-    try:
-        yield lambda: total[0]
-    finally:
-        ArrayLibrary.__init__ = original  # type: ignore[method-assign]
-
-
 def side_by_side(folder: Path) -> list[tuple[Any, ...]]:
     """Rate of one worker and of two, without their start."""
     file = folder / "sat4.toml"
     file.write_text(SAT4.format(samples=32_000))
-    rows = []
+    rows: list[tuple[int, float]] = []
     for workers in (1, 2):
         out = folder / f"workers-{workers}"
         begin(out, file, Campaign.load(file, shard=1000))
@@ -233,15 +160,22 @@ def _seconds(pid: int) -> float:
 
 
 def size(folder: Path) -> dict[str, float]:
-    """Bytes of a row of sat4, and time to check a shard, µs a row."""
+    """Bytes of a row of sat4, time to check it, µs, and to make it, ms of a processor."""
     out = folder / "workers-1"
     manifest = read_manifest(out)
-    begun = time.perf_counter()
+    begun = time.thread_time()
     found = status(out)
-    taken = time.perf_counter() - begun
+    taken = time.thread_time() - begun
     nbytes = sum(shard_path(out, number).stat().st_size for number in range(manifest.shards))
     columns = len(manifest.parameters) + len(manifest.quantities) + 1
-    return {"columns": columns, "bytes": nbytes / found.rows, "check_us": 1e6 * taken / found.rows}
+    work = Campaign.load(folder / "sat4.toml", shard=manifest.shard_size)
+    write_shard(out, manifest, 0, work.rows(*manifest.range(0)))
+    before = time.thread_time()
+    for number in range(4):
+        write_shard(out, manifest, number, work.rows(*manifest.range(number)))
+    made = (time.thread_time() - before) / (4 * manifest.shard_size)
+    return {"columns": columns, "bytes": nbytes / found.rows, "check_us": 1e6 * taken / found.rows,
+            "sample_ms": 1e3 * made}  # fmt: skip
 
 
 def million(folder: Path) -> dict[str, Any]:
@@ -269,7 +203,6 @@ def million(folder: Path) -> dict[str, Any]:
     }  # fmt: skip
 
 
-OUTSIDE_TABLE = Columns({"run of 1,000 steps": "{}", "processor time of a sample, ms": "{:.3f}", OUTSIDE_C: "{:.1%}"})
 WORKERS_TABLE = Columns({"workers": "{}", "samples/s": "{:,.0f}", "of ideal": "{:.0%}"}, 0)
 MEMORY_TABLE = Columns({"shards": "{}", "samples": "{:,}", "largest memory, MB": "{:.0f}"}, 0)
 
@@ -282,13 +215,11 @@ def page(found: Figures) -> str:
         ["client, ms of its processor for each shard", f"{load['client_ms']:.2f}"],
         [f"a row of {row['columns']} numbers, bytes", f"{row['bytes']:.0f}"],
         ["check of a row, µs", f"{row['check_us']:.2f}"],
+        ["a sample of `sat4`, written, ms of a processor", f"{row['sample_ms']:.3f}"],
     ]
     parts = [
         f"{found['compiler']}, {found['processor']}, {found['cores']} cores; average load of the machine before: "
         f"{found['load']:.1f}.",
-        f"Shards of {SAMPLES:,} samples of `bench8`, drawn, prepared, run and written. Wanted outside of the C: at most "
-        f"{OUTSIDE:.0%}.",
-        OUTSIDE_TABLE.text(found["outside"]),
         "Workers side by side, `sat4`, 0.1 s in 200 steps of order 4. Wanted with 2: at least 85 %.",
         WORKERS_TABLE.text(found["workers"]),
         "Process that computes one shard after the other. Wanted: at most 400.",
@@ -301,7 +232,7 @@ def page(found: Figures) -> str:
             "A million samples of `sat4` by `mahovik campaign run`, and their report.",
             _million(found["million"]),
         ]
-    return "\n\n".join([*parts, f"Plan for {PLAN_SAMPLES:.0e} samples of `bench8`, on paper.", plan(found), ADVICE])
+    return "\n\n".join([*parts, f"Plan for {PLAN_SAMPLES:.0e} samples, on paper.", plan(found), ADVICE])
 
 
 def _million(big: Figures) -> str:
@@ -326,16 +257,18 @@ ADVICE = (
 
 def plan(found: Figures) -> str:
     """Hours, files and loads of very many samples, by the length of a shard."""
-    seconds = 1e-3 * found["outside"][0][list(OUTSIDE_TABLE.forms)[1]]
     load, row = found["scheduler"], found["row"]
-    head = ["cores", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files", "MB in a file",
-            "GB", "shards that end in a second", "scheduler", "client", "MB/s written", "hours to check"]  # fmt: skip
+    seconds = PLAN_SAMPLE
+    head = ["cores", "sample, ms", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files",
+            "MB in a file", "GB", "shards that end in a second", "scheduler", "client", "MB/s written",
+            "hours to check"]  # fmt: skip
     rows = []
     for length in PLAN_SHARDS:
         size, rate = length / seconds, PLAN_CORES / length
         rows.append([
-            f"{PLAN_CORES:,}", f"{length:g}", f"{size:,.0f}", f"{PLAN_SAMPLES * seconds / 3600:,.0f}",
-            f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}", f"{PLAN_SAMPLES / size:,.0f}",
+            f"{PLAN_CORES:,}", f"{1e3 * seconds:g}", f"{length:g}", f"{size:,.0f}",
+            f"{PLAN_SAMPLES * seconds / 3600:,.0f}", f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}",
+            f"{PLAN_SAMPLES / size:,.0f}",
             f"{size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['bytes'] / 1e9:,.0f}", f"{rate:.0f}",
             f"{rate * load['scheduler_ms'] / 1e3:.0%}", f"{rate * load['client_ms'] / 1e3:.0%}",
             f"{rate * size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['check_us'] / 1e6 / 3600:.1f}",
@@ -362,7 +295,7 @@ def main() -> None:
             known = CAMPAIGN.figures().get("million") if CAMPAIGN.path.is_file() else None
             found = {
                 "compiler": version(find_compiler()[0]), "processor": campaign.processor(), "cores": campaign.cores(),
-                "load": os.getloadavg()[0], "outside": OUTSIDE_TABLE.rows(outside(folder)),
+                "load": os.getloadavg()[0],
                 "workers": WORKERS_TABLE.rows(side_by_side(folder)), "memory": MEMORY_TABLE.rows(memory(folder)),
                 "scheduler": scheduler(folder), "row": size(folder), "million": known,
             }  # fmt: skip

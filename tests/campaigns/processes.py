@@ -139,7 +139,7 @@ def until(condition: Callable[[], bool]) -> None:
 
 def finish(process: subprocess.Popen[str]) -> str:
     """Output of a process, which must end by itself, and without a traceback."""
-    said, _ = process.communicate(timeout=2 * PATIENCE)
+    said, _ = process.communicate(timeout=6 * PATIENCE)
     assert "Traceback" not in said, said
     return said
 

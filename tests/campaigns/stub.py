@@ -29,7 +29,8 @@ class Stub:
     """Samples 0, 1, ...: a parameter drawn for each by its number, and its square root; negative ones are poison.
 
     pause    s for a shard
-    killer   a file; while it is there, its shard ends the process that computes it, and removes the file
+    killer   a file; while it exists, shard 0 ends the process that computes it
+    once     the file is then removed
     """
 
     path: Path
@@ -38,6 +39,7 @@ class Stub:
     seed: int = 1
     pause: float = 0.0
     killer: str = ""
+    once: bool = True
     stand_file: str = ""
     goal: Goal | None = None
 
@@ -67,7 +69,8 @@ class Stub:
 
     def rows(self, first: int, count: int) -> Rows:
         if self.killer and first == 0 and (self.path.parent / self.killer).exists():
-            (self.path.parent / self.killer).unlink()
+            if self.once:
+                (self.path.parent / self.killer).unlink()
             os.kill(os.getpid(), signal.SIGKILL)
         time.sleep(self.pause)
         sample = np.arange(first, first + count)

@@ -114,6 +114,22 @@ def test_a_tolerance_that_makes_a_body_impossible_is_named_with_its_sample(tmp_p
     assert np.flatnonzero(negative).tolist() == [number]
 
 
+ENDS = {
+    '"w1.mass" = { discrete = [0.5, 0.6, "-1 kg"] }': "at one of its values, w1.mass = -1 kg: ",
+    '"w1.mass" = { normal = [0.5, 0.3], most = 0.6, least = -1 }': "at its lower end, w1.mass = -0.",
+    '"w*.mass" = { uniform = ["-1 kg", "1 kg"], group = "batch" }': "w1.mass = -1 kg, w2.mass = -1 kg, w3.mass = -1 ",
+}
+
+
+@pytest.mark.parametrize("entry", ENDS)
+def test_ends_are_tried_before_the_run(tmp_path: Path, entry: str) -> None:
+    path = write(tmp_path, f"[vary]\n{entry}\n{RUN}", stand="demo3")
+    with pytest.raises(CampaignError) as found:
+        Campaign.load(path)
+    assert ENDS[entry] in str(found.value)
+    assert "; sample " in str(found.value)
+
+
 def test_identity_is_that_of_what_decides_the_rows(tmp_path: Path) -> None:
     (tmp_path / "own.toml").write_text(stand_text())
     (tmp_path / "w.csv").write_text("mass [kg]\n1.0\n1.1\n")
@@ -149,6 +165,25 @@ def test_other_spellings_say_the_same(tmp_path: Path) -> None:
         '[[quantity]]\nname = "shake"\nwhat = "rms velocity"\nat = "carrier"',
     )
     same(load(tmp_path, other, design="latin-hypercube").rows(0, 5), one, slice(0, 5))
+    same(load(tmp_path, other.replace("rms velocity", "RMS_velocity"), design="latin").rows(0, 5), one, slice(0, 5))
+
+
+SPELLINGS = {
+    'what = "velocity"': """quantity "shake", what: expected such as "rms acceleration", found "velocity\"""",
+    'what = "rms velocty"': 'did you mean "velocity"',
+    "what = 3": "what: expected such as",
+    'name = "x"\nwhat = "rms velocity"\n[run]\nregime = { default = { hold = true } }\nuntil = 1': (
+        "over: another spelling of run, which the file has too"
+    ),
+}
+
+
+@pytest.mark.parametrize("keys", SPELLINGS)
+def test_other_spellings_are_refused_like_the_usual_ones(tmp_path: Path, keys: str) -> None:
+    name = "" if "name" in keys else 'name = "shake"\n'
+    run = RUN.partition("[quantities]")[0].replace("[run]", "[over]")
+    body = VARY + run + '[[quantity]]\nat = "carrier"\n' + name + keys
+    assert SPELLINGS[keys] in refusal(tmp_path, body, stand="demo3")
 
 
 def test_a_shard_takes_some_seconds_or_what_the_file_says(tmp_path: Path) -> None:

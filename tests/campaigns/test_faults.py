@@ -159,14 +159,27 @@ def test_a_worker_of_another_version_is_not_used(run: Processes, tmp_path: Path)
     require_all(file, out)
 
 
-def test_a_shard_that_kills_its_workers_is_given_up(run: Processes, tmp_path: Path) -> None:
-    """The others go on; one that kills once is computed by another worker."""
+def test_a_shard_that_kills_its_worker_once_goes_to_another(run: Processes, tmp_path: Path) -> None:
     (tmp_path / "once").touch()
     file, out = write_stub(tmp_path / "c.json", samples=90, shard_size=9, killer="once"), tmp_path / "out"
     client = run.client(file, out, 2)
     said = finish(client)
     assert client.returncode == 0, said
     require_all(file, out)
+
+
+def test_a_shard_that_always_kills_its_workers_is_given_up(run: Processes, tmp_path: Path) -> None:
+    """It alone: those that its workers had beside it are computed."""
+    (tmp_path / "always").touch()
+    file = write_stub(tmp_path / "c.json", samples=90, shard_size=9, killer="always", once=False)
+    client = run.client(file, tmp_path / "out", 2)
+    said = finish(client)
+    assert client.returncode == 1, said
+    assert "missing shards: 0\nshard 0 (samples 0 to 8): given up, its workers were killed\n" in said
+    assert "81 of 90 samples in 9 of 10 shards" in said
+    (tmp_path / "always").unlink()
+    assert finish(run.client(file, tmp_path / "out", 2)).startswith("stub: 90 of 90 samples")
+    require_all(file, tmp_path / "out")
 
 
 def test_a_full_disk_is_said_and_nothing_is_half_written(tmp_path: Path) -> None:

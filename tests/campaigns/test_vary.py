@@ -197,6 +197,12 @@ def test_what_cannot_vary_is_refused_by_name(tmp_path: Path, entry: str) -> None
     assert REFUSALS[entry] in refusal(tmp_path, f"[vary]\n{entry}\n")
 
 
+def test_an_unbalance_varies_once(tmp_path: Path) -> None:
+    body = '[vary]\n"w1.unbalance.static" = { relative = 0.1 }\n"w1.center_of_mass[1]" = { tolerance = "1 mm" }'
+    text = refusal(tmp_path, body, stand="bench8")
+    assert "w1.center_of_mass[1] and w1.unbalance.static are the same unbalance" in text
+
+
 def test_a_table_without_the_column_is_refused(tmp_path: Path) -> None:
     (tmp_path / "w.csv").write_text("static [g mm],mas [kg]\n1,2\n")
     text = refusal(tmp_path, '[vary]\n"rw1.mass" = { table = "w.csv" }')

@@ -14,9 +14,7 @@ from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.file import CampaignTable, load_campaign
 from mahovik.out.campaign.over import KINDS as RUNS
-from mahovik.out.campaign.signals import SIGNALS
 from mahovik.out.campaign.vary import KINDS
-from mahovik.out.campaign.wanted import STATISTICS
 
 PAGE = ROOT / "docs" / "campaign-file.md"
 FILES = [block for block in blocks(PAGE) if block.language == "toml"]
@@ -58,14 +56,13 @@ def test_the_tables_are_those_of_the_reader() -> None:
     assert told == {"schema", *CampaignTable.model_fields}
     assert [cell.strip("`") for cell in second] == list(KINDS)
     assert names("design") == list(DESIGNS)
-    assert names("signal") == list(SIGNALS)
     assert names("key of `[run]`") == list(RUNS)
     (runs,) = (lines for lines in tables(PAGE) if cells(lines[0])[0] == "key of `[run]`")
     for line, further in zip(runs[2:], RUNS.values(), strict=True):
         assert tuple(re.findall(r"`(\w+)`", cells(line)[2])) == further
     text = PAGE.read_text(encoding="utf-8")
-    for name in (*STATISTICS, *(f'"{name}"' for name in spellings.DESIGNS)):
-        assert f"`{name}`" in text
+    for name in spellings.DESIGNS:
+        assert f'`"{name}"`' in text
 
 
 def test_paths_of_the_page_are_found() -> None:

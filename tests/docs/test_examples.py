@@ -27,6 +27,7 @@ NOT_RUN = {
 SLOW = {
     "README.md",
     "docs/batch.md",
+    "docs/campaigns.md",
     "docs/c-interface.md",
     "docs/control.md",
     "docs/delivery.md",

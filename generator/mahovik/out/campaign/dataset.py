@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +25,9 @@ from mahovik.out.campaign.shards import (
 )
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.writing import drafts_below, synced
+
+OLD = 300.0
+"""s after which no process still writes a draft: that takes a part of a second."""
 
 SHOWN = 10
 """DamagedError shards that are named."""
@@ -116,9 +121,11 @@ def status(folder: Path, progress: OnProgress | None = None) -> Status:
 
 
 def remove_drafts(folder: Path) -> None:
-    """Remove drafts of shards. A process that writes one just now computes its shard again."""
+    """Remove drafts of shards that are too old to be written just now."""
     for draft in _drafts(folder):
-        draft.unlink(missing_ok=True)
+        with contextlib.suppress(FileNotFoundError):  # it took its place meanwhile
+            if time.time() - draft.stat().st_mtime > OLD:
+                draft.unlink()
 
 
 def _drafts(folder: Path) -> list[Path]:

@@ -25,7 +25,7 @@ IN_FLIGHT = 3
 """Shards that each worker has at a time: it never waits, and the scheduler holds few."""
 
 ATTEMPTS = 3
-"""How often a shard may fail before it is given up; dask itself has begun it four times when it calls it lost."""
+"""How often a shard may fail before it is given up."""
 
 PATIENCE = 1.0
 """s between two looks at the scheduler."""
@@ -60,6 +60,8 @@ class _Run:
     running: dict[Any, int] = field(default_factory=dict)
     again: list[int] = field(default_factory=list)
     failures: dict[int, int] = field(default_factory=dict)
+    suspects: list[int] = field(default_factory=list)
+    alone: set[int] = field(default_factory=set)
     given_up: dict[int, str] = field(default_factory=dict)
     refused: dict[str, str] = field(default_factory=dict)
     done: Any = field(default_factory=queue.SimpleQueue)
@@ -71,6 +73,9 @@ class _Run:
             raise CheckError(f"no worker can go on: {'; '.join(f'{w} {why}' for w, why in self.refused.items())}")
         while len(self.running) < IN_FLIGHT * max(len(workers), 1):
             number = self.again.pop() if self.again else next(self.waiting, None)
+            if number is None and self.suspects and not self.running:
+                number = self.suspects.pop()
+                self.alone.add(number)
             if number is None:
                 return
             future = self.client.submit(
@@ -111,13 +116,19 @@ class _Run:
         return found
 
     def _fail(self, number: int, error: Exception) -> None:
-        """Count a failure; give the shard to the workers again, or give it up."""
+        """Count a failure; give the shard to the workers again, or give it up.
+
+        Where workers were killed any shard that they had may be the reason: each is computed alone at the end.
+        """
+        killed = type(error).__name__ == "KilledWorker"
         self.failures[number] = self.failures.get(number, 0) + 1
-        if self.failures[number] < ATTEMPTS:
+        if killed and number not in self.alone:
+            self.suspects.append(number)
+            return
+        if not killed and self.failures[number] < ATTEMPTS:
             self.again.append(number)
             return
         first, count = self.manifest.range(number)
-        killed = type(error).__name__ == "KilledWorker"
         why = "its workers were killed" if killed else f"{type(error).__name__}: {str(error).partition(chr(10))[0]}"
         self.given_up[number] = f"shard {number} (samples {first} to {first + count - 1}): given up, {why}"
 

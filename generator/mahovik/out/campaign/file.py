@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from mahovik import stands
 from mahovik.core.motion.document import document_of, text_of, validate_table
 from mahovik.core.motion.fields import NOT_NULL, listed
 from mahovik.core.stand.content import TEXT
-from mahovik.core.stand.fields import Table, Text, integer, text, validator
+from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import PLAIN, QuantityError, number, show
 from mahovik.errors import CampaignError, UsageError
@@ -70,6 +70,18 @@ def _coefficient(raw: Any) -> float:
     return found
 
 
+def _by_name(raw: Any) -> dict[str, Any]:
+    if not isinstance(raw, dict):
+        raise QuantityError(f"expected a table, found {show(raw)}")
+    return raw
+
+
+def _only_tables(raw: Any) -> Any:
+    if not isinstance(raw, dict):
+        raise refuse(f"expected a table, found {show(raw)}")
+    return raw
+
+
 class CorrelationTable(Table):
     """One `[[correlation]]`: numbers of which every two have this coefficient."""
 
@@ -96,10 +108,10 @@ class CampaignTable(Table):
     shard: Annotated[int | None, _whole(1, MOST_SAMPLES)] = None
     until: Annotated[float | None, validator(_share)] = None
     quantile: Annotated[QuantileTable | None, NOT_NULL] = None
-    vary: dict[str, Any]
+    vary: Annotated[dict[str, Any], validator(_by_name)]
     correlation: list[CorrelationTable] = Field(default_factory=list)
     run: Annotated[OverTable | None, NOT_NULL] = None
-    quantities: dict[str, WantedTable] = Field(default_factory=dict)
+    quantities: Annotated[dict[str, WantedTable], BeforeValidator(_only_tables)] = Field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from mahovik.core.stand.problems import Problems
@@ -11,6 +12,10 @@ DESIGNS = {
     "monte-carlo": "random", "latin-hypercube": "latin", "sobol-indices": "saltelli",
 }  # fmt: skip
 """Names of designs, and what they are called in a file otherwise."""
+
+
+_WHAT = re.compile(r"([A-Za-z]+)[ _]+(\w[\w ]*)")
+"""A statistic and its signal."""
 
 
 def usual(document: dict[str, Any], problems: Problems) -> dict[str, Any]:
@@ -45,12 +50,12 @@ def _by_name(given: Any, problems: Problems) -> dict[str, Any]:
                          else f"expected a string, found {show(name)}")  # fmt: skip
             continue
         if what is not None:
-            statistic, _, signal = what.strip().partition(" ") if isinstance(what, str) else ("", "", "")
-            if not signal:
+            parted = _WHAT.fullmatch(what.strip()) if isinstance(what, str) else None
+            if parted is None:
                 problems.add(
                     f"quantity {show(name)}", "what", f'expected such as "rms acceleration", found {show(what)}'
                 )
                 continue
-            table[statistic] = signal.strip()
+            table[parted[1].lower()] = parted[2].replace(" ", "_")
         found[name] = table
     return found

@@ -23,6 +23,7 @@ from mahovik.out.campaign.distributions import (
     Fixed,
     Lognormal,
     Normal,
+    Scaled,
     Triangular,
     Truncated,
     Uniform,
@@ -72,9 +73,24 @@ def read_vary(raw: Mapping[str, Any], places: Places, folder: Path, problems: Pr
                 found[path] = (pattern, each)
             elif "*" not in pattern or "*" in found[path][0]:
                 problems.add(where, f"{path} varies twice, also by {show(found[path][0])}")
+    for path, (pattern, _) in found.items():
+        for other in _same_as(path):
+            if other in found:
+                problems.add(
+                    f"vary {show(pattern)}", f"{path} and {other} are the same unbalance; expected one of them"
+                )
     order = {pattern: i for i, pattern in enumerate(raw)}
     listed_ = sorted(found.values(), key=lambda item: order[item[0]])
     return Vary(tuple(parameter for _, parameter in listed_), tuple(files))
+
+
+def _same_as(path: str) -> tuple[str, ...]:
+    """Paths of unbalances that a centre of mass or a product of inertia of the same flywheel decides as well."""
+    body, _, rest = path.partition(".")
+    static, dynamic = ("center_of_mass[1]", "center_of_mass[2]"), ("inertia.J12", "inertia.J13")
+    amounts = dict.fromkeys(static, "static") | dict.fromkeys(dynamic, "dynamic")
+    amount = amounts.get(rest)
+    return () if amount is None else (f"{body}.unbalance.{amount}", f"{body}.unbalance.{amount}_at")
 
 
 class _Reader:
@@ -168,7 +184,7 @@ class _Reader:
         found = []
         for static, angle in zip(statics, angles, strict=True):
             most = permissible_unbalance(grade, speed, self._places.mass(static.body))
-            scaled = Fixed(most) if share is None else _Scaled(share, most)
+            scaled = Fixed(most) if share is None else Scaled(share, most)
             found.append(Parameter(static, scaled, None if share is None else static.path))
             found.append(Parameter(angle, Uniform(-math.pi, math.pi), angle.path))
         return found
@@ -188,25 +204,6 @@ class _Reader:
         except QuantityError as error:
             raise QuantityError(f"share: {error}") from None
         return found
-
-
-@dataclass(frozen=True)
-class _Scaled:
-    """Another distribution times a positive number."""
-
-    whole: Distribution
-    scale: float
-
-    @property
-    def support(self) -> tuple[float, float]:
-        low, high = self.whole.support
-        return low * self.scale, high * self.scale
-
-    def quantile(self, p: Any) -> Any:
-        return self.whole.quantile(p) * self.scale
-
-    def probability(self, x: float) -> float:
-        return self.whole.probability(x / self.scale)
 
 
 def _kind(raw: Any) -> str:
