@@ -16,7 +16,7 @@ from typing import Any
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 
-REACH = 5.0
+REACH = 8.0
 """s in which a scheduler must answer."""
 
 EVERY = 2.0
