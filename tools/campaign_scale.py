@@ -64,8 +64,8 @@ for number in range(int(sys.argv[2])):
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 
-PLAN_SAMPLES, PLAN_CORES, PLAN_SHARDS = 10**9, 1000, (10.0, 30.0)
-"""Samples, cores, and lengths of shards, s, of the plan."""
+PLAN_SAMPLES, PLAN_SAMPLE, PLAN_CORES, PLAN_SHARDS = 10**9, 1e-3, 1000, (10.0, 30.0)
+"""Samples, s of a sample, cores, and lengths of shards, s, of the plan."""
 
 
 class Empty:
@@ -232,7 +232,7 @@ def page(found: Figures) -> str:
             "A million samples of `sat4` by `mahovik campaign run`, and their report.",
             _million(found["million"]),
         ]
-    return "\n\n".join([*parts, f"Plan for {PLAN_SAMPLES:.0e} samples of `sat4`, on paper.", plan(found), ADVICE])
+    return "\n\n".join([*parts, f"Plan for {PLAN_SAMPLES:.0e} samples, on paper.", plan(found), ADVICE])
 
 
 def _million(big: Figures) -> str:
@@ -258,15 +258,17 @@ ADVICE = (
 def plan(found: Figures) -> str:
     """Hours, files and loads of very many samples, by the length of a shard."""
     load, row = found["scheduler"], found["row"]
-    seconds = 1e-3 * row["sample_ms"]
-    head = ["cores", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files", "MB in a file",
-            "GB", "shards that end in a second", "scheduler", "client", "MB/s written", "hours to check"]  # fmt: skip
+    seconds = PLAN_SAMPLE
+    head = ["cores", "sample, ms", "shard, s", "samples in a shard", "hours of one core", "minutes of all", "files",
+            "MB in a file", "GB", "shards that end in a second", "scheduler", "client", "MB/s written",
+            "hours to check"]  # fmt: skip
     rows = []
     for length in PLAN_SHARDS:
         size, rate = length / seconds, PLAN_CORES / length
         rows.append([
-            f"{PLAN_CORES:,}", f"{length:g}", f"{size:,.0f}", f"{PLAN_SAMPLES * seconds / 3600:,.0f}",
-            f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}", f"{PLAN_SAMPLES / size:,.0f}",
+            f"{PLAN_CORES:,}", f"{1e3 * seconds:g}", f"{length:g}", f"{size:,.0f}",
+            f"{PLAN_SAMPLES * seconds / 3600:,.0f}", f"{PLAN_SAMPLES * seconds / PLAN_CORES / 60:,.0f}",
+            f"{PLAN_SAMPLES / size:,.0f}",
             f"{size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['bytes'] / 1e9:,.0f}", f"{rate:.0f}",
             f"{rate * load['scheduler_ms'] / 1e3:.0%}", f"{rate * load['client_ms'] / 1e3:.0%}",
             f"{rate * size * row['bytes'] / 1e6:.1f}", f"{PLAN_SAMPLES * row['check_us'] / 1e6 / 3600:.1f}",

@@ -114,6 +114,22 @@ def test_a_tolerance_that_makes_a_body_impossible_is_named_with_its_sample(tmp_p
     assert np.flatnonzero(negative).tolist() == [number]
 
 
+ENDS = {
+    '"w1.mass" = { discrete = [0.5, 0.6, "-1 kg"] }': "at one of its values, w1.mass = -1 kg: ",
+    '"w1.mass" = { normal = [0.5, 0.3], most = 0.6, least = -1 }': "at its lower end, w1.mass = -0.",
+    '"w*.mass" = { uniform = ["-1 kg", "1 kg"], group = "batch" }': "w1.mass = -1 kg, w2.mass = -1 kg, w3.mass = -1 ",
+}
+
+
+@pytest.mark.parametrize("entry", ENDS)
+def test_ends_are_tried_before_the_run(tmp_path: Path, entry: str) -> None:
+    path = write(tmp_path, f"[vary]\n{entry}\n{RUN}", stand="demo3")
+    with pytest.raises(CampaignError) as found:
+        Campaign.load(path)
+    assert ENDS[entry] in str(found.value)
+    assert "; sample " in str(found.value)
+
+
 def test_identity_is_that_of_what_decides_the_rows(tmp_path: Path) -> None:
     (tmp_path / "own.toml").write_text(stand_text())
     (tmp_path / "w.csv").write_text("mass [kg]\n1.0\n1.1\n")

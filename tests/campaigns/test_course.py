@@ -14,6 +14,7 @@ from mahovik.out.api.compiled import ELEMENT, compiled
 from mahovik.out.campaign.block import Block
 
 N, COUNT, STEP = 11, 5, 1e-3
+Array = NDArray[Any]
 
 
 @pytest.mark.parametrize("pushed", [False, True])
@@ -25,24 +26,47 @@ def test_a_course_has_the_bits_of_its_steps(pushed: bool) -> None:
     rng, model = np.random.default_rng(1), mahovik.build(stand)
     tables = model.tables({"w1.unbalance.static": rng.uniform(1e-6, 1e-3, N)})
     made = compiled(stand, "double", ELEMENT["double"], None, parallel=False)
-    speeds = np.cumsum(rng.normal(size=(COUNT + 1, 8)) * np.array([1, 1, 0, 0, 1, 0])[:, None], axis=0) + 50.0
-    phases, mean = rng.normal(size=(COUNT + 1, 8)), np.diff(speeds, axis=0) / STEP
+    # a stretch of two steps, then one of three; the second begins where the first ends
+    speeds = np.cumsum(rng.normal(size=(COUNT + 2, 8)) * np.array([1, 1, 0, 0, 0, 1, 0])[:, None], axis=0) + 50.0
+    phases = rng.normal(size=(COUNT + 2, 8))
+    phases[3], mean = phases[2], np.delete(np.diff(speeds, axis=0), 2, axis=0) / STEP
     wrenches = rng.normal(size=(COUNT, 6 if pushed else 0))
 
     block = Block(stand, made, tables, 0, N)
     x = model.states(N, V=rng.normal(size=(N, 6)) * 0.1, phi=phases[0], phi_dot=speeds[0])
     block.x[:] = x.array.T
-    block.given["order"][0], block.given["dt"][0] = 2, STEP
-    rows: dict[str, NDArray[Any]] = {
-        "phi": phases, "phi_dot": speeds, "phi_ddot": mean, "wrench": wrenches, "count": np.array([COUNT], np.int32),
-        "refused": np.zeros(N, np.int32), "status": np.zeros(N, np.int32),
-    }  # fmt: skip
+    block.given["order"][0] = 2
+    ends = rng.normal(size=(2, 8))
+    rows = rows_of(phases, speeds, mean, wrenches, [2, 3], ends)
+    kept = rows["kept"][0] = 13
+    rows["states"], rows["V_dot"] = np.zeros((2, kept, N)), np.zeros((2, 6, N))
     assert block.course(rows)() == 0
+    at = 0
     for k in range(COUNT):
         wrench = {"carrier": wrenches[k]} if pushed else None
         x = model.step_driven(x, STEP, mean[k], order=2, wrench=wrench, tables=tables)
-        x.phi, x.phi_dot = np.tile(phases[k + 1], (N, 1)), np.tile(speeds[k + 1], (N, 1))
+        row = k + 1 + (k >= 2)
+        x.phi, x.phi_dot = np.tile(phases[row], (N, 1)), np.tile(speeds[row], (N, 1))
+        if k in (1, COUNT - 1):
+            wrench = {"carrier": rows["end_wrench"][at]} if pushed else None
+            assert_array_equal(rows["states"][at], x.array.T[:kept])
+            assert_array_equal(rows["V_dot"][at].T, model.forward(x, ends[at], wrench=wrench, tables=tables).V_dot)
+            at += 1
     assert_array_equal(block.x.T, x.array)
+
+
+def rows_of(
+    phases: Array, speeds: Array, mean: Array, wrenches: Array, counts: list[int], ends: Array
+) -> dict[str, Array]:
+    """What the C reads of stretches with these counts of steps; it keeps nothing."""
+    n, rng = len(ends), np.random.default_rng(7)
+    return {
+        "phi": phases, "phi_dot": speeds, "phi_ddot": mean, "wrench": wrenches, "end_phi_ddot": ends,
+        "end_wrench": rng.normal(size=(n, wrenches.shape[1])), "dt": np.full(n, STEP),
+        "count": np.array(counts, np.int32), "stretches": np.array([n], np.int32), "kept": np.zeros(1, np.int32),
+        "states": np.zeros((0, 0, 0)), "V_dot": np.zeros((0, 0, 0)), "refused": np.full(N, -1, np.int32),
+        "status": np.zeros(N, np.int32),
+    }  # fmt: skip
 
 
 def test_a_refused_sample_is_named_with_its_first_step() -> None:
@@ -53,12 +77,10 @@ def test_a_refused_sample_is_named_with_its_first_step() -> None:
     block = Block(stand, made, model.tables({}, 3), 0, 3)
     block.x[:] = model.states(3).array.T
     block.x[7, 1] = np.nan
-    block.given["order"][0], block.given["dt"][0] = 2, STEP
+    block.given["order"][0] = 2
     none = np.zeros((COUNT + 1, 8))
-    rows: dict[str, NDArray[Any]] = {
-        "phi": none, "phi_dot": none, "phi_ddot": none[1:], "wrench": np.zeros((COUNT, 0)),
-        "count": np.array([COUNT], np.int32), "refused": np.full(3, -1, np.int32), "status": np.zeros(3, np.int32),
-    }  # fmt: skip
+    rows = rows_of(none, none, none[1:], np.zeros((COUNT, 0)), [COUNT], none[:1])
+    rows["refused"], rows["status"] = rows["refused"][:3], rows["status"][:3]
     assert block.course(rows)() < 0
     assert (rows["status"] < 0).tolist() == [False, True, False]
     assert rows["refused"].tolist() == [-1, 0, -1]

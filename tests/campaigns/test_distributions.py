@@ -15,6 +15,7 @@ from mahovik.out.campaign.distributions import (
     Distribution,
     Lognormal,
     Normal,
+    Scaled,
     Triangular,
     Truncated,
     Uniform,
@@ -28,6 +29,7 @@ PAIRS: list[tuple[Distribution, Any]] = [
     (Triangular(1.0, 1.0, 4.0), stats.triang(0.0, 1.0, 3.0)),
     (Triangular(1.0, 4.0, 4.0), stats.triang(1.0, 1.0, 3.0)),
     (Lognormal(2.0, 0.3), stats.lognorm(0.3, scale=2.0)),
+    (Scaled(Uniform(0.0, 1.0), 3.0), stats.uniform(0.0, 3.0)),
     (Truncated(Normal(1.0, 0.5), 0.0, 1.2), stats.truncnorm(-2.0, 0.4, 1.0, 0.5)),
 ]
 IDS = [type(own).__name__ for own, _ in PAIRS]

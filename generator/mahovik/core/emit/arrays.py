@@ -92,16 +92,21 @@ def _course(generated: Generated) -> dict[str, Any] | None:
     """Values of the template for COURSE: counts, and where phases and speeds are in a state."""
     if not generated.layout.flywheels:
         return None
-    step = next(f for f in _functions(generated) if f.name == "step_driven")
     parts = members(generated.layout.state)
     rows = dict(zip((m.name for m in parts), accumulate((m.size for m in parts), initial=0), strict=False))
-    first, *others = (a.name for a in step.arguments)
+    found = {f.name: f for f in _functions(generated)}
+
+    def arguments(name: str) -> str:
+        first, *others = (a.name for a in found[name].arguments)
+        return ", ".join([first, "n", *others])
+
     return {
         "flywheels": int(generated.layout.count),
         "wrenches": 6 * len(generated.layout.inputs),
         "phi": rows["phi"],
         "phi_dot": rows["phi_dot"],
-        "batch": ", ".join([first, "n", *others]),
+        "step": arguments("step_driven"),
+        "forward": arguments("forward"),
     }
 
 

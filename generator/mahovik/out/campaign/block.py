@@ -81,17 +81,14 @@ class Block:
         return f"{self.at[j]} returned {status_words(int(self.status[j]))}: the motion leaves its ranges"
 
     def course(self, rows: Mapping[str, NDArray[Any]]) -> Callable[[], int]:
-        """A call of many steps under given speeds, which reads `rows`: see the C. It notes into `status`, `refused`."""
-        arrays: list[NDArray[Any]] = [
-            self._table("table"),
-            self.x,
-            self.given["phi_ddot"],
-            rows["phi"],
-            rows["phi_dot"],
-        ]
-        arrays += [rows["phi_ddot"], self.given["dt"], self.given["order"], rows["count"], rows["refused"], self._now]
+        """A call of many steps under given speeds, which reads and writes `rows`: see the C."""
+        names = ("phi", "phi_dot", "phi_ddot", "end_phi_ddot", "dt", "count")
+        arrays: list[NDArray[Any]] = [self._table("table"), self.x, self.given["phi_ddot"]]
+        arrays += [*(rows[name] for name in names)]
+        arrays += [self.given["order"], *(rows[name] for name in ("stretches", "kept", "states", "V_dot", "refused"))]
+        arrays.append(self._now)
         if self.given["wrench"].size:
-            arrays += [self.given["wrench"], rows["wrench"]]
+            arrays += [self.given["wrench"], rows["wrench"], rows["end_wrench"]]
         return self._made.of_tables.repeated(COURSE, self.n, arrays, rows["status"])
 
     def _table(self, name: str) -> NDArray[np.uint8]:

@@ -19,8 +19,8 @@ from mahovik.out.campaign.file import CampaignFile
 Array = NDArray[np.float64]
 Possible = Callable[[Mapping[str, Array], int], PossibleTables]
 
-_RARE = 1e-9
-"""Probability of what is beyond the tried ends of a truncated distribution."""
+_RARE = 0.01
+"""Expected number of samples beyond the tried ends of a truncated distribution."""
 
 _MOST_ROWS = 1000
 _SEARCHED = (64, 1024, 4096)
@@ -55,7 +55,7 @@ def check_bounds(file: CampaignFile, design: Design, possible: Possible) -> None
     for number, reason in reasons.items():
         trial = trials[number]
         if not trial.words:
-            lines = [f"{file.source}: vary: with all numbers at their medians: {reason}"]
+            lines = [f"{file.source}: vary: with all numbers at their medians: {reason}{first}"]
             break
         own = _of_factor(file, trial.factor)
         shown = ", ".join(
@@ -77,7 +77,7 @@ def _trials(file: CampaignFile, number: int) -> list[_Trial]:
         return [_Trial(number, (k + 0.5) / count, "at one of its values") for k in range(count)]
     if not np.isfinite([each.support for each in own]).all():
         return []
-    rare = _RARE if any(isinstance(each, Truncated) for each in own) else 0.0
+    rare = _RARE / file.table.samples if any(isinstance(each, Truncated) for each in own) else 0.0
     return [_Trial(number, rare, "at its lower end"), _Trial(number, 1.0 - rare, "at its upper end")]
 
 

@@ -184,3 +184,22 @@ class Truncated:
     def probability(self, x: float) -> float:
         first, last = self._ends
         return min(1.0, max(0.0, (self.whole.probability(x) - first) / (last - first)))
+
+
+@dataclass(frozen=True)
+class Scaled:
+    """Another distribution times a positive number."""
+
+    whole: Distribution
+    scale: float
+
+    @property
+    def support(self) -> tuple[float, float]:
+        low, high = self.whole.support
+        return low * self.scale, high * self.scale
+
+    def quantile(self, p: Array) -> Array:
+        return self.whole.quantile(p) * self.scale
+
+    def probability(self, x: float) -> float:
+        return self.whole.probability(x / self.scale)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -16,8 +17,8 @@ from mahovik.out.campaign.observe import Observer
 from mahovik.out.campaign.pose import Array
 from mahovik.use.simulate.case import Case, wrap_phases
 
-KEPT = 1 << 24
-"""Numbers of rows of all steps that are kept for the next block, at most: 128 MB."""
+KEPT = 1 << 23
+"""Numbers of rows of all steps that are kept for the next block, at most: 64 MB, and as many in the order of the C."""
 
 AHEAD = 256
 """Times of output whose rows are computed at once."""
@@ -27,8 +28,6 @@ AHEAD = 256
 class Stretch:
     """Steps from one time of output to the next: their length h (s), rows of phases and speeds (count + 1, N),
     accelerations (count, N), wrenches (count, 6 W); then phi'' (N) and the wrench (6 W) at the end.
-
-    `changes`: phi'' at the end is not that of the last step.
     """
 
     t: float
@@ -39,7 +38,32 @@ class Stretch:
     wrench: Array
     end_phi_ddot: Array
     end_wrench: Array
-    changes: bool
+
+
+_NONE = np.zeros((0, 0, 0))
+
+
+def _rows(group: Sequence[Stretch]) -> dict[str, NDArray[Any]]:
+    """What the C reads of some stretches: see `Block.course`."""
+    ends = {"end_phi_ddot": [each.end_phi_ddot for each in group], "end_wrench": [each.end_wrench for each in group]}
+    return {
+        **{name: np.concatenate([getattr(each, name) for each in group])
+           for name in ("phi", "phi_dot", "phi_ddot", "wrench")},
+        **{name: np.array(rows) for name, rows in ends.items()},
+        "dt": np.array([each.h for each in group]),
+        "count": np.array([len(each.phi_ddot) for each in group], dtype=np.int32),
+        "stretches": np.array([len(group)], dtype=np.int32),
+    }  # fmt: skip
+
+
+def _step_times(group: Sequence[Stretch]) -> Array:
+    """Beginnings of all steps, s."""
+    return np.concatenate([each.t - each.h * np.arange(len(each.phi_ddot), 0, -1) for each in group])
+
+
+def _note_refused(block: Block, status: NDArray[np.int32], times: Array) -> None:
+    """Note the samples that a step refused; `times`: of each sample, s."""
+    block.refuse(status, lambda j: f"at t = {times[j]:.6g} s ", "a step")
 
 
 class GivenSpeeds:
@@ -47,46 +71,47 @@ class GivenSpeeds:
 
     def __init__(self, case: Case, inputs: tuple[str, ...]) -> None:
         self._case, self._inputs = case, inputs
+        self._groups: dict[tuple[int, int], tuple[Sequence[Stretch], Mapping[str, NDArray[Any]]]] = {}
 
     def run(self, block: Block, observer: Observer) -> None:
         """Step all samples from their states at t = 0, and show the observer every time of output."""
         case, N = self._case, len(self._case.stand.flywheels)
-        most = self._most_steps
-        rows: dict[str, NDArray[Any]] = {
-            "phi": np.zeros((most + 2, N)), "phi_dot": np.zeros((most + 2, N)), "phi_ddot": np.zeros((most + 1, N)),
-            "wrench": np.zeros((most + 1, 6 * len(self._inputs))), "count": np.zeros(1, dtype=np.int32),
-            "refused": np.zeros(block.n, dtype=np.int32), "status": np.zeros(block.n, dtype=np.int32),
-        }  # fmt: skip
-        course, given = block.course(rows), block.given
+        given, refused = block.given, np.zeros(block.n, dtype=np.int32)
+        status = np.zeros(block.n, dtype=np.int32)
         given["order"][0] = case.order
-        times = case.times
         block.x[13 : 13 + N], block.x[13 + N :] = wrap_phases(case.phi0)[:, None], case.phi_dot0[:, None]
-        given["phi_ddot"][:] = case.motion(times[:1])[2][0][:, None]
+        given["phi_ddot"][:] = case.motion(case.times[:1])[2][0][:, None]
         given["wrench"][:] = self._wrench(0.0)[:, None]
-        observer.take(float(times[0]))
-        for stretch in self._stretches_in_memory if self._few else self.stretches(AHEAD):
-            count = len(stretch.phi_ddot)
-            rows["phi"][: count + 1], rows["phi_dot"][: count + 1] = stretch.phi, stretch.phi_dot
-            rows["phi_ddot"][:count], rows["wrench"][:count] = stretch.phi_ddot, stretch.wrench
-            rows["count"][0], given["dt"][0] = count, stretch.h
-            if course() < 0:
-                self._refuse(block, stretch, rows)
-            if given["wrench"].size:
-                given["wrench"][:] = stretch.end_wrench[:, None]
-            if stretch.changes:
-                given["phi_ddot"][:] = stretch.end_phi_ddot[:, None]
-            observer.take(stretch.t)
+        observer.take(float(case.times[0]))
+        first, ahead = 0, iter(() if self._few else self.stretches(AHEAD))
+        while True:
+            states, V_dot = observer.room() if observer.simple else (_NONE, _NONE)
+            group, rows = self._group(first, len(states) if observer.simple else 1, ahead)
+            first += len(group)
+            if not group:
+                return
+            rows = {**rows, "states": states, "V_dot": V_dot, "refused": refused, "status": status}
+            rows["kept"] = np.array([states.shape[1] if observer.simple else 0], dtype=np.int32)
+            if block.course(rows)() < 0:
+                _note_refused(block, status, _step_times(group)[refused])
+            if observer.simple:
+                observer.add_times(np.array([each.t for each in group]))
+                continue
+            given["wrench"][:] = group[0].end_wrench[:, None]
+            given["phi_ddot"][:] = group[0].end_phi_ddot[:, None]
+            observer.take(group[0].t)
 
-    @staticmethod
-    def _refuse(block: Block, stretch: Stretch, rows: Mapping[str, NDArray[Any]]) -> None:
-        """Note the samples that a step of the stretch refused."""
-        begin = stretch.t - len(stretch.phi_ddot) * stretch.h
-        block.refuse(rows["status"], lambda j: f"at t = {begin + stretch.h * rows['refused'][j]:.6g} s ", "a step")
-
-    @cached_property
-    def _most_steps(self) -> int:
-        """Steps between two times of output, at most."""
-        return math.ceil(float(np.diff(self._case.times).max(initial=0.0)) / self._case.dt) + 1
+    def _group(
+        self, first: int, count: int, ahead: Iterator[Stretch]
+    ) -> tuple[Sequence[Stretch], Mapping[str, NDArray[Any]]]:
+        """Stretches from a number on, and what the C reads of them; kept for the next block where they are few."""
+        if not self._few:
+            group = list(itertools.islice(ahead, count))
+            return group, _rows(group) if group else {}
+        if (first, count) not in self._groups:
+            group = list(self._stretches_in_memory[first : first + count])
+            self._groups[first, count] = group, _rows(group) if group else {}
+        return self._groups[first, count]
 
     @property
     def _few(self) -> bool:
@@ -124,7 +149,6 @@ class GivenSpeeds:
             yield Stretch(
                 float(grid[-1]), h, phases[own], speeds[own], mean,
                 np.array(wrench).reshape(len(grid) - 1, -1), at_end, self._wrench(float(grid[-1])),
-                not np.array_equal(at_end, mean[-1]),
             )  # fmt: skip
 
     def _wrench(self, t: float) -> Array:

@@ -127,7 +127,7 @@ class TimeRunner:
         for q in self._quantities:
             if q.signal is not None:
                 found[q.name][own] = gathered[q.name].result()
-        for j in range(block.n):
+        for j in np.flatnonzero(block.status < 0).tolist():
             reasons[block.first + j] = block.reason(j)
         if records is not None:
             for j in range(block.n):

@@ -82,7 +82,7 @@ class Observer:
     def __init__(self, block: Block, needs: Collection[str], consume: Callable[[Chunk], None]) -> None:
         self._block, self._consume = block, consume
         self._functions = [f for need, f in NEEDED.items() if need in needs and block.has(f)]
-        self._needs = needs
+        self._needs = frozenset(needs)
         n = block.n
         self.rows = max(1, CACHE // n)
         N = len(block.stand.flywheels)
@@ -97,6 +97,22 @@ class Observer:
             memory("I", 6 * N),
         )  # fmt: skip
         self._row = 0
+
+    @property
+    def simple(self) -> bool:
+        """Whether states, and V_dot by `forward`, are all that is needed."""
+        return self._needs <= {"V_dot", "points", "speeds"}
+
+    def room(self) -> tuple[Array, Array]:
+        """Memory for states and V_dot of the next times, until the chunk is full; V_dot is empty if not needed."""
+        return self._chunk.state[self._row :], self._chunk.V_dot[self._row :]
+
+    def add_times(self, t: Array) -> None:
+        """Note that the memory of `room` was filled for these times."""
+        self._chunk.t[self._row : self._row + len(t)] = t
+        self._row += len(t)
+        if self._row == self.rows:
+            self.flush()
 
     def take(self, t: float, solve: Callable[[float], None] | None = None) -> None:
         """Keep the state of this time. `solve` computes V_dot and phi_ddot, and tau; otherwise `forward` does."""

@@ -23,6 +23,7 @@ from mahovik.out.campaign.distributions import (
     Fixed,
     Lognormal,
     Normal,
+    Scaled,
     Triangular,
     Truncated,
     Uniform,
@@ -183,7 +184,7 @@ class _Reader:
         found = []
         for static, angle in zip(statics, angles, strict=True):
             most = permissible_unbalance(grade, speed, self._places.mass(static.body))
-            scaled = Fixed(most) if share is None else _Scaled(share, most)
+            scaled = Fixed(most) if share is None else Scaled(share, most)
             found.append(Parameter(static, scaled, None if share is None else static.path))
             found.append(Parameter(angle, Uniform(-math.pi, math.pi), angle.path))
         return found
@@ -203,25 +204,6 @@ class _Reader:
         except QuantityError as error:
             raise QuantityError(f"share: {error}") from None
         return found
-
-
-@dataclass(frozen=True)
-class _Scaled:
-    """Another distribution times a positive number."""
-
-    whole: Distribution
-    scale: float
-
-    @property
-    def support(self) -> tuple[float, float]:
-        low, high = self.whole.support
-        return low * self.scale, high * self.scale
-
-    def quantile(self, p: Any) -> Any:
-        return self.whole.quantile(p) * self.scale
-
-    def probability(self, x: float) -> float:
-        return self.whole.probability(x / self.scale)
 
 
 def _kind(raw: Any) -> str:
