@@ -12,16 +12,17 @@ from mahovik.core.program.walk import statements
 PROGRAM = generate_all(mahovik.example("demo3")).program
 
 
-def written(functions: tuple[str, ...]) -> list[str]:
-    """Sums that functions write, element by element, with the value that each gets."""
+def written(functions: tuple[str, ...]) -> list[tuple[str, int]]:
+    """Elements of the sums that functions write, each as often as it is written."""
     every = {f.name: f for f in (*PROGRAM.functions, *PROGRAM.spare)}
-    return sorted(str(s.place) for name in functions for s in statements(every[name].body) if isinstance(s, Set))
+    places = [s.place for name in functions for s in statements(every[name].body) if isinstance(s, Set)]
+    return sorted((str(place.path[0]), int(place.path[1].value)) for place in places)  # type: ignore[union-attr]
 
 
 def test_they_write_what_the_calls_write_for_which_they_stand() -> None:
     for pair, apart in APART.items():
         assert written(pair) == written(apart)
-        assert len(written(pair)) > 27
+        assert len(written(pair)) == 2 * 27, "each is set to its start, then added to"
 
 
 def test_no_batch_has_the_calls_for_one_state_one_after_another() -> None:
