@@ -64,14 +64,14 @@ class Quantity:
     count     numbers of one state: a number, "N" (flywheels), "W" (six a body with a run-time wrench), "" for a scalar
     bounds    names of BOUNDS: of all components, or of the linear and of the angular half; empty where none
     ordinary  largest ordinary magnitude, SI, for proofs by intervals
-    largest_drawn  magnitude in the self-test: a power of two, so that scaling is exact
+    largest_drawn largest magnitude in the self-test: a power of two, so that scaling is exact
     deviation standard deviation of random states, of all components or of both halves; 0: drawn otherwise
     draw      how the self-test draws it
     integers  least and largest ordinary integer, for proofs by intervals
     whole     lowest integer that the self-test draws, and how many there are from it
     shared    whether all states of a batch have it in common; otherwise each state has its own
     input     whether a line of `eval` may contain it
-    refused_values  values within the bounds, or without any, that are refused nevertheless, with the status
+    invalid   values within the bounds, or without any, that are refused nevertheless, with the status
     infinite  whether infinity is a value, "no limit"
     struct    the struct type of a table of numbers of the stand, and `default`: the constant of the C that holds it
     """
@@ -89,7 +89,7 @@ class Quantity:
     whole: tuple[int, int] = (0, 1)
     shared: bool = False
     input: bool = False
-    refused_values: tuple[tuple[float, str], ...] = ()
+    invalid: tuple[tuple[float, str], ...] = ()
     infinite: bool = False
     struct: str = ""
     default: str = ""
@@ -172,45 +172,29 @@ QUANTITIES = {
             default="default_parameters",
         ),
         Quantity("locked", "", "flywheels", "N", draw=Draw.FLAGS, integers=(0, 1), shared=True),
+        Quantity("dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True, invalid=_bad_arguments(0.0, -1e-3)),
         Quantity(
-            "dt", "s", "", "", ("MAX_STEP",), draw=Draw.STEP, shared=True, refused_values=_bad_arguments(0.0, -1e-3)
-        ),
-        Quantity(
-            "order",
-            "",
-            "",
-            "",
-            draw=Draw.ORDER,
-            integers=(2, 4),
-            shared=True,
-            refused_values=_bad_arguments(-2, 0, 1, 3, 5),
+            "order", "", "", "", draw=Draw.ORDER, integers=(2, 4), shared=True, invalid=_bad_arguments(-2, 0, 1, 3, 5)
         ),
         # members of tables and options
         Quantity("stream", "m/s", "E0", "3", ("MAX_VELOCITY",), 10.0),
         Quantity(
-            "weight",
-            "",
-            "flywheels",
-            "N",
-            ("MAX_WEIGHT",),
-            refused_values=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7)),
+            "weight", "", "flywheels", "N", ("MAX_WEIGHT",), invalid=tuple((bad, "RANGE") for bad in (0.0, -1.0, 1e-7))
         ),
-        Quantity("limit", "rad/s2", "flywheels", "N", refused_values=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("most", "rad/s2", "flywheels", "N", refused_values=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("motor_torque", "N m", "flywheels", "N", refused_values=_bad_arguments(-1.0), infinite=True),
-        Quantity("motor_speed", "rad/s", "flywheels", "N", refused_values=_bad_arguments(0.0, -1.0), infinite=True),
-        Quantity("motor_viscous", "N m s", "flywheels", "N", refused_values=_bad_arguments(-1.0), infinite=True),
-        Quantity("motor_coulomb", "N m", "flywheels", "N", refused_values=_bad_arguments(-1.0), infinite=True),
-        Quantity(
-            "motor_coulomb_speed", "rad/s", "flywheels", "N", refused_values=_bad_arguments(0.0, -1.0), infinite=True
-        ),
-        Quantity("motor_power", "W", "flywheels", "N", refused_values=_bad_arguments(-1.0), infinite=True),
+        Quantity("limit", "rad/s2", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("most", "rad/s2", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("motor_torque", "N m", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
+        Quantity("motor_speed", "rad/s", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("motor_viscous", "N m s", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
+        Quantity("motor_coulomb", "N m", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
+        Quantity("motor_coulomb_speed", "rad/s", "flywheels", "N", invalid=_bad_arguments(0.0, -1.0), infinite=True),
+        Quantity("motor_power", "W", "flywheels", "N", invalid=_bad_arguments(-1.0), infinite=True),
         Quantity("target_speed", "rad/s", "flywheels", "N", ("MAX_SPEED",)),
-        Quantity("target_rate", "1/s", "", "", refused_values=_bad_arguments(-1.0)),
-        Quantity("avoid_speed", "rad/s", "", "", refused_values=_bad_arguments(-1.0)),
-        Quantity("near", "", "part of the largest singular value", "", refused_values=_bad_arguments(-0.1, 1.5)),
-        Quantity("damping", "", "part of the largest singular value", "", refused_values=_bad_arguments(-0.1, 1.5)),
-        Quantity("mass", "kg", "a body", "", refused_values=((-1.0, "RANGE"),)),
+        Quantity("target_rate", "1/s", "", "", invalid=_bad_arguments(-1.0)),
+        Quantity("avoid_speed", "rad/s", "", "", invalid=_bad_arguments(-1.0)),
+        Quantity("near", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
+        Quantity("damping", "", "part of the largest singular value", "", invalid=_bad_arguments(-0.1, 1.5)),
+        Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
         # what step_carried keeps from one step to the next
         Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),
         # encoders
@@ -223,22 +207,15 @@ QUANTITIES = {
             draw=Draw.INTEGER,
             integers=(-100000, 100000),
             whole=(4000, 97),
-            refused_values=_bad_arguments(0, 2**31 - 1, 1 - 2**31),
+            invalid=_bad_arguments(0, 2**31 - 1, 1 - 2**31),
         ),
         Quantity("zero", "", "counts at phi = 0", "", ordinary=1000.0),
         Quantity("moved", "", "", "", draw=Draw.INTEGER, whole=(-512, 1 << 10)),
         Quantity("counter", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 15), 1 << 16)),
         Quantity(
-            "bits",
-            "",
-            "",
-            "",
-            draw=Draw.INTEGER,
-            integers=(0, 32),
-            whole=(16, 1),
-            refused_values=_bad_arguments(-1, 1, 33),
+            "bits", "", "", "", draw=Draw.INTEGER, integers=(0, 32), whole=(16, 1), invalid=_bad_arguments(-1, 1, 33)
         ),
-        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000), refused_values=_bad_arguments(-1, 4097)),
+        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000), invalid=_bad_arguments(-1, 4097)),
     )
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""

@@ -128,10 +128,10 @@ def _wrong_numbers(a: Argument | Field, path: Path, limit: float | None) -> Iter
             yield -math.inf, "NOT_FINITE"
         if limit is not None:
             yield limit * BEYOND, "RANGE"
-            if row is None or all(value >= 0 for value, _ in row.refused_values):
+            if row is None or all(value >= 0 for value, _ in row.invalid):
                 yield -limit * BEYOND, "RANGE"
     if row is not None and (path[0] != "parameters" or a.name == "mass"):
-        yield from row.refused_values
+        yield from row.invalid
 
 
 def with_value(good: Mapping[str, Any], wrong: WrongValue) -> dict[str, Any]:
