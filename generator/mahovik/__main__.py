@@ -30,7 +30,7 @@ def run() -> None:
         sys.stderr.write("error: interrupted; no file is half written\n")
         sys.exit(130)
     finally:
-        gc.freeze()  # the process ends: two last searches through all of its objects would take 40 ms
+        gc.freeze()  # the process ends: two last searches through all of its objects would find nothing that matters
 
 
 if __name__ == "__main__":
