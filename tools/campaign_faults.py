@@ -43,7 +43,7 @@ shake = { rms = "acceleration", at = "acc1" }
 """
 
 WORKERS = 2
-WAIT = (0.2, 3.0)
+WAIT = (0.1, 1.5)
 """s between a worker that computes and its end, drawn evenly."""
 
 PATIENCE = 300.0
@@ -68,8 +68,17 @@ class Cluster:
             free.bind(("127.0.0.1", 0))
             self.port = str(free.getsockname()[1])
         self.scheduler = self._process(SCHEDULER, "--host", "127.0.0.1", "--port", self.port, "--no-dashboard")
-        time.sleep(3.0)
+        self._await_scheduler()
         self.workers = [self.worker() for _ in range(WORKERS)]
+
+    def _await_scheduler(self) -> None:
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            with socket.socket() as tried:
+                if tried.connect_ex(("127.0.0.1", int(self.port))) == 0:
+                    time.sleep(2.0)  # it listens before it answers
+                    return
+            time.sleep(0.1)
 
     @property
     def address(self) -> str:
@@ -99,8 +108,9 @@ class Cluster:
 
 def kill(process: Any) -> None:
     """End a process by SIGKILL."""
-    process.send_signal(signal.SIGKILL)
-    process.communicate()
+    if process.returncode is None:
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
 
 
 def shards(folder: Path) -> int:
@@ -132,6 +142,8 @@ def campaign_of_faults(folder: Path, kills: int, seed: int) -> list[tuple[Any, .
         kill(cluster.workers[number])
         cluster.workers[number] = cluster.worker()
         done += 1
+    if done < kills:
+        raise SystemExit(f"the campaign ended after {done} faults: {client.communicate()[0]}")
     rows.append(_row("a worker is killed at random", done, folder, "the campaign goes on"))
     kill(cluster.scheduler)
     said, _ = client.communicate(timeout=PATIENCE)

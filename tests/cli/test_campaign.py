@@ -53,7 +53,7 @@ def test_status(out: Path) -> None:
 
 
 def test_resume_of_what_is_complete_starts_no_worker(out: Path) -> None:
-    result = run("campaign", "resume", str(out), "--scheduler", "tcp://127.0.0.1:9")
+    result = run("campaign", "resume", str(out))
     assert result.exit_code == 0
     assert result.output == "c: 12 of 12 samples in 3 of 3 shards, 0 without quantities\n"
 
@@ -79,6 +79,8 @@ def test_bad_input_is_one_line(out: Path) -> None:
         ): "nowhere: no campaign was begun here; `mahovik campaign run C.toml -o nowhere`",
         ("campaign", "run", str(out.parent / "c.toml"), "-o", str(out.parent)): "holds other files",
         ("campaign", "run", "missing.toml", "-o", "out"): "missing.toml",
+        ("campaign", "run", "c.toml", "-o", "out", "--scheduler", "here"): "scheduler here: cannot be reached, missing",
+        ("campaign", "resume", str(out), "--scheduler", "here"): "scheduler here: cannot be reached, missing port",
     }
     for arguments, words in cases.items():
         said = refused(*arguments)

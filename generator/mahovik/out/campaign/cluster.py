@@ -9,13 +9,14 @@ import math
 import signal
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from typing import Any
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 
-REACH = 5.0
+REACH = 8.0
 """s in which a scheduler must answer."""
 
 EVERY = 2.0
@@ -29,6 +30,8 @@ SILENT = logging.CRITICAL + 1
 
 LOST = ("closed", "closing", "connecting", "newly-created")
 """States of a client without a scheduler."""
+
+NEEDS_DASK = 'campaigns on many cores need dask: pip install "mahovik[campaign]"; `mahovik campaign shard` needs none'
 
 LOCAL = {
     "distributed.scheduler.worker-ttl": SILENCE,
@@ -50,9 +53,7 @@ def connect(workers: int | None, scheduler: str | None, progress: OnProgress | N
     try:
         distributed, dask = import_module("distributed"), import_module("dask")
     except ImportError:
-        raise UsageError(
-            'campaigns on many cores need dask: pip install "mahovik[campaign]"; `mahovik campaign shard` needs none'
-        ) from None
+        raise UsageError(NEEDS_DASK) from None
     if scheduler is not None and workers is not None:
         raise UsageError("--workers: a scheduler has its own workers; give one of --workers and --scheduler")
     tell(progress, Progress("starting workers" if scheduler is None else f"connecting to {scheduler}"))
@@ -69,7 +70,8 @@ def connect(workers: int | None, scheduler: str | None, progress: OnProgress | N
                 stack.enter_context(contextlib.closing(cluster))
                 client = distributed.Client(cluster)
         else:
-            client = _client(distributed, scheduler)
+            require_scheduler(scheduler)
+            client = distributed.Client(scheduler, timeout=REACH, set_as_default=False)
         stack.callback(_close, client)
         yield client
 
@@ -111,16 +113,16 @@ def _cores() -> int:
     return int(import_module("dask.system").CPU_COUNT)
 
 
-def _client(distributed: Any, scheduler: str) -> Any:
+def require_scheduler(scheduler: str) -> None:
+    """Raise UsageError within seconds unless a scheduler of dask answers at an address."""
     try:
-        asyncio.run(asyncio.wait_for(_identity(scheduler), REACH))
-        return distributed.Client(scheduler, timeout=REACH, set_as_default=False)
+        with _silent(), ThreadPoolExecutor(1) as thread:  # a notebook's thread has a loop already
+            thread.submit(lambda: asyncio.run(asyncio.wait_for(_identity(scheduler), REACH))).result()
+    except ImportError:
+        raise UsageError(NEEDS_DASK) from None
     except Exception as error:  # also a MemoryError, where another program listens
-        why = (
-            str(error).partition("\n")[0]
-            if isinstance(error, ValueError)
-            else f"no scheduler answered within {REACH:g} s"
-        )
+        given = isinstance(error, ValueError)
+        why = str(error).partition("\n")[0] if given else f"no scheduler answered within {REACH:g} s"
         raise UsageError(
             f"scheduler {scheduler}: cannot be reached, {why}; expected the address that `dask scheduler` prints, "
             f"as tcp://10.0.0.1:8786"

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.out.campaign import dataset, folder
+from mahovik.out.campaign.cluster import require_scheduler
 from mahovik.out.campaign.engine import Outcome, run_shards
 from mahovik.out.campaign.folder import Load, load_campaign
 from mahovik.out.campaign.manifest import Manifest, read_manifest
@@ -111,6 +112,8 @@ class CampaignFolder:
         self, *, workers: int | None = None, scheduler: str | None = None, progress: OnProgress | None = None
     ) -> Outcome:
         """Compute the shards that are missing or damaged; arguments as of `Campaign.run`."""
+        if scheduler is not None:
+            require_scheduler(scheduler)
         goal = self._work().goal
         accuracy = None if goal is None else Accuracy(goal)
         return run_shards(

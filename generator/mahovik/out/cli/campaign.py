@@ -48,8 +48,11 @@ def run(
 
     Exit status: 0 all samples are there; 1 some are missing; 2 bad input; 130 Ctrl-C.
     """
+    from mahovik.out.campaign.cluster import require_scheduler
     from mahovik.out.campaign.face import Campaign
 
+    if scheduler is not None:
+        require_scheduler(scheduler)  # before the campaign is read and its C compiled: that takes longer
     begun = Campaign(campaign_file).prepare(output)
     if prepare:
         click.echo(str(begun.manifest.shards))
