@@ -58,7 +58,7 @@ def test_a_course_has_the_bits_of_its_steps(pushed: bool) -> None:
 def rows_of(
     phases: Array, speeds: Array, mean: Array, wrenches: Array, counts: list[int], ends: Array
 ) -> dict[str, Array]:
-    """What the C reads of stretches with these counts of steps; it keeps nothing."""
+    """Numbers of stretches with these counts of steps, as the C reads them; it keeps nothing."""
     n, rng = len(ends), np.random.default_rng(7)
     return {
         "phi": phases, "phi_dot": speeds, "phi_ddot": mean, "wrench": wrenches, "end_phi_ddot": ends,

@@ -44,7 +44,7 @@ _NONE = np.zeros((0, 0, 0))
 
 
 def _rows(group: Sequence[Stretch]) -> dict[str, NDArray[Any]]:
-    """What the C reads of some stretches: see `Block.course`."""
+    """Numbers of some stretches as the C reads them: see `Block.course`."""
     ends = {"end_phi_ddot": [each.end_phi_ddot for each in group], "end_wrench": [each.end_wrench for each in group]}
     return {
         **{name: np.concatenate([getattr(each, name) for each in group])
