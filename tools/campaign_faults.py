@@ -34,12 +34,14 @@ shard = 200
 [vary]
 "rw*.unbalance.static" = { normal = ["1 g mm", "0.3 g mm"] }
 "carrier.mass" = { tolerance = "0.5 kg" }
-[run]
+[over]
 regime = { default = { speed = "2000 rpm" } }
 until = "0.1 s"
 dt = "0.5 ms"
-[quantities]
-shake = { rms = "acceleration", at = "acc1" }
+[[quantity]]
+name = "shake"
+what = "rms acceleration"
+at = "acc1"
 """
 
 WORKERS = 2

@@ -43,13 +43,19 @@ samples = {samples}
 "rw*.unbalance.static" = {{ normal = ["1 g mm", "0.3 g mm"] }}
 "rw*.unbalance.static_at" = {{ uniform = ["0 deg", "360 deg"] }}
 "carrier.mass" = {{ tolerance = "0.5 kg" }}
-[run]
+[over]
 regime = {{ default = {{ speed = "2000 rpm" }} }}
 until = "0.1 s"
 dt = "0.5 ms"
-[quantities]
-shake = {{ rms = "acceleration", at = "acc1" }}
-peak_rotation = {{ peak = "rotation", at = "acc1" }}
+[[quantity]]
+name = "shake"
+what = "rms acceleration"
+at = "acc1"
+
+[[quantity]]
+name = "peak_rotation"
+what = "peak rotation"
+at = "acc1"
 """
 
 EMPTY = 600

@@ -24,7 +24,7 @@ def computation(stand: mahovik.Stand, run: Keys, quantities: Mapping[str, Keys],
     problems = Problems("C.toml")
     over = validate_table(OverTable, exact(run), problems, "run")
     wanted = {
-        name: validate_table(WantedTable, exact(keys), problems, f"quantities, {name}")
+        name: validate_table(WantedTable, exact(keys), problems, f"quantity {name}")
         for name, keys in quantities.items()
     }
     if problems.lines:

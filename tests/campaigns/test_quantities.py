@@ -108,7 +108,7 @@ TABLE = "bench8"
         (SPEED, {"function": "f.py:f"}, "function: f.py: no such file"),
         ({"speeds": {"w1": 100}}, {"peak": "torque", "of": "w1"}, "no signal `torque` over speeds; expected one of"),
         ({"speeds": {"w1": 100}}, {"end": "rate", "at": "carrier"}, "no statistic `end` over speeds"),
-        ({"speeds": {"w1": 100, "w2": 3.14}}, {"rms": "rate", "at": "carrier"}, "run: speeds 100, 3.14"),
+        ({"speeds": {"w1": 100, "w2": 3.14}}, {"rms": "rate", "at": "carrier"}, "over: speeds 100, 3.14"),
         ({"speeds": {"w1": "0..100"}}, {"rms": "rate", "at": "carrier"}, "a range of speeds, expected one speed"),
         ({"states": "none.jsonl"}, {"peak": "rate", "at": "carrier"}, "none.jsonl: no such file"),
         ({"regime": {"default": {"hold": True}}}, {"peak": "rate", "at": "carrier"}, "until: required with `regime`"),
@@ -124,7 +124,7 @@ def test_what_does_not_fit_is_refused_in_one_line(run: Keys, quantity: Keys, wor
     """It says where, what was found and what was expected, before anything is computed."""
     said = refusal(TABLE, run, {"q": quantity}, tmp_path)
     assert words in said, said
-    assert said.startswith(("C.toml: ", "quantities, q: ", "run: ", str(tmp_path))), said
+    assert said.startswith(("C.toml: ", "quantity q: ", "over: ", str(tmp_path))), said
 
 
 def test_too_much_to_keep_is_refused() -> None:

@@ -99,7 +99,7 @@ def test_queries_give_the_columns(folder: CampaignFolder) -> None:
     query, columns = Query(folder.path, folder.manifest), folder.columns()
     assert query.count() == 300
     assert np.array_equal(query.with_gaps("root"), columns["root"], equal_nan=True)
-    good = columns["reason"] == ""
+    good = columns["error"] == ""
     assert np.array_equal(query.columns(["double"])["double"], columns["double"][good])
     assert query.parameters_of(17) == {"carrier.mass": columns["carrier.mass"][17]}
     thinned = query.columns(["double"], every=7)["double"]

@@ -46,7 +46,7 @@ def test_every_sample_is_there_once(folder: Path) -> None:
     for name in work.quantities:
         column = np.ma.filled(rows[name], np.nan)
         assert np.array_equal(column, expected.quantities[name], equal_nan=True)
-    assert list(rows["reason"]) == list(expected.reason)
+    assert list(rows["error"]) == list(expected.reason)
     assert any(POISON in each for each in expected.reason)  # recorded as rows
     found = status(folder)
     assert found.complete and found.rows == 25

@@ -18,13 +18,15 @@ shard = 5
 [vary]
 "carrier.mass" = { tolerance = "1 kg" }
 
-[run]
+[over]
 regime = { default = { speed = "600 rpm" } }
 until = "10 ms"
 dt = "1 ms"
 
-[quantities]
-shake = { rms = "acceleration", at = "carrier" }
+[[quantity]]
+name = "shake"
+what = "rms acceleration"
+at = "carrier"
 """
 
 

@@ -46,7 +46,7 @@ def test_tables_are_those_of_the_code() -> None:
     assert signals == list(SIGNALS)
     statistics = [name for cell in first_column("key") for name in re.findall(r"`(\w+)`", cell)]
     assert set(statistics) == {*STATISTICS, "band"}
-    runs = [name for cell in first_column("`[run]`") for name in re.findall(r"`(\w+)`", cell)]
+    runs = [name for cell in first_column("`[over]`") for name in re.findall(r"`(\w+)`", cell)]
     assert list(dict.fromkeys(runs)) == ["regime", "speeds", "programme", "servo", "states"]
     assert {*runs} - {"servo"} == {*KINDS}
     (lines,) = (lines for lines in tables(PAGE) if cells(lines[0])[0] == "signal")

@@ -33,11 +33,14 @@ at = "95 %"
 [[correlation]]
 of = ["w*.unbalance.static"]
 coefficient = 0.3
-[run]
+[over]
 regime = { default = { speed = "1000 rpm" } }
 until = "5 ms"
-[quantities]
-shake = { rms = "velocity", at = "carrier", band = ["1 Hz", "20 Hz"] }
+[[quantity]]
+name = "shake"
+what = "rms velocity"
+at = "carrier"
+band = ["1 Hz", "20 Hz"]
 """,
     """schema = 1
 stand = "demo3"

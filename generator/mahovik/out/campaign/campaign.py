@@ -78,11 +78,13 @@ class Campaign:
         Raises CampaignError with every problem of the file, and what the files raise that it names.
         """
         file = load_campaign(path)
-        if file.table.run is None:
-            raise CampaignError([f"{file.source}: run: required, but missing; expected over what samples are computed"])
+        if file.table.over is None:
+            raise CampaignError(
+                [f"{file.source}: over: required, but missing; expected over what samples are computed"]
+            )
         try:
             computation = prepare(
-                file.stand, file.table.run, file.table.quantities, folder=file.folder, user_functions=user_functions
+                file.stand, file.table.over, file.table.quantity, folder=file.folder, user_functions=user_functions
             )
         except UsageError as error:
             raise CampaignError([f"{file.source}: {error}"]) from None

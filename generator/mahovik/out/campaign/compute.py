@@ -73,19 +73,19 @@ def prepare(
 ) -> Computation:
     """Check what a campaign file wants of each sample, and make ready what computes it.
 
-    over, wanted    `[run]` and `[quantities]` of a campaign file, whose files are in `folder`
+    over, wanted    `[over]` and `[[quantity]]` of a campaign file, whose files are in `folder`
     user_functions  by the text of `function` in the file; of those not given the function is imported
 
     Raises UsageError, which begins with the key, and what the files raise.
     """
     if not wanted:
-        raise UsageError("quantities: none, expected at least one")
+        raise UsageError("quantity: none, expected at least one")
     own = Stand.of(stand)
     quantities = quantities_of(own, over, wanted, folder, user_functions or {})
     try:
         return Computation(_runner(own, over, quantities, folder), quantities)
     except UsageError as error:
-        raise UsageError(f"run: {str(error).replace('--', '')}") from None  # keys of the file, not options
+        raise UsageError(f"over: {str(error).replace('--', '')}") from None  # keys of the file, not options
 
 
 def _runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> Runner:

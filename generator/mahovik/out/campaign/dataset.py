@@ -168,7 +168,7 @@ def merge(folder: Path, path: Path, progress: OnProgress | None = None) -> int:
     require_complete(found, folder)
     manifest, count = found.manifest, 0
     columns = schema(manifest).with_metadata({UNITS: units_text(manifest)})
-    with synced(path) as draft, parquet.ParquetWriter(draft, columns, use_dictionary=["reason"]) as file:
+    with synced(path) as draft, parquet.ParquetWriter(draft, columns, use_dictionary=["error"]) as file:
         for number in range(manifest.shards):
             tell(progress, Progress("merging shards", number, manifest.shards))
             table = read_shard(folder, manifest, number).cast(columns)

@@ -145,7 +145,7 @@ class CampaignFolder:
                 parts.append(read_shard(self.path, manifest, number))
             except FileNotFoundError:
                 continue
-        names = ["sample", *manifest.parameters, *manifest.quantities, "reason"]
+        names = ["sample", *manifest.parameters, *manifest.quantities, "error"]
         return {
             name: np.concatenate([part.column(name).to_numpy(zero_copy_only=False) for part in parts] or [np.empty(0)])
             for name in names

@@ -28,7 +28,7 @@ from mahovik.out.campaign.designs import DESIGNS, MOST_HELD
 from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.places import Places
-from mahovik.out.campaign.spellings import usual
+from mahovik.out.campaign.quantity_tables import quantities_by_name
 from mahovik.out.campaign.vary import read_vary
 from mahovik.out.campaign.wanted import WantedTable
 
@@ -110,8 +110,8 @@ class CampaignTable(Table):
     quantile: Annotated[QuantileTable | None, NOT_NULL] = None
     vary: Annotated[dict[str, Any], validator(_by_name)]
     correlation: list[CorrelationTable] = Field(default_factory=list)
-    run: Annotated[OverTable | None, NOT_NULL] = None
-    quantities: Annotated[dict[str, WantedTable], BeforeValidator(_only_tables)] = Field(default_factory=dict)
+    over: Annotated[OverTable | None, NOT_NULL] = None
+    quantity: Annotated[dict[str, WantedTable], BeforeValidator(_only_tables)] = Field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ def load_campaign(path: str | Path) -> CampaignFile:
     source, folder = path.name, path.parent
     document = document_of(text_of(path, TEXT, CampaignError), source, CampaignError, is_json=False)
     problems = Problems(source)
-    table = validate_table(CampaignTable, usual(document, problems), problems)
+    table = validate_table(CampaignTable, quantities_by_name(document, problems), problems)
     if table is None or problems.lines:
         raise CampaignError(problems.lines)
     places = Places(_stand(table.stand, folder, problems))
@@ -148,9 +148,9 @@ def load_campaign(path: str | Path) -> CampaignFile:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")
     draw = _draw(vary.parameters, table, places, problems)
     goal = _goal(table, problems)
-    taken = {"sample", "error", "reason", *(each.place.path for each in vary.parameters)}
-    for name in taken & table.quantities.keys():
-        problems.add(f"quantities {show(name)}", "is the name of another column; expected another name")
+    taken = {"sample", "error", *(each.place.path for each in vary.parameters)}
+    for name in taken & table.quantity.keys():
+        problems.add(f"quantity {show(name)}", "is the name of another column; expected another name")
     if problems.lines or draw is None:
         raise CampaignError(problems.lines)
     return CampaignFile(

@@ -23,7 +23,7 @@ SHOWN = 3
 KEYS = {"campaign": "the text of its file", "seed": "its seed", "campaign and seed": "the text of its file"}
 """Words for what differs between two identities."""
 
-RESERVED = ("sample", "reason")
+RESERVED = ("sample", "error")
 """Columns of every row besides parameters and quantities."""
 
 

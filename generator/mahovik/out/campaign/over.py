@@ -1,4 +1,4 @@
-"""`[run]` of a campaign file: over what each sample is computed."""
+"""`[over]` of a campaign file: over what each sample is computed."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ ByFlywheel = Annotated[dict[str, Any] | None, validator(_mapping)]
 
 
 class OverTable(Table):
-    """`[run]`: exactly one of `regime`, `speeds`, `programme`, `states`, and the keys that it takes."""
+    """`[over]`: exactly one of `regime`, `speeds`, `programme`, `states`, and the keys that it takes."""
 
     regime: FileOrTable = None
     speeds: ByFlywheel = None

@@ -82,7 +82,7 @@ def quantities_of(
         try:
             found.append(_quantity(stand, over, name, table, folder, functions))
         except (UsageError, QuantityError) as error:
-            raise UsageError(f"quantities, {name}: {error}") from None
+            raise UsageError(f"quantity {name}: {error}") from None
     return found
 
 

@@ -75,7 +75,7 @@ def schema(manifest: Manifest) -> Any:
     """Columns of a shard."""
     arrow, _ = packages()
     columns = [arrow.field(name, arrow.float64()) for name in (*manifest.parameters, *manifest.quantities)]
-    return arrow.schema([arrow.field("sample", arrow.int64()), *columns, arrow.field("reason", arrow.string())])
+    return arrow.schema([arrow.field("sample", arrow.int64()), *columns, arrow.field("error", arrow.string())])
 
 
 def write_shard(folder: Path, manifest: Manifest, number: int, rows: Rows) -> Record:
@@ -99,7 +99,7 @@ def _content(manifest: Manifest, rows: Rows) -> bytes:
     table = arrow.Table.from_arrays(arrays, schema=schema(manifest))
     buffer = io.BytesIO()
     with parquet.ParquetWriter(
-        buffer, table.schema, compression="none", use_dictionary=["reason"], store_schema=False
+        buffer, table.schema, compression="none", use_dictionary=["error"], store_schema=False
     ) as file:
         file.write_table(table)
         file.add_key_value_metadata({DIGEST: manifest.digest, UNITS: units_text(manifest), HASH: ZEROS.decode()})
@@ -145,7 +145,7 @@ def read_shard(folder: Path, manifest: Manifest, number: int) -> Any:
 
 def record_of(table: Any, number: int) -> Record:
     """The record of a table that has been read."""
-    failed = sum(bool(each) for each in table.column("reason").to_pylist())
+    failed = sum(bool(each) for each in table.column("error").to_pylist())
     return Record(number, table.num_rows, failed, table.schema.metadata[HASH].decode())
 
 

@@ -1,4 +1,4 @@
-"""`[quantities]` of a campaign file: what is kept of each sample, as a number with a name."""
+"""`[[quantity]]` of a campaign file: what is kept of each sample, as a number with a name."""
 
 from __future__ import annotations
 

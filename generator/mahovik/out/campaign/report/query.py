@@ -45,15 +45,15 @@ class Query:
         return [
             (str(text), int(count), int(first))
             for text, count, first in self._rows(
-                "select reason, count(*) as n, min(sample) as first from samples where reason <> '' "
-                f"group by reason order by n desc, first limit {most}"
+                "select error, count(*) as n, min(sample) as first from samples where error <> '' "
+                f"group by error order by n desc, first limit {most}"
             )
         ]
 
     def columns(self, names: Sequence[str], every: int = 1) -> dict[str, Array]:
         """Columns of the rows with quantities, in the order of the samples; `every`: one row of this many."""
         listed = ", ".join(map(_name, names))
-        where = f"reason = '' and sample % {every} = 0"
+        where = f"error = '' and sample % {every} = 0"
         found = self._connection.execute(f"select {listed} from samples where {where} order by sample").fetchnumpy()
         return {name: np.asarray(np.ma.filled(found[name], np.nan), dtype=np.float64) for name in names}
 
@@ -66,7 +66,7 @@ class Query:
         """Samples with the largest values of a quantity."""
         column = _name(name)
         rows = self._rows(
-            f"select sample, {column} from samples where reason = '' and not isnan({column}) "
+            f"select sample, {column} from samples where error = '' and not isnan({column}) "
             f"order by {column} desc, sample limit {most}"
         )
         return [(int(sample), float(value)) for sample, value in rows]
