@@ -191,10 +191,13 @@ TABLE = Columns(
 
 def page(found: Figures) -> str:
     """The table, and the end."""
-    end = {True: "; all shards have the bytes that one process writes", False: "; **other bytes** than of one process"}
+    same = ""
+    if "same" in found:
+        what = "the bytes that" if found["same"] else "**other** bytes than those that"
+        same = f"; the shards have {what} one process writes"
     return (
         f"{TABLE.text(found['rows'])}\n{found['shards']} shards of 200 samples of `sat4`, {WORKERS} workers. At the "
-        f"end every sample is there once: {found['complete']}{end.get(found.get('same'), '')}."
+        f"end every sample is there once: {found['complete']}{same}."
     )
 
 
