@@ -29,7 +29,7 @@ from mahovik.out.campaign.face import Campaign
 FILE = """
 schema = 1
 stand = "sat4"
-samples = 48000
+samples = 120000
 shard = 200
 [vary]
 "rw*.unbalance.static" = { normal = ["1 g mm", "0.3 g mm"] }
