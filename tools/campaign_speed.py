@@ -175,8 +175,9 @@ def page(found: Figures) -> str:
     most = max(row[memory] for row in lines)
     limits = (
         f"A campaign keeps at least {worst:.0%} of the speed of the batch C with prepared tables, for runs of a "
-        f"thousand steps (wanted: at least {SHARE:.0%}). Of samples of a millisecond or more at most {longest:.1%} of the "
-        f"time is outside of the C (wanted: at most {OUTSIDE:.0%}). Memory, in MB: {most:,.0f} (wanted: at most {LIMIT:,.0f})."
+        f"thousand steps (wanted: at least {SHARE:.0%}). Of samples of a millisecond or more at most {longest:.1%} of "
+        f"the time is outside of the C (wanted: at most {OUTSIDE:.0%}). Memory, in MB: {most:,.0f} (wanted: at most "
+        f"{LIMIT:,.0f})."
     )
     head = (
         f"`bench8`, one thread, {SAMPLES:,} samples of 1,000 steps or {SAMPLES // 4:,} of more, peak acceleration "
