@@ -174,10 +174,10 @@ def page(found: Figures) -> str:
     longest = max(row[outside] for row in lines if row["steps"] > 1000)
     most = max(row[memory] for row in lines)
     limits = (
-        f"A campaign keeps at least {worst:.0%} of the speed of the batch C with prepared tables, for runs of 1,000 "
-        f"steps (wanted: at least {SHARE:.0%}). Of samples of 1 ms or more at most {longest:.1%} of the time is "
-        f"outside of the C (wanted: at most {OUTSIDE:.0%}). The process had {most:,.0f} MB "
-        f"(wanted: at most {LIMIT:,.0f} MB)."
+        f"A campaign keeps at least {worst:.0%} of the speed of the batch C with prepared tables, for runs of a "
+        f"thousand steps (wanted: at least {SHARE:.0%}). Of samples of a millisecond or more at most {longest:.1%} of "
+        f"the time is outside of the C (wanted: at most {OUTSIDE:.0%}). Memory, in MB: {most:,.0f} (wanted: at most "
+        f"{LIMIT:,.0f})."
     )
     head = (
         f"`bench8`, one thread, {SAMPLES:,} samples of 1,000 steps or {SAMPLES // 4:,} of more, peak acceleration "

@@ -62,7 +62,8 @@ def connect(workers: int | None, scheduler: str | None, progress: OnProgress | N
         stack.enter_context(dask.config.set({"distributed.comm.timeouts.connect": f"{REACH}s", **LOCAL}))
         if scheduler is None:
             with _ctrl_c_later():
-                cluster = distributed.LocalCluster(
+                cluster = _local(
+                    distributed,
                     n_workers=workers or _cores(), threads_per_worker=1, processes=True, host="127.0.0.1",
                     dashboard_address="127.0.0.1:0", scheduler_kwargs={"dashboard": False}, memory_limit=0,
                     silence_logs=SILENT,
@@ -111,6 +112,17 @@ def _close(client: Any) -> None:
 
 def _cores() -> int:
     return int(import_module("dask.system").CPU_COUNT)
+
+
+def _local(distributed: Any, **options: Any) -> Any:
+    """Start processes of this machine. Raises UsageError."""
+    try:
+        return distributed.LocalCluster(**options)
+    except RuntimeError:
+        raise UsageError(
+            'workers cannot be started; a script needs `if __name__ == "__main__":` and a file of its own, '
+            "as each worker imports it"
+        ) from None
 
 
 def require_scheduler(scheduler: str) -> None:
