@@ -124,6 +124,6 @@ def test_a_programme_with_servos_is_that_of_follow(tmp_path: Path) -> None:
 def test_a_programme_of_another_stand_is_refused(tmp_path: Path) -> None:
     """Before anything is computed, by the programme's own identities."""
     shaker_files(tmp_path)
-    with pytest.raises(mahovik.UsageError, match=r"^run: programme: p\.json: .*shaker2"):
+    with pytest.raises(mahovik.UsageError, match=r"^over: programme: p\.json: .*shaker2"):
         computation(mahovik.example("bench8"), {"programme": "p.json", "motion": "m.json"}, {"e": {"peak": "error"}},
                     folder=tmp_path)  # fmt: skip

@@ -128,7 +128,7 @@ def test_the_judge_agrees_with_the_design(name: str) -> None:
     assert difference(name) < MATRIX
 
 
-@pytest.mark.parametrize(("constant", "changed"), [("BEYOND", 1), ("SPILL", 31.0), ("REACHED", 0.3)])
+@pytest.mark.parametrize(("constant", "changed"), [("BEYOND", 1), ("SPILL", 31.0), ("REACH", 0.3)])
 def test_every_constant_of_the_design_is_judged(constant: str, changed: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(design_module, constant, changed)
     assert difference("spinning") > MATRIX
