@@ -19,7 +19,7 @@ def table() -> str:
     for row in (FUNCTIONS | OF_TASKS).values():
         if not row.name.endswith("_at"):
             gives, judges = ", ".join(row.gives), ", ".join(row.judges)
-            marks = ("yes" if row.want else "", "yes" if row.batch else "")
+            marks = ("yes" if row.want else "", "yes" if row.batched else "")
             lines.append([f"`{row.name}`", row.equation, gives, *marks, judges])
     return campaign.table(HEAD, lines, None)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.contract.functions import BATCH_FUNCTIONS
+from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.generate import host_lanes
 from mahovik_bench.build import NATIVE, Recipe, generated
 from mahovik_bench.cases import Case
@@ -71,4 +71,4 @@ def _batch(case: Case) -> Peer:
     files["batch_peer.c"] = (NATIVE / "batch_peer.c").read_text(encoding="utf-8")
     shape = (f"-DSTAND={name}", f'-DHEADER="{name}_batch.h"', f"-DFLYWHEELS={case.N}", f"-DSTATES={STATES}")
     recipe = Recipe("gcc", ("-std=c99", *shape, *BATCH.flags), files, (f"{name}_batch.c",))
-    return Peer("mahovik", BATCH.name, BATCH_FUNCTIONS, recipe, "", effort, states=STATES)
+    return Peer("mahovik", BATCH.name, BATCHED, recipe, "", effort, states=STATES)

@@ -36,7 +36,7 @@ class PublicFunction:
               or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     sines     whether it has a form `NAME_at` that takes sines and cosines of the phases
-    batch     whether it has a batch, many states in a register; others run state by state
+    batched   whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
     form_of   method of a model that offers it by an argument; empty: none
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
@@ -54,7 +54,7 @@ class PublicFunction:
     needs: str = ""
     tasks: bool = False
     sines: bool = False
-    batch: bool = False
+    batched: bool = False
     python: bool = True
     form_of: str = ""
     claimed: tuple[str, ...] = ()
@@ -85,7 +85,7 @@ _ROWS = (
         ("K", "K_dot", "M", "I", "J", "F"),
         ("reference", "rigorous"),
         want=True,
-        batch=True,
+        batched=True,
     ),
     PublicFunction(
         "momentum",
@@ -104,7 +104,7 @@ _ROWS = (
         _ALL_JUDGES,
         want=True,
         sines=True,
-        batch=True,
+        batched=True,
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
@@ -116,7 +116,7 @@ _ROWS = (
         want=True,
         needs="flywheels",
         sines=True,
-        batch=True,
+        batched=True,
         claimed=(NORMAL, ANY),
     ),
     PublicFunction(
@@ -127,7 +127,7 @@ _ROWS = (
         ("reference", "rigorous"),
         want=True,
         needs="flywheels",
-        batch=True,
+        batched=True,
     ),
     PublicFunction(
         "coupled",
@@ -138,7 +138,7 @@ _ROWS = (
         want=True,
         needs="flywheels",
         sines=True,
-        batch=True,
+        batched=True,
         claimed=(NORMAL, ANY),
     ),
     PublicFunction(
@@ -163,7 +163,7 @@ _ROWS = (
         ignores=("attitude",),
     ),
     PublicFunction(
-        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batch=True
+        "points", "", (*_STATE, "V_dot"), ("points",), ("reference", "second"), want=True, needs="sensors", batched=True
     ),
     PublicFunction("center_of_mass_velocity", "", _STATE, ("center_of_mass_velocity",), ("reference",), want=True),
     PublicFunction("wrench", "(7)", (*_STATE, "wrench"), ("F",), ("reference",), needs="wrenches"),
@@ -174,11 +174,11 @@ _ROWS = (
         ("next",),
         ("trajectory",),
         needs="flywheels",
-        batch=True,
+        batched=True,
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batch=True
+        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batched=True
     ),
     PublicFunction(
         "inverse_fast",
@@ -312,7 +312,7 @@ def _forms() -> Iterator[PublicFunction]:
                 name=f"{row.name}_at",
                 takes=takes,
                 want=False,
-                batch=False,
+                batched=False,
                 python=False,
                 claimed=(),
                 sines=False,
@@ -332,7 +332,7 @@ WANTS = tuple(row.name for row in FUNCTIONS.values() if row.want)
 TASK_WANTS = tuple(row.name for row in OF_TASKS.values() if row.want)
 """Wants of states with a task alone."""
 
-BATCH_FUNCTIONS = tuple(row.name for row in FUNCTIONS.values() if row.batch)
+BATCHED = tuple(row.name for row in FUNCTIONS.values() if row.batched)
 """Functions with a batch form."""
 
 _GIVES = {name: row.gives for name, row in (FUNCTIONS | OF_TASKS).items() if row.want}

@@ -257,6 +257,6 @@ def limits_of(symbol: str, real: str = "double") -> tuple[float, ...]:
     return QUANTITIES[symbol].limits(real) if symbol in QUANTITIES else ()
 
 
-def is_shared(symbol: str) -> bool:
+def shared(symbol: str) -> bool:
     """Whether all states of a batch have an argument in common."""
     return symbol in QUANTITIES and QUANTITIES[symbol].shared

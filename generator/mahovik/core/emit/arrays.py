@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS, row_of, task_of
-from mahovik.contract.quantities import is_shared
+from mahovik.contract.quantities import shared
 from mahovik.core.emit.calls import call, declaration
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
@@ -34,7 +34,7 @@ def array_functions(generated: Generated, batches: bool = True) -> tuple[ArrayFu
     """Arguments and results of the functions of `array_source`."""
     found = []
     for f in _functions(generated):
-        wide = batches and row_of(f.name).batch
+        wide = batches and row_of(f.name).batched
         found.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
@@ -60,7 +60,7 @@ def array_source(stand: Stand, generated: Generated, batches: bool = True) -> di
         batches=batches,
         sizes=_sizes(generated, code.names),
         functions=[
-            _call(f, generated, code.names, batches and row_of(f.name).batch, each)
+            _call(f, generated, code.names, batches and row_of(f.name).batched, each)
             for f in _functions(generated)
             for each in ((False, True) if batches and any(a.name in TABLES for a in f.arguments) else (False,))
         ],
@@ -86,7 +86,7 @@ def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentL
 
 
 def _order(a: Argument, generated: Generated, wide: bool) -> Order:
-    if is_shared(a.name):
+    if shared(a.name):
         return "alike"
     return "components" if wide or a.direction == "in" or a.type is generated.layout.state else "states"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.functions import BATCH_FUNCTIONS
+from mahovik.contract.functions import BATCHED
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
@@ -30,7 +30,7 @@ def batch_files(stand: Stand, generated: Generated) -> dict[str, str]:
         raise UsageError("--batch: not with --lanes, --fast: it has lanes of its own, and the bits of single calls")
     made = batches(generated.program)
     if not made.batches:
-        names = ", ".join(name for name in BATCH_FUNCTIONS)
+        names = ", ".join(name for name in BATCHED)
         raise UsageError(
             f"--batch: no function of --only {','.join(generated.only)} has a batch, expected one of {names}"
         )

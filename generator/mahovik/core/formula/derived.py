@@ -42,7 +42,7 @@ else:  # without SymPy, until a formula has to be derived
     )
 
 __all__ = [
-    "FormulaModule", "accumulate", "attitude", "carrier", "carrying", "drive", "formula_cache", "leave_cache", "motion",
+    "FormulaModule", "accumulate", "attitude", "cached", "carrier", "carrying", "drive", "leave_cache", "motion",
     "point", "sensitivity", "use_cache", "without_cache", "wrench",
 ]  # fmt: skip
 
@@ -83,7 +83,7 @@ def leave_cache() -> None:
 
 
 @contextmanager
-def formula_cache(warn: Callable[[str], None]) -> Iterator[None]:
+def cached(warn: Callable[[str], None]) -> Iterator[None]:
     """Formulas are from the cache within, as between `use_cache` and `leave_cache`; a cache in use stays in use."""
     if _state.session is not None:
         yield

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from mahovik.contract.functions import BATCH_FUNCTIONS
-from mahovik.contract.quantities import is_shared
+from mahovik.contract.functions import BATCHED
+from mahovik.contract.quantities import shared
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
@@ -47,7 +47,7 @@ class Batches:
 def batches(program: Program) -> Batches:
     """Wide forms of the functions of a program that have a batch."""
     public = {f.name: f for f in program.functions if f.public}
-    entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
+    entries = [public[name] for name in BATCHED if name in public]
     preparing = [public[name] for name in PREPARED.values() if name in public] if entries else []
     needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))
     refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
@@ -60,7 +60,7 @@ def batches(program: Program) -> Batches:
     found = []
     for each in (False, True):
         for narrow in entries:
-            varying = [a.name for a in narrow.arguments if not is_shared(a.name) or (each and a.name in PREPARED)]
+            varying = [a.name for a in narrow.arguments if not shared(a.name) or (each and a.name in PREPARED)]
             found.append(batch(narrow, varying, each))
     made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)

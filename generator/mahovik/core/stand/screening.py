@@ -29,7 +29,7 @@ Matrix = list[list[Any]]
 _FIXED = 1000 * LEAST_EIGENVALUE
 
 
-def doubtful_samples(stand: Stand, n: int) -> NDArray[np.bool_]:
+def doubtful(stand: Stand, n: int) -> NDArray[np.bool_]:
     """Samples, of a stand with columns, that are not surely in order."""
     sure = np.ones(n, dtype=np.bool_)
     with np.errstate(all="ignore"):

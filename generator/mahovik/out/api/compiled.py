@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
-from mahovik.core.formula.derived import formula_cache
+from mahovik.core.formula.derived import cached
 from mahovik.core.program.arrays import ArrayFunction, Member, filled
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
@@ -87,13 +87,13 @@ def compiled(
     if found is not None:
         numbers = store.find_numbers(numbers_key)
         if numbers is None:
-            with formula_cache(warnings.warn):
+            with cached(warnings.warn):
                 numbers = _keep(numbers_key, _numbers(stand, real))
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
             return _load(stand, *found, numbers, element, command, parallel)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-        with formula_cache(warnings.warn):
+        with cached(warnings.warn):
             library, facts, numbers = _compile(stand, real, command, parallel, batches, Path(scratch))
         store.keep(key, library, facts)
         return _load(stand, library, facts, _keep(numbers_key, numbers), element, command, parallel)

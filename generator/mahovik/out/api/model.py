@@ -9,7 +9,7 @@ from typing import Literal
 from numpy.typing import ArrayLike
 
 from mahovik.contract.functions import FUNCTIONS, PublicFunction
-from mahovik.contract.quantities import QUANTITIES, is_shared
+from mahovik.contract.quantities import QUANTITIES, shared
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
@@ -33,7 +33,7 @@ def add_methods(model: type[Built]) -> None:
 
 
 def _method(row: PublicFunction) -> Callable[..., Result]:
-    inputs = [name for name in row.takes if name not in ("x", "wrench") and not is_shared(name)]
+    inputs = [name for name in row.takes if name not in ("x", "wrench") and not shared(name)]
     positional, keyword = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
     parameters = [Parameter(name, positional) for name in ("self", "x")]
     parameters += [Parameter(name, positional, default=0.0) for name in inputs]

@@ -13,7 +13,7 @@ from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.columns import Column, Run
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import read
-from mahovik.core.stand.screening import doubtful_samples
+from mahovik.core.stand.screening import doubtful
 from mahovik.core.stand.screening import numbers as numbers_of
 from mahovik.core.stand.structure import structure
 from mahovik.errors import StandError, UsageError
@@ -62,7 +62,7 @@ def variants(stand: Stand, real: str, samples: Samples) -> Variants:
                 f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero there "
                 "and not here, or the other way round; build a model of its own"
             )
-        unsure = doubtful_samples(found, len(rows))
+        unsure = doubtful(found, len(rows))
         _check_acting(found, numbers)
         kept = ~run.diverged
         if whole is None:

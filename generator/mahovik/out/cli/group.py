@@ -22,9 +22,9 @@ INTERRUPTION = "error: interrupted; no file is half written"
 @contextlib.contextmanager
 def _formulas() -> Iterator[None]:
     """Formulas of the derivation from the cache; new ones are kept, however the command ends."""
-    from mahovik.core.formula.derived import formula_cache
+    from mahovik.core.formula.derived import cached
 
-    with formula_cache(lambda line: click.echo(f"warning: {line}", err=True)):
+    with cached(lambda line: click.echo(f"warning: {line}", err=True)):
         yield
 
 
