@@ -167,8 +167,8 @@ def test_words_of_a_quantity_in_any_order_say_the_same(tmp_path: Path) -> None:
 
 
 QUANTITIES = {
-    'name = "shake"\nwhat = "velocity"': 'quantity "shake", what: expected a statistic and a signal such as "rms acceleration"',
-    'name = "shake"\nwhat = "rms"': 'quantity "shake", what: expected a statistic and a signal such as "rms acceleration"',
+    'name = "shake"\nwhat = "velocity"': 'what: expected a statistic and a signal such as "rms acceleration"',
+    'name = "shake"\nwhat = "rms"': 'what: expected a statistic and a signal such as "rms acceleration"',
     'name = "shake"\nwhat = "rms velocty"': 'did you mean "velocity"',
     'name = "shake"\nwhat = 3': "what: expected a statistic and a signal",
     'name = "shake"\nrms = "velocity"': 'rms: unknown key; expected what = "rms velocity"',

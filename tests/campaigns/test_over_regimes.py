@@ -177,7 +177,7 @@ def test_a_sample_without_equilibrium_has_the_reason_of_rest() -> None:
 def test_a_stand_without_equilibrium_needs_a_start() -> None:
     """Weight that nothing carries: no sample could begin, so the file is refused, with what to do."""
     stand = mahovik.example("bench8").replace({"suspension": None})
-    with pytest.raises(mahovik.UsageError, match=r"^over: .*nothing carries a force.*give an initial state by `start`$"):
+    with pytest.raises(mahovik.UsageError, match=r"^over: .*nothing carries a force.*give .* by `start`$"):
         computation(
             stand, {"regime": {"default": {"speed": 1}}, "until": 0.01}, {"a": {"peak": "rate", "at": "carrier"}}
         )

@@ -31,6 +31,9 @@ WITHOUT = {
     "report": "writes a page",
     "import urdf": "writes a stand file",
     "import mjcf": "writes a stand file",
+    "campaign shard": "prints a line for each shard",
+    "campaign merge": "prints the file that it wrote",
+    "campaign report": "writes a page",
     "completion": "prints a script of a shell",
     "export target": "prints the files that it wrote",
     "export attitude": "prints the files that it wrote",
@@ -42,7 +45,12 @@ WITHOUT = {
 }
 """Commands without a table, and what they print instead."""
 
-ELSEWHERE = {"cost": "test_cost.py", "judge-log": "test_judge_log.py", "replay": "test_replay.py"}
+ELSEWHERE = {
+    **dict.fromkeys(("campaign run", "campaign status", "campaign resume"), "test_campaign.py"),
+    "cost": "test_cost.py",
+    "judge-log": "test_judge_log.py",
+    "replay": "test_replay.py",
+}
 """Commands whose cases need much that their own test has."""
 
 GOOD_CASES = {

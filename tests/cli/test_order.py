@@ -77,6 +77,8 @@ NO_STAND = {"new", "import urdf", "import mjcf", "doctor", "completion"}
 def test_the_stand_is_the_first_argument_and_the_only_one() -> None:
     for name, command in commands():
         shown = [piece for p in command.params if isinstance(p, click.Argument) for piece in usage(command, p)]
+        if name.startswith("campaign "):  # a campaign file names its stand
+            continue
         expected = [] if name in NO_STAND else ["STAND.toml"]
         assert [piece.strip("[]") for piece in shown if "STAND" in piece] == expected, name
         assert len(shown) <= 1, name

@@ -37,7 +37,7 @@ def test_the_campaign_gives_rows(tmp_path: Path) -> None:
     for name, column in rows.quantities.items():
         assert np.isfinite(column).all()
         assert len(np.unique(column)) == 3 or name in ("settled", "tilt")
-    assert load_campaign(tmp_path / "shake.toml").table.quantities.keys() == rows.quantities.keys()
+    assert load_campaign(tmp_path / "shake.toml").table.quantity.keys() == rows.quantities.keys()
 
 
 def test_tables_are_those_of_the_code() -> None:

@@ -30,14 +30,18 @@ def quantities_by_name(document: dict[str, Any], problems: Problems) -> dict[str
         elif name in found:
             problems.add(f"quantity[{i}]", "name", f"{show(name)} is the name of another quantity")
         else:
-            found[name] = _with_statistic(table, f"quantity {show(name)}", problems)
+            table = _with_statistic(table, f"quantity {show(name)}", problems)
+            if table:
+                found[name] = table
     return {**document, "quantity": found}
 
 
 def _with_statistic(table: dict[str, Any], where: str, problems: Problems) -> dict[str, Any]:
+    """The table with a statistic as key; empty where it says none."""
     for key in STATISTICS:
         if key in table:
             problems.add(where, key, f'unknown key; expected what = "{key} {table[key]}"')
+            return {}
     if "what" not in table:
         return table
     what = table.pop("what")
@@ -45,6 +49,6 @@ def _with_statistic(table: dict[str, Any], where: str, problems: Problems) -> di
     statistics = [word for word in words if word in STATISTICS]
     if len(statistics) != 1 or len(words) < 2:
         problems.add(where, "what", f"{_EXAMPLE}, a statistic of {', '.join(STATISTICS)}; found {show(what)}")
-        return table
+        return {}
     table[statistics[0]] = "_".join(word for word in words if word not in statistics)
     return table
