@@ -44,7 +44,7 @@ def test_tables_are_those_of_the_code() -> None:
     """Signals with their units, statistics, runs."""
     signals = [name for cell in first_column("signal") for name in re.findall(r"`(\w+)`", cell)]
     assert signals == list(SIGNALS)
-    statistics = [name for cell in first_column("key") for name in re.findall(r"`(\w+)`", cell)]
+    statistics = [name for cell in first_column("statistic") for name in re.findall(r"`(\w+)`", cell)]
     assert set(statistics) == {*STATISTICS, "band"}
     runs = [name for cell in first_column("`[over]`") for name in re.findall(r"`(\w+)`", cell)]
     assert list(dict.fromkeys(runs)) == ["regime", "speeds", "programme", "servo", "states"]
