@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -99,3 +100,13 @@ def test_what_is_missing_is_status_1(out: Path, tmp_path: Path) -> None:
     said = refused("campaign", "merge", str(tmp_path / "out"), "-o", "all.parquet", status=1)
     assert "2 of 3 shards are missing or damaged: 0, 2; `mahovik campaign resume" in said
     assert not Path("all.parquet").exists()
+
+
+def test_without_pyarrow_nothing_is_begun(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A line with the command that installs it, and no folder."""
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    (tmp_path / "c.toml").write_text(FILE)
+    said = run("campaign", "run", str(tmp_path / "c.toml"), "-o", str(tmp_path / "out"))
+    assert said.exit_code == 2
+    assert said.stderr == 'error: campaigns need pyarrow: pip install "mahovik[campaign]"\n'
+    assert not (tmp_path / "out").exists()

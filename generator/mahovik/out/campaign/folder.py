@@ -9,7 +9,7 @@ from pathlib import Path
 from mahovik.errors import UsageError
 from mahovik.out.campaign.manifest import NAME, Manifest, describe, read_manifest, require_same, write_manifest
 from mahovik.out.campaign.rows import Work
-from mahovik.out.campaign.shards import DamagedError, Record, read_shard, record_of, write_shard
+from mahovik.out.campaign.shards import DamagedError, Record, packages, read_shard, record_of, write_shard
 from mahovik.writing import probe
 
 Load = Callable[[Path, int | None], Work]
@@ -26,8 +26,9 @@ def load_campaign(path: Path, shard_size: int | None) -> Work:
 def begin(folder: Path, file: Path, work: Work) -> Manifest:
     """Begin a folder for the campaign of a file, or go on with one of the same campaign.
 
-    Raises UsageError: rows of another campaign, of a changed stand or of another version; other files.
+    Raises UsageError: rows of another campaign, of a changed stand or of another version; other files; no pyarrow.
     """
+    packages()  # without them nothing is begun
     if (folder / NAME).is_file():
         manifest = read_manifest(folder)
         require_same(manifest, work, str(folder))
