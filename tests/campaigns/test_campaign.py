@@ -172,6 +172,7 @@ QUANTITIES = {
     'name = "shake"\nwhat = "rms velocty"': 'did you mean "velocity"',
     'name = "shake"\nwhat = 3': "what: expected a statistic and a signal",
     'name = "shake"\nrms = "velocity"': 'rms: unknown key; expected what = "rms velocity"',
+    'name = "shake"\nwhat = "rms velocity"\nbnd = 3': 'quantity, shake: unknown key "bnd", did you mean "band"?',
     'what = "rms velocity"': "quantity[0], name: required, but missing",
     'name = 3\nwhat = "rms velocity"': "quantity[0], name: expected a string, found 3",
     'name = "a"\nwhat = "rms velocity"\n[[quantity]]\nname = "a"': '"a" is the name of another quantity',

@@ -15,6 +15,7 @@ from mahovik import stands
 from mahovik.core.motion.programme import load_programme, programme_text, read_programme
 from mahovik.core.motion.required import load_motion, read_motion
 from mahovik.core.stand import load
+from mahovik.errors import MotionError
 
 pytestmark = READERS
 
@@ -69,6 +70,13 @@ PROGRAMMES = [
 @pytest.mark.parametrize("motion", MOTIONS)
 def test_the_examples_are_motions(motion: dict[str, object]) -> None:
     assert read_motion(json.dumps(motion), DEMO3).span == 1.0
+
+
+def test_half_of_a_pair_is_no_character() -> None:
+    """JSON can write it, `"\\ud800"`; UTF-8 cannot."""
+    text = json.dumps(MOTIONS[0] | {"type": "\ud800"})
+    with pytest.raises(MotionError, match="not JSON: "):
+        read_motion(text, DEMO3)
 
 
 @fuzzed(300)

@@ -49,6 +49,8 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
     """The keys of a file of schema 1. Raises `error` with one line."""
     try:
         found = parse(text) if is_json else toml.parse(text)
+        if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
+            json.dumps(found, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:
         raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
     if not isinstance(found, dict):

@@ -85,7 +85,7 @@ def keys_of(table: type[BaseModel]) -> list[str]:
 def _table_at(table: type[BaseModel], location: tuple[int | str, ...]) -> type[BaseModel]:
     """The table model that a location inside `table` leads to."""
     for step in location:
-        if isinstance(step, str):
+        if isinstance(step, str) and step in table.model_fields:  # others are keys of a table of tables
             table = _model_in(table.model_fields[step].annotation) or table
     return table
 
