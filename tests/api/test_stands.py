@@ -98,7 +98,7 @@ def test_all_problems_of_a_mapping_are_named() -> None:
     lines = str(error.value).splitlines()
     assert len(lines) >= 3 and all(line.startswith("trial: ") for line in lines)
     with pytest.raises(mahovik.UsageError, match="expected a mapping"):
-        mahovik.Stand.from_dict([1])  # type: ignore[arg-type]
+        mahovik.Stand.from_dict([1])  # type: ignore[arg-type]  # what a user may pass
 
 
 def test_a_saved_stand_is_the_same(tmp_path: Path) -> None:

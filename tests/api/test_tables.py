@@ -174,7 +174,7 @@ def test_tables_of_another_model_and_of_another_number_are_refused() -> None:
     with pytest.raises(InputError, match="different numbers of states: 3 given, tables 2"):
         m.forward(m.states(3), tables=tables)
     with pytest.raises(InputError, match=r"expected what model\.tables makes"):
-        m.forward(m.state(), tables=[1])  # type: ignore[arg-type]
+        m.forward(m.state(), tables=[1])  # type: ignore[arg-type]  # what a user may pass
 
 
 def test_thin_discs_are_bodies_without_being_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,7 +19,7 @@ def write(
 
 def read(folder: Path, body: str, **head: object) -> CampaignFile:
     """The campaign of such a file."""
-    return load_campaign(write(folder, body, **head))  # type: ignore[arg-type]
+    return load_campaign(write(folder, body, **head))  # type: ignore[arg-type]  # keys of the head, by name
 
 
 def refusal(folder: Path, body: str, **head: object) -> str:

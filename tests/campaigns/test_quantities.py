@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -108,6 +109,7 @@ TABLE = "bench8"
         (SPEED, {"function": "f.py:f"}, "function: f.py: no such file"),
         ({"speeds": {"w1": 100}}, {"peak": "torque", "of": "w1"}, "no signal `torque` over speeds; expected one of"),
         ({"speeds": {"w1": 100}}, {"end": "rate", "at": "carrier"}, "no statistic `end` over speeds"),
+        ({"speeds": {"w1": date(2000, 1, 1)}}, {"rms": "rate", "at": "carrier"}, "speeds: w1: expected a speed"),
         ({"speeds": {"w1": 100, "w2": 3.14}}, {"rms": "rate", "at": "carrier"}, "over: speeds 100, 3.14"),
         ({"speeds": {"w1": "0..100"}}, {"rms": "rate", "at": "carrier"}, "a range of speeds, expected one speed"),
         ({"states": "none.jsonl"}, {"peak": "rate", "at": "carrier"}, "none.jsonl: no such file"),

@@ -17,6 +17,8 @@ from mahovik.core.stand.structure_facts import Structure
 class LawLowering:
     """A law between E0 and the carrier: LOWERING of the module `lower` of its folder.
 
+    Every law has its own form of the methods that raise NotImplementedError; the empty ones it may leave as they are.
+
     words        the law in the list of kinds of wrench
     placed       does its wrench depend on the place of O1?
     invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing

@@ -109,7 +109,7 @@ class ArrayLibrary:
             self._block_bytes.argtypes, self._block_bytes.restype = (ctypes.c_int,), ctypes.c_size_t
 
     def block_bytes(self, mountings: bool) -> int:
-        """Bytes of a block of prepared tables, or of mountings."""
+        """How many bytes a block of prepared tables takes, or one of mountings."""
         assert self._block_bytes is not None
         return int(self._block_bytes(int(mountings)))
 

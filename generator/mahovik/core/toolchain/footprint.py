@@ -111,7 +111,7 @@ def _symbols(listing: str) -> Iterator[tuple[int, str, str]]:
 
 
 def _sections(listing: str) -> tuple[int, int]:
-    """Bytes of code and of constants, over all sections of that sort."""
+    """How many bytes the sections of code have together, and those of constants."""
     text = data = 0
     for line in listing.splitlines():
         words = line.split()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Protocol
@@ -92,12 +93,8 @@ class Sobol:
 
 
 @dataclass(frozen=True)
-class Saltelli:
-    """Pairs of points of a Sobol' sequence that exchange one factor after the other: for Sobol' indices.
-
-    The order of the samples is that of SALib without second order: the first point, then it with each factor in
-    turn of the second point, then the second point.
-    """
+class InBlocks(ABC):
+    """A design whose samples come in blocks that belong together; `wanted` is rounded up to whole blocks."""
 
     factors: tuple[str, ...]
     wanted: int
@@ -105,13 +102,28 @@ class Saltelli:
     independent: bool = False
 
     @property
+    @abstractmethod
     def block(self) -> int:
-        """Samples of one pair of points."""
-        return len(self.factors) + 2
+        """Samples of a block."""
 
     @property
     def samples(self) -> int:
+        """Number of samples."""
         return -(-self.wanted // self.block) * self.block
+
+
+@dataclass(frozen=True)
+class Saltelli(InBlocks):
+    """Pairs of points of a Sobol' sequence that exchange one factor after the other: for Sobol' indices.
+
+    The order of the samples is that of SALib without second order: the first point, then it with each factor in
+    turn of the second point, then the second point.
+    """
+
+    @property
+    def block(self) -> int:
+        """Samples of one pair of points."""
+        return len(self.factors) + 2
 
     def unit(self, first: int, count: int) -> Array:
         d, block = len(self.factors), self.block
@@ -126,26 +138,17 @@ class Saltelli:
 
 
 @dataclass(frozen=True)
-class Morris:
+class Morris(InBlocks):
     """Morris' trajectories: from a random point, one factor after the other jumps by half of its range.
 
     The levels are the medians of as many parts of equal probability, so that no sample is at the end of a
     distribution, which for a normal one is infinite.
     """
 
-    factors: tuple[str, ...]
-    wanted: int
-    seed: int
-    independent: bool = False
-
     @property
     def block(self) -> int:
         """Samples of one trajectory."""
         return len(self.factors) + 1
-
-    @property
-    def samples(self) -> int:
-        return -(-self.wanted // self.block) * self.block
 
     @cached_property
     def levels(self) -> Array:

@@ -33,7 +33,7 @@ SIZE = 256
 """Samples that are stepped together: their tables and states stay in the cache of the processor."""
 
 STORED = 1 << 26
-"""Bytes of values that a block keeps until its end, at most."""
+"""A block keeps at most this many bytes of values until its end."""
 
 MOST_STORED = 1 << 30
 """More than that, of the smallest block, is refused."""

@@ -113,7 +113,9 @@ def read_manifest(folder: Path) -> Manifest:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise UsageError(f"{folder}: no campaign was begun here; `mahovik campaign run C.toml -o {folder}`") from None
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
+    except ValueError as error:
         raise UsageError(f"{path}: cannot be read: {error}") from None
     try:
         found = json.loads(text)

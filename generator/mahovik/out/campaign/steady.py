@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 
 import numpy as np
 
@@ -58,9 +59,9 @@ class SteadyRunner:
 
 
 def _number(name: str, value: object) -> float:
-    if isinstance(value, bool | dict | list):
+    if isinstance(value, bool) or not isinstance(value, int | float | Decimal):
         raise UsageError(f"speeds: {name}: expected a speed, found {show(value)}")
-    return float(value)  # type: ignore[arg-type]  # TOML has nothing else
+    return float(value)
 
 
 def series(motion: Periodic, place: Place, name: str) -> Array:

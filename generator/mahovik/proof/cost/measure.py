@@ -210,7 +210,7 @@ def _function(stand: Stand, found: Footprint, lines: Sequence[Line], name: str) 
 
 
 def _flywheel(made: Generated, width: int) -> dict[str, int]:
-    """Bytes that one flywheel adds to each table of constants, by the table's C name without prefix."""
+    """How many bytes one flywheel adds to each table of constants, by the table's C name without prefix."""
     tables = {row.struct: row.default for row in TABLES.values() if row.default}
     found = {}
     for struct in made.program.structs:

@@ -71,7 +71,7 @@ def _target(costs: Costs, found: TargetCost) -> str:
 
 
 def _code(costs: Costs) -> str:
-    """Bytes of each function's own code, target by target; what the compiler cut off a function is counted with it."""
+    """How many bytes each function has by itself, by target, with what the compiler cut off it."""
     columns = []
     for target in costs.targets:
         sizes: Counter[str] = Counter()

@@ -154,7 +154,7 @@ FINER = 20
 """Points of the grid for each node of the programme."""
 
 OFFSET = 0.382
-"""Offset of the grid, in steps, so that no node repeats."""
+"""The grid begins this share of a step after a node of the programme, so that no node is a point of the grid."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -67,7 +67,7 @@ class ByCarrier:
 
 
 def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> ByCarrier:
-    """ByCarrier at M twists of the carrier and flywheel motions phi, phi' (M, N each; rad, s).
+    """Slopes by the carrier's motion at M twists of it, for flywheel motions phi, phi' (M, N each; rad, s).
 
     Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a law is
     undefined.
