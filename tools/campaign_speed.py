@@ -101,7 +101,7 @@ def batch_alone(stand: mahovik.Stand, changes: Any, order: int, steps: int) -> f
     The same work: every step, and the acceleration after every tenth.
     """
     model = mahovik.build(stand)
-    library = compiled(stand, "double", np.dtype(np.float64), None, parallel=False).library
+    library = compiled(stand, "double", np.dtype(np.float64), None, parallel=False).of_tables
     best = np.inf
     for n in SIZES:
         tables = model.tables({path: values[:n] for path, values in changes.items()})
