@@ -65,6 +65,8 @@ def test_a_flywheel_given_by_its_inertia_takes_an_unbalance() -> None:
     both = stand.replace({"w1.unbalance.dynamic": "30 g mm^2", "w1.unbalance.static": "2 g mm"}).flywheels[0]
     assert math.hypot(both.inertia[0][1], both.inertia[0][2]) == pytest.approx(30e-9, rel=1e-14)
     assert both.center_of_mass == after.center_of_mass
+    heavier = stand.replace({"w1.unbalance.static": "2 g mm", "w1.mass": 2 * before.mass}).flywheels[0]
+    assert heavier.mass * math.hypot(*heavier.center_of_mass[1:]) == pytest.approx(2e-6, rel=1e-14)
 
 
 def test_a_copy_does_not_keep_keys_that_are_out_of_date() -> None:

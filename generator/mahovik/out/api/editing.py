@@ -35,14 +35,35 @@ def exact(value: Any) -> Any:
     return Decimal(repr(float(value))) if isinstance(value, Real) else value
 
 
-def put(document: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a path of the document, the keys of a stand file. Raises UsageError, StandError."""
+def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
+    """Set values by path in the document, the keys of a stand file; a None takes a key away.
+
+    Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is what it was set to, whatever
+    mass and centre of mass are set beside it. Raises UsageError, StandError.
+    """
+    unbalances: dict[tuple[str, ...], dict[str, Any]] = {}
+    for path, value in changes.items():
+        *way, last = path.split(".")
+        if len(way) > 1 and way[-1] == "unbalance":
+            unbalances.setdefault(tuple(way), {})[last] = value
+        else:
+            _put_one(document, path, value)
+    for (*way, part), keys in unbalances.items():
+        path = ".".join((*way, part, next(iter(keys))))
+        place: Any = document
+        for k, each in enumerate(way):
+            place = _inside(document, place, each, path, first=k == 0)
+        if isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
+            place.update(_unbalance_keys(document, place, keys))
+        else:
+            for key, value in keys.items():
+                _put_one(document, ".".join((*way, part, key)), value)
+
+
+def _put_one(document: dict[str, Any], path: str, value: Any) -> None:
     *way, last = path.split(".")
     place: Any = document
     for k, part in enumerate(way):
-        if part == "unbalance" and isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
-            place.update(_unbalance_keys(document, place, last, value))
-            return
         place = _inside(document, place, part, path, first=k == 0)
     if isinstance(place, list):
         number = _number(place, last, path)
@@ -102,15 +123,15 @@ def unbalance_of(wheel: Flywheel) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], key: str, value: Any) -> dict[str, Any]:
-    """The centre of mass and the inertia of a flywheel after a change of its unbalance, as keys of its table."""
+def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], keys: Mapping[str, Any]) -> dict[str, Any]:
+    """The centre of mass and the inertia of a flywheel with other numbers of its unbalance, as keys of its table."""
     problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
     given = validate_table(with_laws(FlywheelTable), dict(table), problems, where)
     wheel = None if given is None else build.flywheel(given, where, problems)
     if wheel is None:
         raise StandError(problems.lines)
     (x, _, _), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
-    changed = {name: exact(number) for name, number in unbalance_of(wheel).items()} | {key: exact(value)}
+    changed = {name: exact(number) for name, number in (unbalance_of(wheel) | dict(keys)).items()}
     found = validate_table(UnbalanceTable, changed, problems, f"{where} unbalance")
     if found is None:
         raise StandError(problems.lines)

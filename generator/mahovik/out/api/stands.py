@@ -53,11 +53,11 @@ class Stand(CoreStand):
         A path begins with the name of a body, point or law's part, or with a key of the file; keys follow, and numbers
         for places in a list, from 0. The value None takes the key away. A flywheel that its file gives by centre of
         mass and inertia takes `unbalance` too: its axial offset and its moments of inertia about the origin stay.
+        Numbers of `unbalance` are set last, so a static unbalance is as given whatever mass is set beside it.
         Raises UsageError for a path that leads nowhere, StandError with every problem of the result.
         """
         document = self.to_dict()
-        for path, value in changes.items():
-            put(document, path, value)
+        put(document, changes)
         return _read(document, self.name)
 
     def save(self, path: str | Path) -> None:

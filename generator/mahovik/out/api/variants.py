@@ -115,8 +115,7 @@ def first_reason(error: Exception, source: str) -> str:
 def changed(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
     """The keys of a stand file with other values by path. Raises UsageError, StandError."""
     document = stand.to_dict()
-    for path, value in values.items():
-        put(document, path, value)
+    put(document, values)
     return document
 
 
