@@ -38,7 +38,7 @@ def exact(value: Any) -> Any:
 def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
     """Set values by path in the document, the keys of a stand file; a None takes a key away.
 
-    Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is what it was set to, whatever
+    Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is as given, whatever
     mass and centre of mass are set beside it. Raises UsageError, StandError.
     """
     unbalances: dict[tuple[str, ...], dict[str, Any]] = {}
