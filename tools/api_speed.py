@@ -11,10 +11,9 @@ from collections.abc import Callable, Sequence
 import campaign
 import numpy as np
 from kept import Campaign, Columns, Figures
+from measure_speed import measure_speed
 
 import mahovik
-from mahovik.core.toolchain.board import version
-from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 
 COUNTS = (1, 10, 100, 1000, 10_000, 100_000)
@@ -93,16 +92,5 @@ CAMPAIGN = Campaign(
 )
 
 
-def main() -> None:
-    """Measures, keeps, renders the page."""
-    given = campaign.parser(__doc__, print=False).parse_args()
-    compiler = version(find_compiler()[0])
-    found = {"compiler": compiler, "processor": campaign.processor(), "rows": TABLE.rows(rows())}
-    if given.print:
-        print(page(found))
-    else:
-        CAMPAIGN.keep(found)
-
-
 if __name__ == "__main__":
-    main()
+    measure_speed(__doc__, CAMPAIGN, TABLE, rows)

@@ -36,7 +36,7 @@ shard = 200
 "carrier.mass" = { tolerance = "0.5 kg" }
 [over]
 regime = { default = { speed = "2000 rpm" } }
-until = "0.1 s"
+until = "1 s"
 dt = "0.5 ms"
 [[quantity]]
 name = "shake"

@@ -17,13 +17,12 @@ import campaign
 import numpy as np
 import tables_speed
 from kept import Campaign, Columns, Figures
+from measure_speed import measure_speed
 
 import mahovik
 from mahovik.core.motion.document import validate_table
 from mahovik.core.stand.problems import Problems
 from mahovik.core.toolchain.arrays import ArrayLibrary
-from mahovik.core.toolchain.board import version
-from mahovik.core.toolchain.compiler import find_compiler
 from mahovik.out.api.compiled import compiled
 from mahovik.out.api.editing import exact
 from mahovik.out.campaign.compute import Computation, prepare
@@ -194,16 +193,5 @@ CAMPAIGN = Campaign(
 )
 
 
-def main() -> None:
-    """Measures, keeps, renders the page."""
-    given = campaign.parser(__doc__, print=False).parse_args()
-    compiler = version(find_compiler()[0])
-    found = {"compiler": compiler, "processor": campaign.processor(), "rows": TABLE.rows(rows())}
-    if given.print:
-        print(page(found))
-    else:
-        CAMPAIGN.keep(found)
-
-
 if __name__ == "__main__":
-    main()
+    measure_speed(__doc__, CAMPAIGN, TABLE, rows)
