@@ -110,7 +110,7 @@ class _Scaled:
         best, most = x, float(np.abs(self.left(x)).max())
         turns = np.exp(2j * np.pi * np.arange(SIDES) / SIDES)
         rows = [(m, u) for m in range(M) for u in turns]
-        walls = [(k, u) for k in np.flatnonzero(np.isfinite(self.most)) for u in turns]
+        walls = [(k, u) for k in range(N) if self.most[k] < np.inf for u in turns]
         bound = 0.0
         for _ in range(ROUNDS):
             polished = self.within(self._polish(x))
