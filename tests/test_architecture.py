@@ -31,6 +31,7 @@ STAGES = (
     ("use.control",),
     ("use.plan",),
     ("use.simulate",),
+    ("use.measured",),
     ("proof.evidence",),
     ("proof.diagnose",),
     ("proof.cost",),
