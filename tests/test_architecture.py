@@ -32,6 +32,7 @@ STAGES = (
     ("use.control",),
     ("use.plan",),
     ("use.simulate",),
+    ("use.measured",),
     ("proof.evidence",),
     ("proof.diagnose",),
     ("proof.cost",),
