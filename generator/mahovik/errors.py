@@ -54,6 +54,12 @@ class CampaignError(FileError):
     """A campaign file was refused."""
 
 
+class BalanceError(FileError):
+    """Data for balancing were refused."""
+class DataError(FileError):
+    """Files of measured data were refused."""
+
+
 class ForeignError(FileError):
     """A model of another program was refused: no stand, or no model."""
 
