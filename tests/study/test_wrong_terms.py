@@ -38,7 +38,8 @@ def found(name: str, change: Change, tau: Callable[[Request, Any], Any] = lambda
             return {"tau": np.array(tau(request, right)).tolist()}
         K, right = at.K.copy(), at.F - bias(at) - at.I @ np.array(request.state.phi_ddot)
         change(K, right, at)
-        return {"V_dot": at.V_dot(np.linalg.solve(K, right)).tolist()}
+        V_r_dot = np.asarray(np.linalg.solve(K, right), dtype=np.float64)
+        return {"V_dot": at.V_dot(V_r_dot).tolist()}
 
     return search(name).find(answers)
 
