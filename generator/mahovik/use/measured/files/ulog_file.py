@@ -30,7 +30,7 @@ def read_ulog(path: Path, content: bytes) -> list[Table]:
         raise DataError([f"{path}: cannot be read as ULog: {str(error) or type(error).__name__}"]) from None
     lost = sum(dropout.duration for dropout in found.dropouts)
     notes = (f"{len(found.dropouts)} drops of the logger, {lost} ms in all",) if found.dropouts else ()
-    tables = []
+    tables: list[Table] = []
     for topic in found.data_list:
         label = topic.name if topic.multi_id == 0 else f"{topic.name}#{topic.multi_id}"
         time = next((field for field in TIMES if field in topic.data and np.any(topic.data[field])), None)
