@@ -179,7 +179,7 @@ def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analog
     """Speed that changes, pulses at any angle; up to the step of time, and a constant."""
     t = clock(4000)
     phase = speed * t + 0.5 * acceleration * t**2
-    if (speed + acceleration * t).min() < 10.0:
+    if (speed + acceleration * t).min() < 20.0:
         return
     turn = (phase / TURN + at) % 1.0
     signal = np.exp(-(((turn - 0.5) / 0.1) ** 2)) if analogue else (turn < 0.3).astype(float)
