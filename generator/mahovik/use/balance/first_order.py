@@ -1,7 +1,7 @@
 """First order of each flywheel in measured channels: x = Re(X exp(i phi)), least squares over one recording.
 
-Regressors are a constant, a drift, and cos, sin of each flywheel's phase and of twice it. The flywheels turn at constant
-speeds, no two alike.
+Regressors are a constant, a drift, and cos, sin of each flywheel's phase and of twice it. The flywheels turn at
+constant speeds, no two alike.
 """
 
 from __future__ import annotations
