@@ -54,8 +54,8 @@ def balance(
 
     Of a stand with --data: its flywheels at constant speeds, all at once and without trial weights, by the model.
 
-    Of any rotor with --influence: from the vibration at any number of sensors and speeds before balancing, and with trial
-    weights in any number of planes. Angles of corrections are those of the trial weights.
+    Of any rotor with --influence: from the vibration at any number of sensors and speeds before balancing, and with
+    trial weights in any number of planes. Angles of corrections are those of the trial weights.
     """
     if (influence is None) == (stand_file is None):
         raise UsageError("give either --influence FILE.json, or STAND.toml with --data FILE")
@@ -89,16 +89,23 @@ def balance(
         _print_stand(cast("StandBalance", found))
 
 
-def _planes(given: Sequence[str]) -> dict[str, tuple[str, ...]]:
-    """Texts of places by flywheel. Raises UsageError."""
-    found: dict[str, tuple[str, ...]] = {}
+def _planes(given: Sequence[str]) -> dict[str, tuple[float | str, ...]]:
+    """Places by flywheel: texts with a unit, or numbers in m. Raises UsageError."""
+    found: dict[str, tuple[float | str, ...]] = {}
     for text in given:
         name, equal, places = text.partition("=")
         if not equal or name in found:
             what = "given twice" if equal else "expected NAME=X,.., as w1=-10mm,10mm"
             raise UsageError(f"--plane {text}: {what}")
-        found[name] = tuple(each.strip() for each in places.split(","))
+        found[name] = tuple(_place(each.strip()) for each in places.split(","))
     return found
+
+
+def _place(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 def _print_stand(found: StandBalance) -> None:
@@ -112,11 +119,10 @@ def _print_stand(found: StandBalance) -> None:
             )
             rows.append((wheel["name"], f"{1e3 * each['position']:g}", amount, angle, f"{each['residual']:.3g}"))
         static, grade, seen = wheel["static"], wheel["grade"], wheel["vibration"].values()
-        wheels.append(
-            (wheel["name"], f"{wheel['speed']:.6g}", f"{static['before']:.5g}", f"{static['residual']:.3g}")
-            + (grade["before"], grade["residual"])
-            + (", ".join(f"{each['before']:.4g} -> {each['after']:.3g}" for each in seen), f"{wheel['fit']:.3g}")
-        )
+        speed, before, left = f"{wheel['speed']:.6g}", f"{static['before']:.5g}", f"{static['residual']:.3g}"
+        change = ", ".join(f"{each['before']:.4g} -> {each['after']:.3g}" for each in seen)
+        grades = (grade["before"], grade["residual"])
+        wheels.append((wheel["name"], speed, before, left, *grades, change, f"{wheel['fit']:.3g}"))
     print_table(("flywheel", "plane, mm>", "correction, g mm>", "at, deg>", "residual, g mm>"), rows)
     names = ("flywheel", "speed, rad/s>", "static, g mm>", "residual>", "grade", "residual", "vibration>", "fit>")
     print_table(names, wheels)

@@ -40,7 +40,7 @@ class Balance(Table):
         return self.solution.w
 
     @property
-    def left(self) -> Complex:
+    def residual(self) -> Complex:
         """Vibration that is left (M)."""
         return self.solution.left
 
@@ -59,9 +59,9 @@ class Balance(Table):
         zero = NOTHING * float(np.abs(self.problem.A).max())
         found: dict[str, Any] = {
             "w": [write_polar(each) for each in self.w.tolist()],
-            "left": [write_polar(each, zero) for each in self.left.tolist()],
+            "left": [write_polar(each, zero) for each in self.residual.tolist()],
             "corrections": [_exact(each) for each in self.w.tolist()],
-            "largest": {"before": float(np.abs(self.problem.A).max()), "after": float(np.abs(self.left).max())},
+            "largest": {"before": float(np.abs(self.problem.A).max()), "after": float(np.abs(self.residual).max())},
         }
         if self.solution.bound is not None:
             found["bound"] = self.solution.bound
@@ -84,7 +84,7 @@ class Balance(Table):
         return found
 
     def __repr__(self) -> str:
-        before, after = float(np.abs(self.problem.A).max()), float(np.abs(self.left).max())
+        before, after = float(np.abs(self.problem.A).max()), float(np.abs(self.residual).max())
         return f"<Balance of {len(self.w)} planes: largest vibration {before:.4g} before, {after:.4g} after>"
 
 

@@ -107,7 +107,7 @@ def _wheel(
     sizes = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
     if M < P or not np.all(size) or sizes[-1] < INDEPENDENT * sizes[0]:
         at = ", ".join(f"{1e3 * x:g} mm" for x in positions)
-        words = f"planes at {at} cannot be told apart by these channels; use fewer planes or more sensors"
+        words = f"planes at {at} act alike on these channels; use fewer planes or more sensors"
         raise BalanceError([f"{flywheel.name}: {words}"])
     w = np.linalg.lstsq(weighted, -X / error, rcond=None)[0]
     left = (X + alpha @ w) / error

@@ -28,9 +28,9 @@ FLOOR = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class FirstOrder:
-    """Of a recording with K channels: speeds (N, rad/s; 0 where a flywheel has no phase), X (K, N), error (K, N).
+    """First orders X (K, N) in the K channels of a recording, at speeds (N, rad/s; 0 where a flywheel has no phase).
 
-    error   standard error of each of the two components of X
+    error   (K, N): standard error of each of the two components of X
     """
 
     source: str
