@@ -144,10 +144,8 @@ class _Reader:
         rows = raw.get(key)
         if not isinstance(rows, list | tuple) or not rows or not all(isinstance(row, list | tuple) for row in rows):
             hint = ', or "ALPHA" in place of B and U' if key == "B" and key not in raw else ""
-            self.say(
-                key,
-                f"expected a list of rows, one for each sensor, {'missing' if key not in raw else 'found no such list'}{hint}",
-            )
+            found = "missing" if key not in raw else "found no such list"
+            self.say(key, f"expected a list of rows, one for each sensor, {found}{hint}")
             return None
         N = len(rows[0])
         for i, row in enumerate(rows):
