@@ -136,8 +136,9 @@ def with_weights(flywheel: Flywheel, wheel: WheelBalance) -> Flywheel:
     radius, mass, J = 0.03, flywheel.mass, inertia_about_origin(flywheel)
     moment = mass * np.array(flywheel.center_of_mass)
     for x, w in zip(wheel.positions, wheel.w, strict=True):
-        m, p = abs(w) / radius, np.array([x, *(radius * np.array([w.real, w.imag]) / abs(w))])
-        mass, moment, J = mass + m, moment + m * p, J + m * (p @ p * np.eye(3) - np.outer(p, p))
+        m, at = abs(w) / radius, np.array([x, *(radius * np.array([w.real, w.imag]) / abs(w))])
+        mass, moment, J = mass + m, moment + m * at, J + m * (at @ at * np.eye(3) - np.outer(at, at))
     a, b, c = (moment / mass).tolist()
-    inertia = tuple(tuple(row) for row in J.tolist())
+    (p, q, r), (s, t, u), (v, k, n) = J.tolist()
+    inertia = ((p, q, r), (s, t, u), (v, k, n))
     return replace(flywheel, mass=mass, center_of_mass=(a, b, c), inertia=inertia, inertia_about="origin")
