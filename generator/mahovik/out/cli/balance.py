@@ -35,7 +35,7 @@ def balance(
     method: str = choice(
         "--method",
         ["least-squares", "min-max"],
-        "Minimise this of the vibration; of --influence.",
+        "Choose how corrections of --influence are found.",
         default="least-squares",
     ),
     data: tuple[str, ...] = file_option(
@@ -43,7 +43,7 @@ def balance(
     ),
     planes: tuple[str, ...] = option(
         "--plane",
-        'Correct a flywheel, or "all", in planes at these places of its axis; default 0.',
+        'Set planes of a flywheel, or of "all", at these places on its axis; default 0.',
         metavar="NAME=X,..",
         multiple=True,
     ),
