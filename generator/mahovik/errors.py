@@ -56,6 +56,8 @@ class CampaignError(FileError):
 
 class BalanceError(FileError):
     """Data for balancing were refused."""
+
+
 class DataError(FileError):
     """Files of measured data were refused."""
 

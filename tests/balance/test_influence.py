@@ -35,8 +35,8 @@ def case(seed: int, M: int, N: int) -> dict[str, object]:
 def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int, more: int) -> None:
     given_case = case(seed, N + more, N)
     least, best = (mahovik.balance(given_case, method=each) for each in ("least-squares", "min-max"))
-    assert np.abs(least.problem.alpha.conj().T @ least.left).max() < 1e-9
-    assert np.abs(best.left).max() <= np.abs(least.left).max() + 1e-7
+    assert np.abs(least.problem.alpha.conj().T @ least.residual).max() < 1e-9
+    assert np.abs(best.residual).max() <= np.abs(least.residual).max() + 1e-7
     rng = np.random.default_rng(seed)
     for size in (1e-3, 1e-2, 0.1):
         near = best.w + size * (rng.normal(size=(50, N)) + 1j * rng.normal(size=(50, N)))

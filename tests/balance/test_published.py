@@ -72,7 +72,7 @@ def test_kelm_pavelek() -> None:
     )
     assert abs(found.w) == pytest.approx([17.5, 30.3], rel=0.03)
     printed = found.problem.A + found.problem.alpha @ numbers(["17.5@230", "30.3@0"])
-    assert np.linalg.norm(found.left) < np.linalg.norm(printed)
+    assert np.linalg.norm(found.residual) < np.linalg.norm(printed)
 
 
 def test_goodman() -> None:
@@ -86,7 +86,7 @@ def test_goodman() -> None:
     }
     assert numbers(mahovik.balance(case).to_dict()["w"]).real == pytest.approx([0.81, 1.48], abs=0.005)
     best = mahovik.balance(case, method="min-max")
-    assert np.ptp(np.abs(best.left)) < 1e-6 * np.abs(best.left).max()
+    assert np.ptp(np.abs(best.residual)) < 1e-6 * np.abs(best.residual).max()
 
 
 def test_foiles_min_max() -> None:
@@ -95,13 +95,13 @@ def test_foiles_min_max() -> None:
     printed = numbers(["4.42@88", "2.92@352", "1.588@322", "1.928@304"])
     assert np.abs(found.w - printed).max() < 0.03 * np.abs(printed).max()
     theirs = np.abs(found.problem.A + found.problem.alpha @ printed).max()
-    assert np.abs(found.left).max() <= theirs
-    assert found.solution.bound == pytest.approx(np.abs(found.left).max(), rel=1e-6)
+    assert np.abs(found.residual).max() <= theirs
+    assert found.solution.bound == pytest.approx(np.abs(found.residual).max(), rel=1e-6)
 
 
 def test_foiles_limited() -> None:
-    """The same with at most 3.402 in a plane."""
+    """Weights of the same case, at most 3.402 in a plane."""
     found = mahovik.balance({**PLAIN, "most": 3.402}, method="min-max")
     printed = numbers(["3.402@91", "2.325@354", "1.361@318", "1.786@305"])
     assert np.abs(found.w).max() <= 3.402 * (1 + 1e-9)
-    assert np.abs(found.left).max() <= np.abs(found.problem.A + found.problem.alpha @ printed).max() * (1 + 1e-3)
+    assert np.abs(found.residual).max() <= np.abs(found.problem.A + found.problem.alpha @ printed).max() * (1 + 1e-3)

@@ -61,7 +61,6 @@ def main() -> None:
     Exact equations of motion of carrier and unbalanced flywheels, as verified C.
         mahovik new bench8               copy an example stand
         mahovik generate bench8.toml     C into ./bench8
-        mahovik verify bench8.toml       that C against the literal reference
     Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
     """
 

@@ -44,7 +44,8 @@ class WheelBalance:
     w         (P): corrections; their angle is counted from the flywheel's second axis
     covariance  (P, P): of w; a component of w_k has the variance covariance_kk
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
-    before, after  largest share of a channel: RMS of amplitudes over their noise
+    vibration   quantity, and amplitude of the first order (root of the sum of squares over its channels) as measured
+                and with the corrections, at the fastest of the recordings
     """
 
     name: str
@@ -54,6 +55,7 @@ class WheelBalance:
     w: Complex
     covariance: Complex
     fit: float
+    vibration: tuple[tuple[str, float, float], ...] = ()
 
     @property
     def error(self) -> Array:
@@ -93,7 +95,9 @@ def balance_wheels(
     )
 
 
-def _wheel(scene: Scene, plant: Plant, s: int, positions: tuple[float, ...], found: Sequence[FirstOrder]) -> WheelBalance:
+def _wheel(
+    scene: Scene, plant: Plant, s: int, positions: tuple[float, ...], found: Sequence[FirstOrder]
+) -> WheelBalance:
     flywheel = scene.stand.flywheels[s]
     rows = [each for each in found if each.speeds[s]]
     alpha = np.vstack([influences(scene, plant, s, positions, each) for each in rows])
@@ -103,15 +107,27 @@ def _wheel(scene: Scene, plant: Plant, s: int, positions: tuple[float, ...], fou
     sizes = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
     if M < P or not np.all(size) or sizes[-1] < INDEPENDENT * sizes[0]:
         at = ", ".join(f"{1e3 * x:g} mm" for x in positions)
-        raise BalanceError(
-            [f"{flywheel.name}: planes at {at} cannot be told apart by these channels; use fewer planes or more sensors"]
-        )
+        words = f"planes at {at} act alike on these channels; use fewer planes or more sensors"
+        raise BalanceError([f"{flywheel.name}: {words}"])
     w = np.linalg.lstsq(weighted, -X / error, rcond=None)[0]
     left = (X + alpha @ w) / error
     fit = math.sqrt(float(np.sum(np.abs(left) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
-    covariance = np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2
+    covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2, dtype=np.complex128)
     speed = max((float(each.speeds[s]) for each in rows), key=abs)
-    return WheelBalance(flywheel.name, flywheel.mass, speed, positions, w, covariance, fit)
+    fastest = max(rows, key=lambda each: abs(each.speeds[s]))
+    seen = _vibration(fastest, s, influences(scene, plant, s, positions, fastest) @ w)
+    return WheelBalance(flywheel.name, flywheel.mass, speed, positions, w, covariance, fit, seen)
+
+
+def _vibration(found: FirstOrder, s: int, change: Complex) -> tuple[tuple[str, float, float], ...]:
+    """Quantity, amplitude before and after a change of the first order of flywheel s."""
+    rows = []
+    for quantity in ("acceleration", "rate"):
+        own = [k for k, channel in enumerate(found.channels) if channel.quantity == quantity]
+        if own:
+            before, after = found.X[own, s], found.X[own, s] + change[own]
+            rows.append((quantity, float(np.linalg.norm(before)), float(np.linalg.norm(after))))
+    return tuple(rows)
 
 
 def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], found: FirstOrder) -> Complex:

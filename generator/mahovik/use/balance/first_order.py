@@ -1,7 +1,7 @@
 """First order of each flywheel in measured channels: x = Re(X exp(i phi)), least squares over one recording.
 
-Regressors are a constant, a drift, and cos, sin of each flywheel's phase and of twice it. The flywheels turn at constant
-speeds, no two alike.
+Regressors are a constant, a drift, and cos, sin of each flywheel's phase and of twice it. The flywheels turn at
+constant speeds, no two alike.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ FLOOR = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class FirstOrder:
-    """Of a recording with K channels: speeds (N, rad/s; 0 where a flywheel has no phase), X (K, N), error (K, N).
+    """First orders X (K, N) in the K channels of a recording, at speeds (N, rad/s; 0 where a flywheel has no phase).
 
-    error   standard error of each of the two components of X
+    error   (K, N): standard error of each of the two components of X
     """
 
     source: str

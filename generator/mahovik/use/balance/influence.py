@@ -37,7 +37,7 @@ INDEPENDENT = 1e-9
 class Influence:
     """A (M), ALPHA (M, N), and what corrections are allowed.
 
-    trial    (N): trial weights that stay on the rotor; None: they were taken off, or there were none
+    trial    (N): trial weights that stay on the rotor; None: they were removed, or there were none
     most     (N): largest amplitude of each correction, infinite where none is given
     choices  corrections that can be made in each plane (N); empty: any
     """
@@ -144,10 +144,8 @@ class _Reader:
         rows = raw.get(key)
         if not isinstance(rows, list | tuple) or not rows or not all(isinstance(row, list | tuple) for row in rows):
             hint = ', or "ALPHA" in place of B and U' if key == "B" and key not in raw else ""
-            self.say(
-                key,
-                f"expected a list of rows, one a sensor, {'missing' if key not in raw else 'found no such list'}{hint}",
-            )
+            found = "missing" if key not in raw else "found no such list"
+            self.say(key, f"expected a list of rows, one for each sensor, {found}{hint}")
             return None
         N = len(rows[0])
         for i, row in enumerate(rows):
@@ -155,7 +153,7 @@ class _Reader:
                 self.say(f"{key}[{i}]", f"{_count(len(row), 'plane')}, but the first row has {N}")
                 return None
         if A is not None and len(rows) != len(A):
-            self.say(key, f"{_count(len(rows), 'row')}, but A has {_count(len(A), 'sensor')}; one row a sensor")
+            self.say(key, f"{_count(len(rows), 'row')}, but A has {_count(len(A), 'sensor')}; one row for each sensor")
             return None
         values = [[self.number(f"{key}[{i}][{k}]", x) for k, x in enumerate(row)] for i, row in enumerate(rows)]
         return np.array(values, dtype=np.complex128)

@@ -27,7 +27,7 @@ ENOUGH = 1e-6
 
 ROUNDS = 60
 SIDES = 8
-"""Tangents of each cone to begin with."""
+"""Tangents of each cone at the start."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,10 +80,10 @@ class _Scaled:
     alpha: Complex
     most: Array
 
-    def left(self, x: Complex) -> Complex:
+    def residual(self, x: Complex) -> Complex:
         return self.A + self.alpha @ x
 
-    def within(self, x: Complex) -> Complex:
+    def cut_to_limits(self, x: Complex) -> Complex:
         """x with amplitudes cut to their limits."""
         size = np.abs(x)
         over = size > self.most
@@ -101,21 +101,21 @@ class _Scaled:
             x, gradient = _join(z), G @ _join(z) + g
             return float((x.conj() @ (G @ x) + 2.0 * (x.conj() @ g)).real), 2.0 * _split(gradient)
 
-        return self.within(self._search(fall, self.within(x)))
+        return self.cut_to_limits(self._search(fall, self.cut_to_limits(x)))
 
     def min_max(self) -> tuple[Complex, float]:
         """x, and a lower bound of the largest |left|. Raises CheckError."""
         M, N = self.alpha.shape
-        x = self.within(np.asarray(np.linalg.lstsq(self.alpha, -self.A, rcond=None)[0]))
-        best, most = x, float(np.abs(self.left(x)).max())
+        x = self.cut_to_limits(np.asarray(np.linalg.lstsq(self.alpha, -self.A, rcond=None)[0]))
+        best, most = x, float(np.abs(self.residual(x)).max())
         turns = np.exp(2j * np.pi * np.arange(SIDES) / SIDES)
         rows = [(m, u) for m in range(M) for u in turns]
         walls = [(k, u) for k in range(N) if self.most[k] < np.inf for u in turns]
         bound = 0.0
         for _ in range(ROUNDS):
-            polished = self.within(self._polish(x))
+            polished = self.cut_to_limits(self._polish(x))
             for each in (x, polished):
-                left = self.left(each)
+                left = self.residual(each)
                 if np.abs(left).max() < most:
                     best, most = each, float(np.abs(left).max())
                 rows += [(m, left[m] / abs(left[m])) for m in range(M) if abs(left[m]) > 0.5 * most]
@@ -147,13 +147,13 @@ class _Scaled:
 
     def _polish(self, start: Complex) -> Complex:
         """Local search for the least t with |left| <= t, which is convex."""
-        t = float(np.abs(self.left(start)).max())
+        t = float(np.abs(self.residual(start)).max())
 
         def cones(z: Array) -> Array:
-            return np.asarray(z[-1] ** 2 - np.abs(self.left(_join(z[:-1]))) ** 2)
+            return np.asarray(z[-1] ** 2 - np.abs(self.residual(_join(z[:-1]))) ** 2)
 
         def slopes(z: Array) -> Array:
-            turned = self.left(_join(z[:-1])).conj()[:, None] * self.alpha
+            turned = self.residual(_join(z[:-1])).conj()[:, None] * self.alpha
             return np.column_stack([-2.0 * turned.real, 2.0 * turned.imag, np.full(len(self.A), 2.0 * z[-1])])
 
         last = np.eye(2 * len(start) + 1)[-1]
