@@ -138,7 +138,7 @@ def test_a_speed_tells_whole_turns_between_samples(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("header", ["w1.count", "w1.count [1]", "w1.count [1/4096 turn]"])
 def test_counts_are_phases(tmp_path: Path, header: str) -> None:
-    """With the encoder of the stand: counts a turn and zero; wraps at a turn."""
+    """With the encoder of the stand: counts per turn and zero; wraps at a turn."""
     t = clock()
     phase = 300 * t
     counts = np.floor(phase / TURN * 4096) + 10
@@ -149,15 +149,15 @@ def test_counts_are_phases(tmp_path: Path, header: str) -> None:
 
 
 def test_counts_a_turn_are_seen_between_pulses(tmp_path: Path) -> None:
-    """Of an encoder that the stand file does not have."""
+    """An encoder that the stand file does not have."""
     t = clock(2000)
     phase = 200 * t
     columns = {"time [s]": t, "w2.count": np.floor(phase / TURN * 500), "acc1.rate.x [rad/s]": wobble(t)}
     found = read_one(tmp_path / "a.csv", columns)
-    assert lines(found, "w2.count: counts a turn are not known")
+    assert lines(found, "w2.count: counts per turn are not known")
     pulses = (phase % TURN < 0.3).astype(float)
     found = read_one(tmp_path / "b.csv", {**columns, "w2.tacho": pulses})
-    assert lines(found, "500 counts a turn, as seen between pulses")
+    assert lines(found, "500 counts per turn, as seen between pulses")
     np.testing.assert_allclose(values(found, "w2.phase"), phase, atol=0.02)
 
 

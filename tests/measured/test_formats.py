@@ -1,4 +1,4 @@
-"""What is written in any unit and format is read back in SI."""
+"""Files of any format and unit are read back in SI."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_ulog(tmp_path: Path) -> None:
 
 
 def test_semicolons_and_decimal_commas(tmp_path: Path) -> None:
-    """As many European programs write."""
+    """Semicolons and decimal commas, as many European programs write."""
     path = tmp_path / "data.csv"
     rows = "\n".join(f"0,{k:03d};{k},5" for k in range(20))
     path.write_text(f"\ufeff# a comment\ntime [s];acc1.rate.x [deg/s]\n{rows}\n", encoding="utf-8")

@@ -25,7 +25,7 @@ MOST = 1 << 18
 
 @dataclass(frozen=True)
 class Offset:
-    """What has to be added to the times of the second clock, s; `correlation` there, 0 to 1; `safe`: seen once."""
+    """Seconds to add to the times of the second clock; `correlation` there, 0 to 1; `safe`: seen once."""
 
     seconds: float
     correlation: float

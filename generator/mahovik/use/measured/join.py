@@ -111,7 +111,7 @@ def _shift(recording: Recording, donor: Recording) -> tuple[float, str]:
 
 
 def _signal(t: Array, channel: Channel) -> Array:
-    """What is compared: of a phase its rate."""
+    """Signal to compare: the rate of a phase, other values as they are."""
     if channel.quantity != "phase" or len(t) < 3:
         return channel.values
     return np.asarray(np.gradient(channel.values, t))

@@ -141,7 +141,7 @@ def _match(
     scale: dict[Name, float] = {}
     others = 0
     for column, values in table.columns.items():
-        header = names.names.get(column, _known(column, stand, notes) if counted else column)
+        header = names.names.get(column, _px4_header(column, stand, notes) if counted else column)
         if header is None:
             others += 1
             continue
@@ -159,7 +159,7 @@ def _match(
     return matched, scale, others
 
 
-def _known(column: str, stand: Stand, notes: list[str]) -> str | None:
+def _px4_header(column: str, stand: Stand, notes: list[str]) -> str | None:
     """Header of a field of PX4; None where it is not known."""
     if column not in IMU and not column.startswith("time"):
         return None
