@@ -32,10 +32,10 @@ def orders_of(found: Recording, values: Array | None = None) -> OrderMap:
 def test_an_order_has_its_amplitude_at_every_speed(
     speed: float, rise: float, sense: float, half: int, at: float
 ) -> None:
-    """a cos(o phi + at) beside an offset; every tenth sample is missing."""
+    """a cos(o phi + at) beside an offset; every fiftieth sample is missing."""
     phase = sense * (speed * T + 0.5 * rise * T**2)
     x = 3.0 + 0.7 * np.cos(0.5 * half * phase + at)
-    x[::10] = np.nan
+    x[::50] = np.nan
     found = orders_of(recording(phase, x))
     own = int(np.argmin(np.abs(found.orders - 0.5 * half)))
     assert found.orders[own] == pytest.approx(0.5 * half)
