@@ -10,7 +10,7 @@ from contextlib import contextmanager
 
 @contextmanager
 def silent_output() -> Iterator[None]:
-    """What is written to file descriptor 1 inside is lost; output of Python before it is written first."""
+    """Discard what is written to file descriptor 1 inside; flush output of Python before it."""
     sys.stdout.flush()
     try:
         kept = os.dup(1)
