@@ -65,6 +65,7 @@ help:
 	@echo "make satellite-picture  the jitter of the satellite's tutorial: docs/satellite-jitter.svg"
 	@echo "make response-picture  a sweep of bench8's speed: docs/response.svg"
 	@echo "make quiet-campaign  how much quieter quiet makes sat4 and random satellites: docs/results/quiet.md; minutes"
+	@echo "make balance-campaign  published cases of balancing, and times with measured data: docs/results/balancing.md"
 	@echo "make bench      beside the peers, N = 2, 6, 8, 12: docs/results/benchmarks.md; .venv-bench, about ten minutes at first"
 	@echo "make bench-full the same with N = 32, 64, of CasADi torque alone there (--patient: all, an hour)"
 	@echo "make bench-quick  our own C and the reference alone, in half a minute, to the terminal"
@@ -259,6 +260,9 @@ programme-picture: setup-test
 
 design-campaign: setup-test
 	$(BIN)/python tools/design_campaign.py --write
+balance-campaign: setup-test
+	$(BIN)/python tools/balance_campaign.py
+	$(BIN)/python tools/measured_speed.py
 quiet-campaign: setup-test
 	$(BIN)/python tools/quiet_campaign.py --write
 

@@ -27,6 +27,7 @@ UNKNOWN = "unknown"
 NOT_SAMPLED = {
     "python": "wall-clock times of one machine",
     "tables": "wall-clock times of one machine",
+    "measured-speed": "wall-clock times of one machine",
     "campaign-speed": "times of one machine",
     "campaigns": "wall-clock times of one machine",
     "campaign-faults": "some minutes of faults at moments that no seed repeats; tests have faults of every kind",

@@ -27,6 +27,8 @@ TOOLS = (
     "ocp_campaign",
     "design_campaign",
     "quiet_campaign",
+    "balance_campaign",
+    "measured_speed",
     "following_campaign",
     "attitude_loop",
     "control_loop",

@@ -61,7 +61,7 @@ _PLACES = {
     "Stand": "out.api.stands",
     "States": "out.api.states",
     "balance": "out.functions.balancing",
-    "balance_stand": "out.functions.balancing",
+    "balance_stand": "out.functions.stand_balancing",
     "build": "out.api.model",
     "design": "out.functions.programmes",
     "example": "out.api.stands",

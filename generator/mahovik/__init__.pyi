@@ -17,7 +17,6 @@ from mahovik.out.api.stands import load as load
 from mahovik.out.api.states import States as States
 from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.functions.balancing import balance as balance
-from mahovik.out.functions.balancing import balance_stand as balance_stand
 from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import judge as judge
@@ -33,6 +32,7 @@ from mahovik.out.functions.programmes import design as design
 from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate
+from mahovik.out.functions.stand_balancing import balance_stand as balance_stand
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
 

@@ -10,55 +10,15 @@ import numpy as np
 import pytest
 
 import mahovik
+from balance.bench import PLANES, SPEEDS, read, write
 from cli.run import refused, run
 from mahovik.core.stand import load
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel
 from mahovik.errors import BalanceError
-from mahovik.proof.reference import pieces
-from mahovik.proof.reference.points import points
-from mahovik.stands import path
-from mahovik.use.balance.by_model import WheelBalance
+from mahovik.use.balance.by_model import Planes, WheelBalance, balance_wheels
+from mahovik.use.measured import read_recordings
 from mahovik.use.study.jitter.balance import balance as steady
-
-SPEEDS = (150.0, -171.0)
-POINT = '\n[[point]]\nname = "imu"\nposition = [0.1, 0.05, 0.02]\nangles = [0.3, 0.2, 0.1]\n'
-ALPHABET = "xyz"
-PLANES = {"all": ["-10 mm", "10 mm"]}
-
-
-@pytest.fixture(scope="module")
-def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A stand of the first two flywheels of bench8 with an IMU, and data of one second: two.toml, run.csv."""
-    folder = tmp_path_factory.mktemp("bench")
-    text = "[[flywheel]]".join(path("bench8").read_text(encoding="utf-8").split("[[flywheel]]")[:3])
-    (folder / "two.toml").write_text(text + POINT, encoding="utf-8")
-    stand = load(folder / "two.toml")
-    motion = steady(stand, SPEEDS)
-    t = np.arange(0.0, 1.0, 2e-3)
-    theta = np.array([0.3, 1.0]) + np.array(SPEEDS) * t[:, None]
-    _, rates = motion.states(theta)
-    rows = []
-    for i in range(len(t)):
-        seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i, 6:])["imu"]
-        rows.append([t[i], *seen["specific_force"], *seen["twist"][3:], *theta[i]])
-    names = [
-        "time [s]",
-        *(f"imu.acceleration.{x} [m/s2]" for x in ALPHABET),
-        *(f"imu.rate.{x} [rad/s]" for x in ALPHABET),
-    ]
-    write(folder / "run.csv", [*names, "w1.phase [rad]", "w2.phase [rad]"], np.array(rows))
-    return folder
-
-
-def write(file: Path, names: list[str], values: np.ndarray) -> None:
-    lines = [",".join(names), *(",".join(repr(x) for x in row) for row in values.tolist())]
-    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
-def read(file: Path) -> tuple[list[str], np.ndarray]:
-    head, *lines = file.read_text(encoding="utf-8").splitlines()
-    return head.split(","), np.array([[float(x) for x in line.split(",")] for line in lines])
 
 
 def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
@@ -80,6 +40,7 @@ def test_intervals_are_those_of_the_noise(bench: Path, tmp_path: Path) -> None:
     """Pooled over 40 noisy copies the 95 % intervals hold the truth about as often."""
     names, values = read(bench / "run.csv")
     exact = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=PLANES)
+    stand, planes = load(bench / "two.toml"), dict.fromkeys(("w1", "w2"), Planes((-0.01, 0.01)))
     rng = np.random.default_rng(5)
     inside = []
     for _ in range(40):
@@ -87,8 +48,8 @@ def test_intervals_are_those_of_the_noise(bench: Path, tmp_path: Path) -> None:
         noisy[:, 1:4] += 0.5 * rng.normal(size=(len(values), 3))
         noisy[:, 4:7] += 0.02 * rng.normal(size=(len(values), 3))
         write(tmp_path / "noisy.csv", names, noisy)
-        found = mahovik.balance_stand(str(bench / "two.toml"), tmp_path / "noisy.csv", planes=PLANES)
-        for a, b in zip(found.wheels, exact.wheels, strict=True):
+        found = balance_wheels(stand, read_recordings([tmp_path / "noisy.csv"], stand), planes)
+        for a, b in zip(found, exact.wheels, strict=True):
             off = (a.w - b.w) / (1.959963984540054 * a.error)
             inside += [*(np.abs(off.real) <= 1.0), *(np.abs(off.imag) <= 1.0)]
     assert 0.89 <= np.mean(inside) <= 0.99

@@ -4,26 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from balance_campaign import TURBOGENERATOR as PLAIN
 
 import mahovik
 from mahovik.use.balance.polar import read_polar
-
-FOILES = (
-    ("9.8@117 17@124 7.2@114 38.5@77", "55@259"),
-    ("2.7@43 14.3@317 4.5@213 14.3@270", "45@118"),
-    ("12.5@323 25@261 15.2@158 30@238", "124@21"),
-    ("22.4@92 32.6@45 23.3@315 27.8@210", "138@349"),
-    ("26@94 40.3@9 25@330 34@213", "107@349"),
-    ("40.3@355 43@144 29.6@61 65.4@322", "90@280"),
-    ("20.6@339 32.3@152 36.7@41 61.8@322", "58@354"),
-    ("12.6@226 37.6@52 18.8@153 26@176", "108@201"),
-    ("13.4@209 26.9@76 47.5@98 71.7@312", "88@190"),
-    ("13.4@154 22.4@307 52@299 102@165", "56@48"),
-    ("5.4@24 7.2@199 22.4@2 27.8@99", "73@158"),
-)
-"""A turbogenerator of Foiles, Allaire, Gunter, Min-max optimum flexible rotor balancing, 2000: ALPHA, A."""
-
-PLAIN = {"ALPHA": [row.split() for row, _ in FOILES], "A": [a for _, a in FOILES]}
 
 
 def numbers(texts: list[str]) -> np.ndarray:

@@ -26,6 +26,7 @@ NOT_RUN = {
 
 SLOW = {
     "README.md",
+    "docs/balancing.md",
     "docs/batch.md",
     "docs/campaigns.md",
     "docs/c-interface.md",
@@ -39,6 +40,7 @@ SLOW = {
     "docs/howto/field-log.md",
     "docs/howto/own-stand.md",
     "docs/howto/vibration-table.md",
+    "docs/measured-data.md",
     "docs/other-programs.md",
     "docs/planning.md",
     "docs/programmes.md",

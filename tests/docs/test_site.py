@@ -31,8 +31,8 @@ def test_every_page_is_in_one_index_once() -> None:
     functions = [page for page in listed(PYTHON) if page.parent == DOCS / "python"]
     tutorials = [page for page in listed(TUTORIAL) if page.name.startswith("tutorial-")]
     campaigns = [page for page in listed(BATCH) if page.name.startswith("campaign")]
-    balancing = [page for page in listed(DESIGN) if page.name == "balancing.md"]
-    pages = [*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns, *balancing]
+    data = [page for page in listed(DESIGN) if page.name in ("balancing.md", "measured-data.md")]
+    pages = [*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns, *data]
     assert sorted(pages) == sorted(there)
     assert {page.parent for page in listed(RESULTS)} == {RESULTS.parent}
 

@@ -6,12 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.interpolate import make_interp_spline
 
 from mahovik.errors import DataError
 from mahovik.use.measured import Recording, read_recordings
-from mahovik.use.measured.clock import clock_offset
+from mahovik.use.measured.clock import clock_drift, clock_offset
 from mahovik.use.measured.counters import modulus_of, unwrap
 from mahovik.use.measured.recording import Array
 from mahovik.use.measured.tacho import find_pulses, phase_of
@@ -138,7 +139,7 @@ def test_a_speed_tells_whole_turns_between_samples(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("header", ["w1.count", "w1.count [1]", "w1.count [1/4096 turn]"])
 def test_counts_are_phases(tmp_path: Path, header: str) -> None:
-    """With the encoder of the stand: counts a turn and zero; wraps at a turn."""
+    """With the encoder of the stand: counts per turn and zero; wraps at a turn."""
     t = clock()
     phase = 300 * t
     counts = np.floor(phase / TURN * 4096) + 10
@@ -149,15 +150,15 @@ def test_counts_are_phases(tmp_path: Path, header: str) -> None:
 
 
 def test_counts_a_turn_are_seen_between_pulses(tmp_path: Path) -> None:
-    """Of an encoder that the stand file does not have."""
+    """An encoder that the stand file does not have."""
     t = clock(2000)
     phase = 200 * t
     columns = {"time [s]": t, "w2.count": np.floor(phase / TURN * 500), "acc1.rate.x [rad/s]": wobble(t)}
     found = read_one(tmp_path / "a.csv", columns)
-    assert lines(found, "w2.count: counts a turn are not known")
+    assert lines(found, "w2.count: counts per turn are not known")
     pulses = (phase % TURN < 0.3).astype(float)
     found = read_one(tmp_path / "b.csv", {**columns, "w2.tacho": pulses})
-    assert lines(found, "500 counts a turn, as seen between pulses")
+    assert lines(found, "500 counts per turn, as seen between pulses")
     np.testing.assert_allclose(values(found, "w2.phase"), phase, atol=0.02)
 
 
@@ -228,6 +229,25 @@ def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
         assert abs(found.seconds - offset) < 4e-4
 
 
+@settings(max_examples=10, deadline=None)
+@given(st.sampled_from([0.0, -8e-4, 4e-4, 1e-3]), st.integers(0, 10**6))
+def test_the_drift_of_a_clock_is_found(rate: float, seed: int) -> None:
+    """Times are right to a fifth of the coarser step after ten seconds, with noise on both sides."""
+    rng = np.random.default_rng(seed)
+    t = clock(10_000)
+    knots = np.arange(0.0, 10.1, 0.05)
+    signal = make_interp_spline(knots, rng.normal(size=len(knots)), k=3)
+    other = t[::2] - rate * (t[::2] - 5.0)  # nearly the same on the whole
+    noise = [0.05 * rng.normal(size=len(x)) for x in (t, other)]
+    found = clock_drift(t, signal(t) + noise[0], other, signal(t[::2]) + noise[1])
+    if rate == 0.0:
+        assert found is None
+        return
+    assert found is not None
+    corrected = found[0] * other + found[1]
+    assert np.abs(corrected - t[::2]).max() < 4e-4
+
+
 def test_a_hum_shows_no_offset() -> None:
     """It fits at every period."""
     t = clock(3000)
@@ -252,6 +272,21 @@ def test_two_files_of_one_run(tmp_path: Path) -> None:
     assert np.isfinite(other).mean() > 0.99
     np.testing.assert_allclose(other[np.isfinite(other)], -speed[np.isfinite(other)], atol=0.05)
     np.testing.assert_array_equal(values(found, "acc1.rate.x"), rate)
+
+
+def test_a_second_clock_that_runs_fast(tmp_path: Path) -> None:
+    """Phases of another file are those of the sensors' clock within a hundredth of a turn."""
+    t = clock(10_000)
+    speed = 100.0 + make_interp_spline(np.arange(0.0, 10.1, 0.05), np.random.default_rng(4).normal(size=202), k=3)(t)
+    phase = 100.0 * t
+    a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "w1.speed [rad/s]": speed})
+    other = {"time [s]": t * (1 + 5e-4), "w1.speed [rad/s]": speed, "w2.phase [rad]": phase}
+    (found,) = read_recordings([a, write_csv(tmp_path / "b.csv", other)], STAND)
+    assert lines(found, "ppm fast by w1.speed: corrected")
+    taken = values(found, "w2.phase")
+    inside = np.isfinite(taken)
+    assert inside.mean() > 0.99
+    assert np.abs(taken - phase)[inside].max() < 0.01 * TURN
 
 
 def test_two_files_without_a_common_channel(tmp_path: Path) -> None:

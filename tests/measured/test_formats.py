@@ -1,4 +1,4 @@
-"""What is written in any unit and format is read back in SI."""
+"""Files of any format and unit are read back in SI."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_ulog(tmp_path: Path) -> None:
 
 
 def test_semicolons_and_decimal_commas(tmp_path: Path) -> None:
-    """As many European programs write."""
+    """Semicolons and decimal commas, as many European programs write."""
     path = tmp_path / "data.csv"
     rows = "\n".join(f"0,{k:03d};{k},5" for k in range(20))
     path.write_text(f"\ufeff# a comment\ntime [s];acc1.rate.x [deg/s]\n{rows}\n", encoding="utf-8")
@@ -226,3 +226,24 @@ def test_arbitrary_bytes(content: bytes, form: str) -> None:
             assert error.problems
         else:
             assert found
+
+
+def test_a_run_of_simulate_is_data(tmp_path: Path) -> None:
+    """Readings, phases, speeds, torques and mount wrenches; what no sensor can see is left out."""
+    columns = {
+        "t [s]": clock(),
+        **{name: np.full(400, 1.0) for name in ("x [m]", "qw", "v_x [m/s]", "omega_x [rad/s]", "phi_ddot w1 [rad/s2]")},
+        "force_y acc1 [m/s2]": np.sin(clock()),
+        "gyro_z acc2 [rad/s]": np.cos(clock()),
+        "phi w1 [rad]": 50.0 * clock(),
+        "phi_dot w1 [rad/s]": 50.0 + clock(),
+        "tau w2 [N m]": 0.1 * clock(),
+        "mount_K w1 [N m]": 0.2 * clock(),
+    }
+    found = read_one(tmp_path / "run.csv", columns)
+    assert [channel.label for channel in found.channels] == [
+        "acc1.acceleration.y", "acc2.rate.z", "w1.phase", "w1.speed", "w2.torque", "w1.mount.k",
+    ]  # fmt: skip
+    assert np.array_equal(values(found, "acc1.acceleration.y"), np.sin(clock()))
+    assert len(found.notes) == 1
+    assert "run of mahovik simulate" in found.notes[0]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -20,10 +20,14 @@ from mahovik.out.cli.options import (
     load_stand,
     option,
 )
-from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file
+from mahovik.out.cli.output import print_json, print_line, print_table, require_other_file, require_suffix
 
 if TYPE_CHECKING:
-    from mahovik.out.functions.balancing import Balance, StandBalance
+    from mahovik.out.functions.balancing import Balance
+    from mahovik.out.functions.correction_planes import PlanesGiven
+    from mahovik.out.functions.stand_balancing import StandBalance
+
+CUT = "the search for pieces was cut: a better choice may exist"
 
 
 @command()
@@ -43,10 +47,11 @@ def balance(
     ),
     planes: tuple[str, ...] = option(
         "--plane",
-        'Set planes of a flywheel, or of "all", at these places on its axis; default 0.',
-        metavar="NAME=X,..",
+        'Set planes of a flywheel, or of "all", at these places on its axis; or by a file, with pieces.',
+        metavar="NAME=X,..|FILE.toml",
         multiple=True,
     ),
+    report: str | None = file_option("--report", "FILE.html", "Write a page with charts; needs --data."),
     output: str | None = file_option("-o", "FILE.json", "Write what --json prints."),
     as_json: bool = JSON,
 ) -> None:
@@ -59,8 +64,8 @@ def balance(
     """
     if (influence is None) == (stand_file is None):
         raise UsageError("give either --influence FILE.json, or STAND.toml with --data FILE")
-    if influence is not None and (data or planes):
-        raise UsageError("--data, --plane: need a stand; --influence takes neither")
+    if influence is not None and (data or planes or report):
+        raise UsageError("--data, --plane, --report: need a stand; --influence takes none of them")
     if stand_file is not None and not data:
         raise UsageError("--data is missing: expected files of measured data of the stand")
     if stand_file is not None and is_given("method"):
@@ -68,8 +73,10 @@ def balance(
     if output is not None:
         read = [name for name in (influence, stand_file, *data) if name is not None]
         require_other_file(Path(output), read, f"-o {output}", "result")
+    if report is not None:
+        _require_page(report, [name for name in (stand_file, *data) if name is not None])
     from mahovik.out.functions.balancing import balance as by_influence
-    from mahovik.out.functions.balancing import balance_stand
+    from mahovik.out.functions.stand_balancing import balance_stand
 
     found: Balance | StandBalance
     if influence is not None:
@@ -77,6 +84,8 @@ def balance(
     else:
         assert stand_file is not None
         found = balance_stand(load_stand(stand_file), data, planes=_planes(planes))
+        if report is not None:
+            found.report(report)
     if output is not None:
         from mahovik.writing import write
 
@@ -89,15 +98,34 @@ def balance(
         _print_stand(cast("StandBalance", found))
 
 
-def _planes(given: Sequence[str]) -> dict[str, tuple[float | str, ...]]:
-    """Places by flywheel: texts with a unit, or numbers in m. Raises UsageError."""
-    found: dict[str, tuple[float | str, ...]] = {}
+def _require_page(path: str, read: Sequence[str]) -> None:
+    """Refuse a page that could not be written, before the work."""
+    from mahovik.out.report.plot.draw import require
+    from mahovik.writing import probe
+
+    require_suffix(path, [".html"])
+    require_other_file(Path(path), read, f"--report {path}", "page")
+    require("report")
+    probe(Path(path))
+
+
+def _planes(given: Sequence[str]) -> PlanesGiven:
+    """Planes by flywheel: places as texts with a unit or numbers in m, and tables of files. Raises UsageError."""
+    found: dict[str, Sequence[float | str] | Mapping[str, Any]] = {}
     for text in given:
         name, equal, places = text.partition("=")
-        if not equal or name in found:
-            what = "given twice" if equal else "expected NAME=X,.., as w1=-10mm,10mm"
-            raise UsageError(f"--plane {text}: {what}")
-        found[name] = tuple(_place(each.strip()) for each in places.split(","))
+        if not equal and text.endswith(".toml"):
+            from mahovik.out.functions.correction_planes import load_planes
+
+            more = load_planes(Path(text))
+        elif equal:
+            more = {name: [_place(each.strip()) for each in places.split(",")]}
+        else:
+            raise UsageError(f"--plane {text}: expected NAME=X,.., as w1=-10mm,10mm, or FILE.toml")
+        for key in more:
+            if key in found:
+                raise UsageError(f"--plane {text}: {key} is given twice")
+        found |= more
     return found
 
 
@@ -109,23 +137,40 @@ def _place(text: str) -> float | str:
 
 
 def _print_stand(found: StandBalance) -> None:
-    """Tables of planes and flywheels, then notes on the data."""
+    """Tables of planes, pieces and flywheels, then notes on the data."""
     figures = found.to_dict()
-    rows, wheels = [], []
+    rows, pieces, wheels, seen = [], [], [], []
     for wheel in figures["flywheels"]:
+        name, speed = wheel["name"], f"{wheel['speed']:.6g}"
         for each in wheel["planes"]:
+            place = f"{1e3 * each['position']:g}"
             amount, angle = (
                 f"{each['correction'][key]:.5g} +- {each['interval'][key]:.2g}" for key in ("g mm", "degrees")
             )
-            rows.append((wheel["name"], f"{1e3 * each['position']:g}", amount, angle, f"{each['residual']:.3g}"))
-        static, grade, seen = wheel["static"], wheel["grade"], wheel["vibration"].values()
-        speed, before, left = f"{wheel['speed']:.6g}", f"{static['before']:.5g}", f"{static['residual']:.3g}"
-        change = ", ".join(f"{each['before']:.4g} -> {each['after']:.3g}" for each in seen)
-        grades = (grade["before"], grade["residual"])
-        wheels.append((wheel["name"], speed, before, left, *grades, change, f"{wheel['fit']:.3g}"))
+            rows.append((name, place, amount, angle, f"{each['residual']:.3g}"))
+            for piece in each.get("pieces", ()):
+                numbers = (1e3 * piece["amount"] * piece["count"], 1e3 * piece["radius"], piece["degrees"])
+                kind = "remove" if piece["remove"] else "add"
+                pieces.append((name, place, kind, *(f"{x:.5g}" for x in numbers)))
+        static, grade = wheel["static"], wheel["grade"]
+        before, left = f"{static['before']:.5g}", f"{static['residual']:.3g}"
+        wheels.append((name, speed, before, left, grade["before"], grade["residual"], f"{wheel['fit']:.3g}"))
+        for quantity, change in wheel["vibration"].items():
+            full = wheel.get("simulated", {}).get(quantity, {})
+            sizes = (f"{x:.4g}" if x is not None else "" for x in (*change.values(), *map(full.get, change)))
+            seen.append((name, speed, quantity, *sizes))
     print_table(("flywheel", "plane, mm>", "correction, g mm>", "at, deg>", "residual, g mm>"), rows)
-    names = ("flywheel", "speed, rad/s>", "static, g mm>", "residual>", "grade", "residual", "vibration>", "fit>")
+    if pieces:
+        print_table(("flywheel", "plane, mm>", "", "mass, g>", "radius, mm>", "at, deg>"), pieces)
+    names = ("flywheel", "speed, rad/s>", "static, g mm>", "residual>", "grade", "residual", "fit>")
     print_table(names, wheels)
+    names = (
+        "flywheel", "speed, rad/s>", "first order", "measured>", "corrected>", "simulated before>", "after>"
+    )  # fmt: skip
+    print_table(names, seen)
+    for wheel in figures["flywheels"]:
+        if not wheel.get("proven", True):
+            click.echo(f"warning: {wheel['name']}: {CUT}", err=True)
     for note in found.notes:
         print_line(note)
 
@@ -151,7 +196,7 @@ def _print(found: Balance) -> None:
             rows.append((str(each["plane"]), *numbers, "hole" if each["remove"] else "weight"))
         print_table(("plane>", "at, deg>", "amount>", "radius>", "count>", ""), rows)
         if not figures["made"]["proven"]:
-            click.echo("warning: the search for pieces was cut: a better choice may exist", err=True)
+            click.echo(f"warning: {CUT}", err=True)
     before, after = (figures["largest"][key] for key in ("before", "after"))
     bound = f"; no weights leave less than {figures['bound']:.6g}" if "bound" in figures else ""
     print_line(f"largest vibration {before:.6g} before, {after:.6g} after{bound}")

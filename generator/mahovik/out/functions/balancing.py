@@ -1,22 +1,18 @@
-"""`balance`: correction weights from vibration, by influence coefficients. `balance_stand`: by the model of a stand."""
+"""`balance`: correction weights from vibration, by influence coefficients."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from mahovik.core.stand.units import LENGTH
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, StandGiven, quantity
 from mahovik.out.functions.table import Column, Table
 from mahovik.use.balance import METHODS, Influence, Made, Solution, choose_pieces, read_influence, solve
-from mahovik.use.balance.by_model import HALF_WIDTH, RADIUS, WheelBalance, balance_wheels
 from mahovik.use.balance.polar import Complex, write_polar
 
 NOTHING = 1e-12
@@ -112,101 +108,3 @@ def balance(influence: str | Path | Mapping[str, Any], *, method: str = "least-s
         raise UsageError(f'method: unknown "{method}"{suggestion(method, METHODS)}, expected {" or ".join(METHODS)}')
     problem = read_influence(influence)
     return Balance(problem, solve(problem, method), choose_pieces(problem) if problem.choices else None)
-
-
-G_MM = 1e6
-"""1 kg m in g mm."""
-
-
-class StandBalance(Table):
-    """Corrections of the flywheels of a stand: a row per plane. `notes`: what was found in the data, and corrected."""
-
-    index = "flywheel"
-
-    def __init__(self, stand: Stand, wheels: Sequence[WheelBalance], notes: Sequence[str]) -> None:
-        self.stand, self.wheels, self.notes = stand, tuple(wheels), tuple(notes)
-
-    @property
-    def columns(self) -> tuple[Column, ...]:
-        names = np.array([each.name for each in self.wheels for _ in each.positions], dtype=object)
-        places = np.array([x for each in self.wheels for x in each.positions])
-        w, error = (np.concatenate([getattr(each, key) for each in self.wheels]) for key in ("w", "error"))
-        return (
-            Column("flywheel", "", names),
-            Column("plane", "m", places),
-            Column("correction", "g mm", G_MM * np.abs(w)),
-            Column("correction at", "deg", np.degrees(np.angle(w)) % 360.0),
-            Column("residual", "g mm", G_MM * RADIUS * error),
-        )
-
-    def to_dict(self) -> dict[str, Any]:
-        """All figures, as `mahovik balance --json` prints them."""
-        return {
-            "stand": self.stand.name,
-            "flywheels": [_wheel_object(each) for each in self.wheels],
-            "notes": list(self.notes),
-        }
-
-    def __repr__(self) -> str:
-        return f"<StandBalance of {self.stand.name}: {len(self.wheels)} flywheels, {len(self)} planes>"
-
-
-def _wheel_object(wheel: WheelBalance) -> dict[str, Any]:
-    planes = []
-    for x, w, error in zip(wheel.positions, wheel.w.tolist(), wheel.error.tolist(), strict=True):
-        half = math.degrees(math.atan2(HALF_WIDTH * error, abs(w)))
-        planes.append(
-            {"position": x, "correction": {"g mm": G_MM * abs(w), "degrees": _exact(w)["degrees"]}}
-            | {"interval": {"g mm": G_MM * HALF_WIDTH * error, "degrees": half}, "residual": G_MM * RADIUS * error}
-        )
-    left = RADIUS * wheel.static_error
-    return {
-        "name": wheel.name,
-        "speed": wheel.speed,
-        "planes": planes,
-        "static": {"before": G_MM * abs(wheel.static), "residual": G_MM * left},
-        "grade": {"before": wheel.grade(abs(wheel.static)), "residual": wheel.grade(left)},
-        "vibration": {name: {"before": before, "after": after} for name, before, after in wheel.vibration},
-        "fit": wheel.fit,
-    }
-
-
-def balance_stand(
-    stand: StandGiven,
-    data: str | Path | Sequence[str | Path],
-    *,
-    planes: Mapping[str, Sequence[Number]] | None = None,
-) -> StandBalance:
-    """Find corrections of all flywheels from measured data at constant speeds, without trial weights.
-
-    stand   with the sensors as points; its own unbalances do not count
-    data    files of measured data, with channels of sensors and phases of flywheels
-    planes  positions on the axis of a flywheel by its name, m or texts with a unit, "all" for the others; None: one
-            plane each, at the flywheel's origin
-
-    Raises BalanceError, DataError, StandError, UsageError, CheckError.
-    """
-    from mahovik.use.measured import read_recordings
-
-    own = Stand.of(stand)
-    places = read_planes(own, planes or {})
-    files = [Path(data)] if isinstance(data, str | Path) else [Path(each) for each in data]
-    recordings = read_recordings(files, own)
-    notes = [note for each in recordings for note in each.notes]
-    return StandBalance(own, balance_wheels(own, recordings, places), notes)
-
-
-def read_planes(stand: Stand, given: Mapping[str, Sequence[Number]]) -> dict[str, tuple[float, ...]]:
-    """Positions of planes by flywheel, m. Raises UsageError."""
-    names = [each.name for each in stand.flywheels]
-    found: dict[str, tuple[float, ...]] = {}
-    for name, values in given.items():
-        if name not in (*names, "all"):
-            raise UsageError(f'planes: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}')
-        places = tuple(quantity(f"planes of {name}", each, LENGTH) for each in values)
-        if not places or len(set(places)) < len(places):
-            raise UsageError(f"planes of {name}: expected different positions, found {list(values)}")
-        for each in names if name == "all" else [name]:
-            if name != "all" or each not in given:
-                found[each] = places
-    return found

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,8 +20,10 @@ from mahovik.core.stand.balance import grade_words
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
+from mahovik.use.balance.choices import Choice
 from mahovik.use.balance.first_order import FirstOrder, first_order
-from mahovik.use.balance.influence import INDEPENDENT
+from mahovik.use.balance.influence import INDEPENDENT, Influence
+from mahovik.use.balance.pieces import Made, choose_pieces
 from mahovik.use.balance.polar import Array, Complex
 from mahovik.use.measured import Recording
 from mahovik.use.study.jitter.plant import Plant
@@ -36,6 +38,39 @@ RADIUS = math.sqrt(-2.0 * math.log(0.05))
 """Standard errors of one component in the radius of a circle that has 95 % of a plane's normal distribution."""
 
 
+WORTH = 1e-3
+"""Part of the vibration by which a piece has to lower it."""
+
+SECONDS = 10.0
+"""Wall-clock limit of the choice of pieces for one flywheel."""
+
+Change = tuple[tuple[str, float, float], ...]
+"""Quantity, and amplitude before and after."""
+
+
+@dataclass(frozen=True, eq=False)
+class First:
+    """First order of a flywheel in one recording.
+
+    recording  its number; channels  labels (K)
+    measured   (K): x = Re(measured exp(i phi)); influence  (K, P): of 1 kg m in each plane
+    """
+
+    recording: int
+    speed: float
+    channels: tuple[str, ...]
+    measured: Complex
+    influence: Complex
+
+
+@dataclass(frozen=True)
+class Planes:
+    """Planes of a flywheel: positions (P, m) on its axis, and pieces that can be made in each (P, or none: any)."""
+
+    positions: tuple[float, ...] = (0.0,)
+    choices: tuple[Choice | None, ...] = ()
+
+
 @dataclass(frozen=True, eq=False)
 class WheelBalance:
     """Corrections of one flywheel, kg m, in planes at positions (P, m) on its axis.
@@ -44,8 +79,11 @@ class WheelBalance:
     w         (P): corrections; their angle is counted from the flywheel's second axis
     covariance  (P, P): of w; a component of w_k has the variance covariance_kk
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
-    vibration   quantity, and amplitude of the first order (root of the sum of squares over its channels) as measured
-                and with the corrections, at the fastest of the recordings
+    vibration   amplitude of the first order of each quantity (root of the sum of squares over its channels) as
+                measured and with the corrections, at the fastest of the recordings
+    firsts      in each recording in which the flywheel turns
+    made        pieces that stand for w; None where any correction can be made
+    simulated   as `vibration`, by the full equations with the unbalance found; empty: not simulated
     """
 
     name: str
@@ -55,7 +93,25 @@ class WheelBalance:
     w: Complex
     covariance: Complex
     fit: float
-    vibration: tuple[tuple[str, float, float], ...] = ()
+    vibration: Change = ()
+    firsts: tuple[First, ...] = ()
+    made: Made | None = None
+    simulated: Change = ()
+
+    @property
+    def applied(self) -> Complex:
+        """Corrections that are made (P), kg m: those of the pieces, else w."""
+        return self.w if self.made is None else self.made.w
+
+    @property
+    def residual(self) -> Array:
+        """Unbalance (P, kg m) of each plane that is not exceeded after correction, with 95 % confidence."""
+        return np.asarray(np.abs(self.applied - self.w) + RADIUS * self.error)
+
+    @property
+    def static_residual(self) -> float:
+        """Static unbalance, kg m, likewise."""
+        return abs(complex((self.applied - self.w).sum())) + RADIUS * self.static_error
 
     @property
     def error(self) -> Array:
@@ -78,11 +134,11 @@ class WheelBalance:
 
 
 def balance_wheels(
-    stand: Stand, recordings: Sequence[Recording], planes: Mapping[str, Sequence[float]]
+    stand: Stand, recordings: Sequence[Recording], planes: Mapping[str, Planes]
 ) -> tuple[WheelBalance, ...]:
     """Corrections of all flywheels that turn in the recordings, from their first orders in all channels.
 
-    planes   positions on the axis (m) by flywheel; others have one plane, at the flywheel's origin
+    planes   by flywheel; others have one plane, at the flywheel's origin
 
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
@@ -90,18 +146,24 @@ def balance_wheels(
     scene = Scene.of(stand)
     plant = Plant.of(scene)
     turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in found], axis=0))
-    return tuple(
-        _wheel(scene, plant, int(s), tuple(planes.get(stand.flywheels[s].name, (0.0,))), found) for s in turning
+    return tuple(_wheel(scene, plant, int(s), planes.get(stand.flywheels[s].name, Planes()), found) for s in turning)
+
+
+def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, found: Sequence[FirstOrder]) -> WheelBalance:
+    flywheel, positions = scene.stand.flywheels[s], planes.positions
+    firsts = tuple(
+        First(
+            k,
+            float(each.speeds[s]),
+            tuple(channel.label for channel in each.channels),
+            each.X[:, s],
+            influences(scene, plant, s, positions, each),
+        )
+        for k, each in enumerate(found)
+        if each.speeds[s]
     )
-
-
-def _wheel(
-    scene: Scene, plant: Plant, s: int, positions: tuple[float, ...], found: Sequence[FirstOrder]
-) -> WheelBalance:
-    flywheel = scene.stand.flywheels[s]
-    rows = [each for each in found if each.speeds[s]]
-    alpha = np.vstack([influences(scene, plant, s, positions, each) for each in rows])
-    X, error = (np.concatenate([getattr(each, name)[:, s] for each in rows]) for name in ("X", "error"))
+    alpha, X = np.vstack([each.influence for each in firsts]), np.concatenate([each.measured for each in firsts])
+    error = np.concatenate([found[each.recording].error[:, s] for each in firsts])
     weighted, M, P = alpha / error[:, None], len(X), len(positions)
     size = np.linalg.norm(weighted, axis=0)
     sizes = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
@@ -113,21 +175,42 @@ def _wheel(
     left = (X + alpha @ w) / error
     fit = math.sqrt(float(np.sum(np.abs(left) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
     covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2, dtype=np.complex128)
-    speed = max((float(each.speeds[s]) for each in rows), key=abs)
-    fastest = max(rows, key=lambda each: abs(each.speeds[s]))
-    seen = _vibration(fastest, s, influences(scene, plant, s, positions, fastest) @ w)
-    return WheelBalance(flywheel.name, flywheel.mass, speed, positions, w, covariance, fit, seen)
+    fastest = max(firsts, key=lambda each: abs(each.speed))
+    wheel = WheelBalance(flywheel.name, flywheel.mass, fastest.speed, positions, w, covariance, fit, firsts=firsts)
+    if any(each is not None for each in planes.choices):
+        wheel = replace(wheel, made=choose_pieces(_problem(wheel, planes.choices), WORTH, SECONDS))
+    after = fastest.measured + fastest.influence @ wheel.applied
+    return replace(wheel, vibration=amplitudes(fastest.channels, fastest.measured, after))
 
 
-def _vibration(found: FirstOrder, s: int, change: Complex) -> tuple[tuple[str, float, float], ...]:
-    """Quantity, amplitude before and after a change of the first order of flywheel s."""
+def _problem(wheel: WheelBalance, choices: tuple[Choice | None, ...]) -> Influence:
+    """What pieces make least: the modelled vibration in all channels and recordings, by its principal components.
+
+    Each quantity counts as a part of its largest amplitude. With A = U S V^H of the influences, the vibration that is
+    left by corrections c has the components S V^H (c - w), and their root of the sum of squares is that over all rows.
+    """
+    alpha = np.vstack([each.influence for each in wheel.firsts])
+    labels = np.array([_quantity(label) for each in wheel.firsts for label in each.channels])
+    before = np.abs(alpha @ wheel.w)
+    size = np.array([before[labels == label].max() for label in labels])
+    size[size == 0.0] = np.inf
+    _, s, Vh = np.linalg.svd(alpha / size[:, None], full_matrices=False)
+    influence = s[:, None] * Vh
+    return Influence(-influence @ wheel.w, influence, None, np.full(len(wheel.w), np.inf), choices)
+
+
+def amplitudes(channels: Sequence[str], before: Complex, after: Complex) -> Change:
+    """Root of the sum of squares over the channels (K labels) of each quantity, of first orders (K)."""
     rows = []
     for quantity in ("acceleration", "rate"):
-        own = [k for k, channel in enumerate(found.channels) if channel.quantity == quantity]
+        own = [k for k, label in enumerate(channels) if _quantity(label) == quantity]
         if own:
-            before, after = found.X[own, s], found.X[own, s] + change[own]
-            rows.append((quantity, float(np.linalg.norm(before)), float(np.linalg.norm(after))))
+            rows.append((quantity, float(np.linalg.norm(before[own])), float(np.linalg.norm(after[own]))))
     return tuple(rows)
+
+
+def _quantity(label: str) -> str:
+    return label.split(".")[-2]
 
 
 def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], found: FirstOrder) -> Complex:

@@ -15,13 +15,14 @@ from mahovik.errors import CheckError
 from mahovik.use.balance.choices import Choice, Piece
 from mahovik.use.balance.influence import Influence
 from mahovik.use.balance.polar import Array, Complex
+from mahovik.use.balance.silence import silent_output
 
 SIDES = 36
 SECONDS = 30.0
 """Wall-clock limit of the search."""
 
 FEWER = 1e-6
-"""Price of a piece, as a part of the largest vibration."""
+"""Price of a piece, as a part of the largest vibration, where no other is given."""
 
 FAR = 1e6
 """Bound of weights in planes that are left free, in multiples of what undoes the vibration."""
@@ -57,8 +58,14 @@ class _Column:
     upper: float
 
 
-def choose_pieces(problem: Influence) -> Made:
-    """The best pieces for a problem with choices. Raises CheckError: none found in time."""
+def choose_pieces(problem: Influence, price: float = FEWER, seconds: float = SECONDS) -> Made:
+    """The best pieces for a problem with choices.
+
+    price    a piece has to lower the largest vibration by at least this part of it
+    seconds  wall-clock limit of the search
+
+    Raises CheckError: none found in time.
+    """
     scale = float(np.abs(problem.A).max()) or 1.0
     columns = _columns(problem, scale)
     effects = np.array([each.effect * problem.alpha[:, each.plane] for each in columns]).T / scale
@@ -66,19 +73,20 @@ def choose_pieces(problem: Influence) -> Made:
     rows = (turns[:, None, None] * effects).real.reshape(-1, n)
     limit = -(turns[:, None] * (problem.A / scale)).real.ravel()
     tangents = LinearConstraint(np.column_stack([rows, -np.ones(len(rows))]), ub=limit)
-    price = np.array([0.0 if each.piece is None else FEWER for each in columns])
-    found = milp(
-        np.append(price, 1.0),
-        integrality=np.array([*(each.whole for each in columns), False], dtype=np.int64),
-        bounds=Bounds(
-            np.array([*(-each.upper if each.piece is None else 0.0 for each in columns), 0.0]),
-            np.array([*(each.upper for each in columns), np.inf]),
-        ),
-        constraints=[tangents, *_counts(problem.choices, columns)],
-        options={"time_limit": SECONDS, "mip_rel_gap": 0.0},
-    )
+    prices = np.array([0.0 if each.piece is None else price for each in columns])
+    with silent_output():
+        found = milp(
+            np.append(prices, 1.0),
+            integrality=np.array([*(each.whole for each in columns), False], dtype=np.int64),
+            bounds=Bounds(
+                np.array([*(-each.upper if each.piece is None else 0.0 for each in columns), 0.0]),
+                np.array([*(each.upper for each in columns), np.inf]),
+            ),
+            constraints=[tangents, *_counts(problem.choices, columns)],
+            options={"time_limit": seconds, "mip_rel_gap": 0.0},
+        )
     if found.x is None:
-        raise CheckError(f"pieces: no choice was found in {SECONDS:g} s; give fewer amounts or positions")
+        raise CheckError(f"pieces: no choice was found in {seconds:g} s; give fewer amounts or positions")
     x = np.where([each.whole for each in columns], np.round(found.x[:-1]), found.x[:-1])
     w = np.zeros(problem.alpha.shape[1], dtype=np.complex128)
     for each, amount in zip(columns, x, strict=True):

@@ -1,11 +1,13 @@
-"""Offset between the clocks of two files from a channel that both have, by cross-correlation.
+"""Offset and drift between the clocks of two files from a channel that both have, by cross-correlation.
 
-Only an offset that the signals show once is taken: a steady hum fits at every period.
+Only an offset that the signals show once is taken: a steady hum fits at every period. A drift is taken where the
+offsets of three parts of the recording lie on a line that is steeper than their own accuracy.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.signal import correlate, correlation_lags
@@ -25,7 +27,7 @@ MOST = 1 << 18
 
 @dataclass(frozen=True)
 class Offset:
-    """What has to be added to the times of the second clock, s; `correlation` there, 0 to 1; `safe`: seen once."""
+    """Seconds to add to the times of the second clock; `correlation` there, 0 to 1; `safe`: seen once."""
 
     seconds: float
     correlation: float
@@ -61,6 +63,49 @@ def clock_offset(t: Array, x: Array, other_t: Array, other_x: Array) -> Offset |
     seconds = (t[0] - other_t[0]) + (lags[best] + fraction) * step
     top = float(found[best])
     return Offset(float(seconds), min(top, 1.0), inner and top > ALIKE and rival < ALONE * top)
+
+
+PARTS = 3
+"""Parts of a recording whose offsets show a drift."""
+
+STRAIGHT = 0.3
+"""Most that the middle offset may be off the line of the others, in steps of time."""
+
+STEEP = 1.0
+"""Change of the offset over the recording, in steps of time, below which there is no drift."""
+
+
+def clock_drift(t: Array, x: Array, other_t: Array, other_x: Array) -> tuple[float, float] | None:
+    """Slope a and intercept b (s) of a t + b, the times of the second clock, shifted already, by the first clock.
+
+    Found twice, since a drift blurs the correlation within a part. None: no drift is seen, or not safely.
+    """
+    first = _line(t, x, other_t, other_x, STEEP)
+    if first is None:
+        return None
+    slope, intercept = first
+    second = _line(t, x, slope * other_t + intercept, other_x, 0.0)
+    return (second[0] * slope, second[0] * intercept + second[1]) if second is not None else first
+
+
+def _line(t: Array, x: Array, other_t: Array, other_x: Array, steep: float) -> tuple[float, float] | None:
+    """The line through the offsets of PARTS; None if they are not safe, not straight, or not as steep as wanted."""
+    low, high = max(t[0], other_t[0]), min(t[-1], other_t[-1])
+    edges = np.linspace(low, high, PARTS + 1)
+    step = max(float(np.median(np.diff(t))), float(np.median(np.diff(other_t))))
+    found = []
+    for a, b in pairwise(edges):
+        inside, other = (t >= a) & (t <= b), (other_t >= a) & (other_t <= b)
+        part = clock_offset(t[inside], x[inside], other_t[other], other_x[other])
+        if part is None or not part.safe:
+            return None
+        found.append(part.seconds)
+    first, middle, last = found
+    rate = (last - first) / float(edges[-2] - edges[0])
+    straight = abs(middle - 0.5 * (first + last)) <= STRAIGHT * step
+    if not straight or abs(rate) * (high - low) < steep * step:
+        return None
+    return 1.0 + rate, (first + middle + last) / PARTS - rate * float(0.5 * (low + high))
 
 
 def _finite(t: Array, x: Array) -> tuple[Array, Array]:

@@ -17,7 +17,7 @@ def modulus_of(counts: Array, turn: int | None) -> int | None:
     """Modulus at which a counter wraps; None if it does not.
 
     That of a turn where all counts are inside one turn, else that of the smallest register that holds them, signed or
-    not. A counter wraps where it steps by more than half of its modulus. `turn`: counts a turn.
+    not. A counter wraps where it steps by more than half of its modulus. `turn`: counts per turn.
     """
     finite = counts[np.isfinite(counts)]
     if len(finite) < 2:

@@ -16,13 +16,13 @@ from mahovik.use.measured.track import Track
 
 TURN = 2.0 * np.pi
 DIFFERENT = 0.02
-"""Relative difference of counts a turn and those seen between pulses, above which it is reported."""
+"""Relative difference of counts per turn and those seen between pulses, above which it is reported."""
 
 
 def channels_of(track: Track, stand: Stand, counts: Mapping[str, int]) -> list[Channel]:
     """The channels of a track in SI, with a phase for each count and tacho; a note on each correction.
 
-    `counts`: counts a turn of encoders that neither unit nor stand file states.
+    `counts`: counts per turn of encoders that neither unit nor stand file states.
     """
     found: list[Channel] = []
     wheels = {flywheel.name: flywheel for flywheel in stand.flywheels}
@@ -71,13 +71,14 @@ def _note_wraps(track: Track, name: Name, what: str, wraps: int, unsure: int) ->
 
 
 def _of_counts(track: Track, wheel: Flywheel, name: Name, values: Array, counts: Mapping[str, int]) -> Array | None:
-    """Phase of an encoder; None if its counts a turn are not known."""
+    """Phase of an encoder; None if its counts per turn are not known."""
     encoder = wheel.encoder
     turn = name.counts or (encoder.counts if encoder is not None else None) or counts.get(name.name)
     zero = 0.0 if encoder is None else encoder.zero
     if name.counts and encoder is not None and abs(encoder.counts) != name.counts:
         track.notes.append(
-            f"{name.label}: {name.counts} counts a turn in the header, {encoder.counts} in the stand file: the header's"
+            f"{name.label}: {name.counts} counts per turn in the header, {encoder.counts} in the stand file: "
+            "those of the header are taken"
         )
     elif name.counts and encoder is not None:
         turn = encoder.counts  # with its sign
@@ -85,11 +86,11 @@ def _of_counts(track: Track, wheel: Flywheel, name: Name, values: Array, counts:
         turn = _seen_counts(track, name, values)
         if turn is None:
             track.notes.append(
-                f"{name.label}: counts a turn are not known: left out; write the unit [1/4096 turn], or "
+                f"{name.label}: counts per turn are not known: left out; write the unit [1/4096 turn], or "
                 f"`encoder = {{ counts = 4096 }}` of {name.name} into the stand file"
             )
             return None
-        track.notes.append(f"{name.label}: {turn} counts a turn, as seen between pulses of its tacho")
+        track.notes.append(f"{name.label}: {turn} counts per turn, as seen between pulses of its tacho")
     modulus = modulus_of(values, turn)
     if modulus is not None:
         expected = _expected(track, name.name, turn / TURN)

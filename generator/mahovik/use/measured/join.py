@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
-from mahovik.use.measured.clock import clock_offset
+from mahovik.use.measured.clock import clock_drift, clock_offset
 from mahovik.use.measured.recording import GAP, Array, Channel, Recording
 
 SHARE = 0.5
@@ -74,11 +74,9 @@ def _take(recording: Recording, donor: Recording, same_clock: bool) -> Recording
     missing = [channel for channel in donor.channels if channel.label not in have]
     if not missing:
         return recording
-    shift, notes = 0.0, []
+    t, notes = donor.t, list[str]()
     if not same_clock:
-        shift, note = _shift(recording, donor)
-        notes.append(note)
-    t = donor.t + shift
+        t, notes = _shift(recording, donor)
     taken = tuple(replace(channel, values=at_times(t, channel, recording.t)) for channel in missing)
     names = ", ".join(sorted({channel.name for channel in missing}))
     notes.append(f"{recording.source}: {names} from {donor.source}, interpolated at the times of the sensors")
@@ -90,28 +88,37 @@ def _take(recording: Recording, donor: Recording, same_clock: bool) -> Recording
     )
 
 
-def _shift(recording: Recording, donor: Recording) -> tuple[float, str]:
-    """Seconds to add to the times of the donor, and a note."""
+def _shift(recording: Recording, donor: Recording) -> tuple[Array, list[str]]:
+    """Times of the donor by the clock of the recording, and notes."""
     where = f"{recording.source}: clock of {donor.source}"
     for channel in recording.channels:
         other = donor.find(channel.name, channel.quantity, channel.component)
         if other is None:
             continue
-        found = clock_offset(recording.t, _signal(recording.t, channel), donor.t, _signal(donor.t, other))
+        x, other_x = _signal(recording.t, channel), _signal(donor.t, other)
+        found = clock_offset(recording.t, x, donor.t, other_x)
         if found is None:
             continue
         if not found.safe:
-            return 0.0, (
+            return donor.t, [
                 f"{where}: {channel.label} of both does not fit at one offset alone (correlation "
                 f"{found.correlation:.2f} at {found.seconds:.4g} s): taken as equal"
-            )
+            ]
         words = "ahead" if found.seconds < 0 else "behind"
-        return found.seconds, f"{where}: {abs(found.seconds):.4g} s {words} by {channel.label}: corrected"
-    return 0.0, f"{where}: no channel is in both that shows an offset: taken as equal"
+        t = donor.t + found.seconds
+        notes = [f"{where}: {abs(found.seconds):.4g} s {words} by {channel.label}: corrected"]
+        drift = clock_drift(recording.t, x, t, other_x)
+        if drift is not None:
+            slope, intercept = drift
+            t = slope * t + intercept
+            words = "fast" if slope < 1.0 else "slow"
+            notes.append(f"{where}: runs {1e6 * abs(slope - 1.0):.0f} ppm {words} by {channel.label}: corrected")
+        return t, notes
+    return donor.t, [f"{where}: no channel is in both that shows an offset: taken as equal"]
 
 
 def _signal(t: Array, channel: Channel) -> Array:
-    """What is compared: of a phase its rate."""
+    """Signal to compare: the rate of a phase, other values as they are."""
     if channel.quantity != "phase" or len(t) < 3:
         return channel.values
     return np.asarray(np.gradient(channel.values, t))

@@ -5,7 +5,7 @@
     [counts]
     w1 = 4096
 
-`counts`: counts a turn of encoders that neither a unit nor the stand file states.
+`counts`: counts per turn of encoders that neither a unit nor the stand file states.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ KEYS = ("names", "counts")
 
 @dataclass(frozen=True)
 class Names:
-    """Headers by the name of a column in a file, and counts a turn by flywheel."""
+    """Headers by the name of a column in a file, and counts per turn by flywheel."""
 
     names: Mapping[str, str] = field(default_factory=dict)
     counts: Mapping[str, int] = field(default_factory=dict)
@@ -45,7 +45,7 @@ def read_names(path: Path, content: bytes) -> Names:
             if not isinstance(value, str)
         ]
         problems += [
-            f"{path}: counts.{key}: expected a whole number of counts a turn, not zero"
+            f"{path}: counts.{key}: expected a whole number of counts per turn, not zero"
             for key, value in tables["counts"].items()
             if isinstance(value, bool) or not isinstance(value, int) or value == 0
         ]

@@ -68,7 +68,7 @@ class Name:
     """A channel of a stand as its header names it.
 
     scale   SI units of one unit of the file; of a count without a unit of its own 1
-    counts  counts a turn that the unit states (`[1/4096 turn]`), None without
+    counts  counts per turn that the unit states (`[1/4096 turn]`), None without
     """
 
     kind: Kind

@@ -22,6 +22,8 @@ from mahovik.use.measured.join import join
 from mahovik.use.measured.names import Names, read_names
 from mahovik.use.measured.quantities import HeaderError, Name, is_time, name_of, time_scale
 from mahovik.use.measured.recording import Array, Recording
+from mahovik.use.measured.simulated_run import NOTE as RUN
+from mahovik.use.measured.simulated_run import is_run, run_header
 from mahovik.use.measured.times import order_times, split_runs
 from mahovik.use.measured.track import Track
 
@@ -114,7 +116,10 @@ def _tracks(path: Path, table: Table, stand: Stand, names: Names) -> list[Track]
     """The runs of a table, with what the stand knows of its channels. A table without time has none."""
     notes = list(table.notes)
     times = [header for header in table.columns if is_time(names.names.get(header, header))]
-    matched, scale, others = _match(table, stand, names, notes, path.suffix.lower() in PARTS)
+    run = is_run(table.columns)
+    if run:
+        notes.append(RUN)
+    matched, scale, others = _match(table, stand, names, notes, run or path.suffix.lower() in PARTS)
     if path.suffix.lower() in PARTS and not matched:
         return []
     if not times:
@@ -122,7 +127,7 @@ def _tracks(path: Path, table: Table, stand: Stand, names: Names) -> list[Track]
         return [Track(table.source, np.zeros(0), {}, notes)]
     if len(times) > 1:
         notes.append(f'two columns of time: "{times[0]}" is taken, "{times[1]}" is left out')
-    if others:
+    if others and not run:
         notes.append(f"{others} other columns have no name of the stand: left out")
     header = names.names.get(times[0], times[0])
     try:
@@ -141,7 +146,7 @@ def _match(
     scale: dict[Name, float] = {}
     others = 0
     for column, values in table.columns.items():
-        header = names.names.get(column, _known(column, stand, notes) if counted else column)
+        header = names.names.get(column, _own_header(column, stand, notes) if counted else column)
         if header is None:
             others += 1
             continue
@@ -159,8 +164,10 @@ def _match(
     return matched, scale, others
 
 
-def _known(column: str, stand: Stand, notes: list[str]) -> str | None:
-    """Header of a field of PX4; None where it is not known."""
+def _own_header(column: str, stand: Stand, notes: list[str]) -> str | None:
+    """Header of a column of a run, or of a field of PX4; None where it is not known."""
+    if RUN in notes:
+        return run_header(column)
     if column not in IMU and not column.startswith("time"):
         return None
     if column.startswith("time"):

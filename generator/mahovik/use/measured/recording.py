@@ -41,7 +41,7 @@ class Channel:
 
     @property
     def label(self) -> str:
-        """Name as a header has it, without unit: `acc1.acceleration.x`."""
+        """Name in a header, without unit: `acc1.acceleration.x`."""
         return ".".join(filter(None, (self.name, self.quantity, self.component)))
 
 

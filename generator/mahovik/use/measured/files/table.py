@@ -16,7 +16,7 @@ class Table:
     """Columns of a file.
 
     source   name of the file, and of the part of it
-    columns  (T,) numbers under each header as the file has them; one is the time
+    columns  (T,) numbers under each header, in the unit of the file; one is the time
     notes    what was found while reading
     """
 

@@ -1,0 +1,17 @@
+"""Data of a stand, computed once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from balance.bench import write_data, write_stand
+
+
+@pytest.fixture(scope="session")
+def bench(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with two.toml and run.csv."""
+    folder = tmp_path_factory.mktemp("bench")
+    write_data(folder / "run.csv", write_stand(folder / "two.toml"))
+    return folder

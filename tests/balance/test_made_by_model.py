@@ -1,0 +1,120 @@
+"""Corrections of a stand that can be made, the simulation before and after them, and the page."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mahovik
+from balance.bench import PLANES
+from cli.run import process, refused, run
+from mahovik.errors import BalanceError, UsageError
+from mahovik.out.functions.stand_balancing import StandBalance
+
+HOLES = """
+[all]
+positions = ["-10 mm", "10 mm"]
+pieces = { holes = 12, amounts = ["5 g", "20 g", "50 g", "100 g"], radii = ["30 mm"], most = 2, remove = true }
+[w2]
+positions = ["-10 mm", "10 mm"]
+pieces = [{ positions = [0, 120, 240], amounts = ["200 g"], radii = ["4 cm"], split = true }, {}]
+"""
+
+
+@pytest.fixture(scope="module")
+def made(bench: Path) -> StandBalance:
+    (bench / "planes.toml").write_text(HOLES, encoding="utf-8")
+    return mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=bench / "planes.toml")
+
+
+def test_the_simulation_agrees_before_and_after(made: StandBalance) -> None:
+    """The full equations with the pieces as masses leave what the linear model expects of noiseless data."""
+    for wheel in made.wheels:
+        assert len(wheel.simulated) == 2
+        for (name, measured, expected), (same, before, after) in zip(wheel.vibration, wheel.simulated, strict=True):
+            assert name == same
+            assert before == pytest.approx(measured, rel=5e-3)
+            assert abs(after - expected) < 3e-3 * measured
+    holes = made.wheels[0].vibration
+    assert all(1e-3 * before < after < 0.05 * before for _, before, after in holes)
+
+
+def test_the_simulated_weights_of_any_size_are_nearly_exact(bench: Path) -> None:
+    found = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=PLANES)
+    assert all(after < 3e-3 * before for wheel in found.wheels for _, before, after in wheel.simulated)
+
+
+def test_holes_and_screws_are_as_allowed(made: StandBalance) -> None:
+    figures = made.to_dict()["flywheels"]
+    for plane in figures[0]["planes"]:
+        pieces = plane["pieces"]
+        assert 1 <= len(pieces) <= 2
+        assert all(each["remove"] and each["degrees"] % 30 == pytest.approx(0, abs=1e-9) for each in pieces)
+        moment = -sum(
+            each["count"] * each["amount"] * each["radius"] * np.exp(1j * np.radians(each["degrees"]))
+            for each in pieces
+        )
+        made_there = plane["made"]["g mm"] * 1e-6 * np.exp(1j * np.radians(plane["made"]["degrees"]))
+        assert abs(moment - made_there) < 1e-12
+        off = made_there - plane["correction"]["g mm"] * 1e-6 * np.exp(1j * np.radians(plane["correction"]["degrees"]))
+        assert plane["residual"] >= abs(off) * 1e6
+    screws, free = figures[1]["planes"]
+    for plane in (screws, free):
+        assert plane["made"] == pytest.approx(plane["correction"], rel=2e-2)
+    assert all(0 < each["count"] <= 1 for each in screws["pieces"])
+    assert free["pieces"] == []
+
+
+def test_one_hole_is_the_best_of_all(bench: Path) -> None:
+    """In one plane the vibration is proportional to the distance of the correction from the exact one."""
+    pieces = {"holes": 8, "amounts": ["50 g", "100 g"], "radii": ["3 cm"], "most": 1, "forbidden": [[130, 140]]}
+    planes = {"w1": {"positions": [0], "pieces": pieces}}
+    wheel = mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=planes).wheels[0]
+    allowed = [m * 0.03 * np.exp(1j * np.radians(45 * k)) for k in range(8) for m in (0.05, 0.1) if k != 3]
+    best = min(allowed, key=lambda w: abs(w - wheel.w[0]))
+    assert wheel.made is not None and wheel.made.proven
+    assert abs(wheel.applied[0] - best) < 1e-12
+
+
+def test_the_command_prints_one_document_and_writes_a_page(bench: Path, made: StandBalance, tmp_path: Path) -> None:
+    """HiGHS prints lines of its own: they are on no output."""
+    arguments = (str(bench / "two.toml"), "--data", str(bench / "run.csv"), "--plane", str(bench / "planes.toml"))
+    done = process("balance", *arguments, "--json", "--report", str(tmp_path / "page.html"))
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout) == json.loads(json.dumps(made.to_dict()))
+    html = (tmp_path / "page.html").read_text(encoding="utf-8")
+    for words in ("Corrections", "Flywheel w2", "modelled", "Unbalance in the plane at 10 mm", "simulated before"):
+        assert words in html
+    table = run("balance", *arguments[:3], "--plane", "all=0").stdout
+    assert "simulated before" in table and "not simulated" not in table
+
+
+REFUSED = (
+    ({"w1": {"positions": [0], "piece": {}}}, UsageError, 'planes of w1: unknown key "piece"'),
+    ({"w1": {"positions": 3}}, UsageError, "expected a list of positions, found 3"),
+    ({"w1": {"pieces": {"holes": 3, "amounts": ["1 g"]}}}, BalanceError, "radii: missing"),
+    ({"w1": {"pieces": {"holes": 3, "amounts": ["1 m"], "radii": [0.1]}}}, UsageError, "amounts"),
+    ({"w1": {"pieces": {"holes": 0, "amounts": [1], "radii": [0.1]}}}, BalanceError, "whole number above 0"),
+    ({"w1": {"pieces": [None, None]}}, BalanceError, "a list of 2, but the number of planes is 1"),
+)
+
+
+@pytest.mark.parametrize(("planes", "kind", "words"), REFUSED)
+def test_refused_planes(bench: Path, planes: dict[str, object], kind: type[Exception], words: str) -> None:
+    with pytest.raises(kind) as error:
+        mahovik.balance_stand(str(bench / "two.toml"), bench / "run.csv", planes=planes)  # type: ignore[arg-type]
+    assert words in str(error.value)
+
+
+def test_refused_arguments(bench: Path, tmp_path: Path) -> None:
+    stand, data = str(bench / "two.toml"), str(bench / "run.csv")
+    (tmp_path / "bad.toml").write_text("[all", encoding="utf-8")
+    assert "not TOML" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "bad.toml"))
+    assert "No such file" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "none.toml"))
+    assert "expected NAME=X,.." in refused("balance", stand, "--data", data, "--plane", "w1")
+    assert "w1 is given twice" in refused("balance", stand, "--data", data, "--plane", "w1=0", "--plane", "w1=1mm")
+    assert "expected" in refused("balance", stand, "--data", data, "--report", str(tmp_path / "page.pdf"))
+    assert "--report: need a stand" in refused("balance", "--influence", data, "--report", "p.html")
