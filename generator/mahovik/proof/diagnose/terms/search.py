@@ -17,7 +17,7 @@ from mahovik.errors import CheckError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
 from mahovik.proof.diagnose.terms.fit import MOST, Columns
-from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, Monomial, Motion, count, monomials
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
@@ -40,6 +40,9 @@ SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 
 ROUNDING = 1e-11
 """Error over the size of the terms that a right program in double may have."""
+
+SOLVABLE = 1e-6
+"""Least singular value, scaled, of the mass matrix of a program with wrong terms."""
 
 
 @dataclass(frozen=True)
@@ -165,7 +168,10 @@ class TermSearch:
         columns = _columns(products)
         wanted = right - np.array([_other_wrenches(p, self._stand) for p in at])
         known = Coefficients(products, columns.least_squares(wanted, with_later=False), motion, at, self._stand)
-        return _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
+        found, left = _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
+        if _solvable(found, products, motion, at[0].K):
+            return found, left
+        return [], [1.0]
 
     def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
         """Errors of the drive torques."""
@@ -213,6 +219,24 @@ def _terms(
         for component, k, c, part in found
     ]
     return sorted(terms, key=lambda term: -term.share), left
+
+
+def _solvable(found: Sequence[WrongTerm], products: Sequence[Monomial], motion: Motion, K: Array) -> bool:
+    """Whether the equations with these terms wrong have one V_r*, at the first state, whose K is given.
+
+    "All of X is missing" is true of every wrong program, for its error is K V_r* less the right-hand side, and both are
+    sums of the products. But a program that answers has a mass matrix.
+    """
+    wrong = K.copy()
+    of = {each.term: each for each in products}
+    for term in found:
+        product = of[term.term]
+        if product.accelerates:
+            j = ACCELERATIONS.index(product.factors[0])
+            wrong[WRENCH_LETTERS.index(term.component), j] -= term.error * product.values[0] / motion.V_r_dot[0, j]
+    size = np.sqrt(np.diag(K))
+    singular = np.linalg.svd(wrong / np.outer(size, size), compute_uv=False)
+    return bool(singular[-1] > SOLVABLE)
 
 
 def _columns(products: Sequence[Monomial]) -> Columns:
