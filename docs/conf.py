@@ -37,7 +37,14 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_copyright = False
 
-LISTS = {"index": "", "results/index": "", "python": "python/", "tutorial": "tutorial-", "batch": "campaign"}
+LISTS = {
+    "index": "",
+    "results/index": "",
+    "python": "python/",
+    "tutorial": "tutorial-",
+    "batch": "campaign",
+    "diagnosis": "audits",
+}
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
 
