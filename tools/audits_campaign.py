@@ -1,8 +1,8 @@
-"""Judge public models of others, written anew in tests/audits, and write docs/results/audits.md.
+"""Judge the public models of others in tests/audits, and write docs/results/audits.md.
 
 python tools/audits_campaign.py [--jobs 2] [--write]
 
-Exit status 1 where a name is told that the calculation by hand does not have, or one of it is missing.
+Exit status 1 where a term is named that the calculation by hand does not have, or one of it is missing.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""DSRV: heave and pitch of a rescue vehicle, Healey (1992), as the Marine Systems Simulator has it."""
+"""DSRV: heave and pitch of a rescue vehicle by Healey (1992), from the Marine Systems Simulator."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ def _states(document: Mapping[str, Any], freedoms: int, turn: float | None) -> t
                 rest,
                 position=tuple(place.tolist()),
                 quaternion=tuple((q / np.linalg.norm(q)).tolist()) if turn is None else None,
-                angles=None if turn is None else _turned(freedoms, angle),
+                angles=None if turn is None else _angles(freedoms, angle),
                 u=tuple(rng.normal(size=freedoms).tolist()),
                 phi=tuple(rng.uniform(-math.pi, math.pi, wheels).tolist()),
                 phi_dot=tuple((5 * rng.normal(size=wheels)).tolist()),
@@ -48,7 +48,7 @@ def _driven_from_outside(states: tuple[State, ...]) -> tuple[State, ...]:
     return tuple(replace(each, wrench={"carrier": (0.0, 0.0, 0.0, 0.0, 0.0, sum(each.tau))}) for each in states)
 
 
-def _turned(freedoms: int, angle: float) -> tuple[float, float, float]:
+def _angles(freedoms: int, angle: float) -> tuple[float, float, float]:
     """psi, theta, phi: the pendulum turns about x, the screen about z."""
     return (0.0, 0.0, angle) if freedoms == 1 else (angle, 0.0, 0.0)
 

@@ -1,4 +1,4 @@
-"""What the reference says about an audited model: how far it agrees, and the wrong terms that are named."""
+"""Comparison of an audited model with the reference: how far it agrees, and the wrong terms that are named."""
 
 from __future__ import annotations
 
@@ -56,10 +56,10 @@ def ask(audit: Audit, request: Request) -> Mapping[str, Any]:
 
 def measure(audit: Audit, faults: bool = True) -> Outcome:
     """Compare a model; `faults`: look for known faults as well, as `judge --explain` does."""
-    return _held(audit) if audit.states else _free(audit, faults)
+    return _measure_held(audit) if audit.states else _measure_free(audit, faults)
 
 
-def _held(audit: Audit) -> Outcome:
+def _measure_held(audit: Audit) -> Outcome:
     worst: dict[str, float] = {}
     for state in audit.states:
         for want in audit.wants:
@@ -99,7 +99,7 @@ def _differences(audit: Audit, request: Request) -> dict[str, float]:
     return {name: difference(found[name], expected[name], natural[name])[0] for name in found}
 
 
-def _free(audit: Audit, faults: bool) -> Outcome:
+def _measure_free(audit: Audit, faults: bool) -> Outcome:
     search = TermSearch(audit.stand, 1, tuple(want for want in audit.wants if want in WANTS))
     first = search.requests
     worst = max(max(_differences(audit, each).values()) for each in (*first, *_coupled(audit, first)))

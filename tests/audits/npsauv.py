@@ -1,4 +1,4 @@
-"""NPS AUV II: Healey and Lienard (1993) as the Marine Systems Simulator has it, now and before it was written anew."""
+"""NPS AUV II: Healey and Lienard (1993) in the newer and the older file of the Marine Systems Simulator."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def test_a_planted_sign_of_a_gyroscopic_torque_is_named() -> None:
 
 
 def test_the_wheel_of_basilisk_lacks_the_known_fault() -> None:
-    """Its name is that of the dictionary; without the dictionary the terms of the calculation by hand are found."""
+    """The dictionary has a name for the terms in Jt - Jg."""
     asymmetric = AUDITS["basilisk_asymmetric"]
     found = measure(asymmetric)
     assert found.faults == (asymmetric.fault,)
