@@ -47,6 +47,9 @@ LISTS = {
 }
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
+IN_SENTENCES = {"design": ("balancing.md", "measured-data.md")}
+"""Pages that another page links in a sentence, and belong below it."""
+
 
 def contents(page: str, folder: str) -> str:
     """The lists of links to pages in `folder` under the headings of a page, as tables of contents."""
@@ -56,8 +59,13 @@ def contents(page: str, folder: str) -> str:
         pages = re.findall(r"^\* .*?\]\((\S+\.md)\)", listed, re.MULTILINE)
         pages = [each for each in pages if each.startswith(folder)]
         if pages:
-            text += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
+            text += toctree(heading, pages)
     return text
+
+
+def toctree(heading: str, pages: list[str]) -> str:
+    """A hidden table of contents."""
+    return "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
 
 
 def read(app: Sphinx, name: str, source: list[str]) -> None:
@@ -67,6 +75,9 @@ def read(app: Sphinx, name: str, source: list[str]) -> None:
     """
     if name in LISTS:
         source[0] += contents(source[0], LISTS[name])
+    linked = [page for page in IN_SENTENCES.get(name, ()) if f"]({page})" in source[0]]
+    if linked:
+        source[0] += toctree("Balancing", linked)
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
 
 
