@@ -13,7 +13,7 @@ from audits.audit import Array, Audit, Term
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser
-from mahovik.proof.diagnose.terms.search import WANTS, TermSearch, TermSearchResult
+from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.forward import bias
 from mahovik.proof.reference.hold import held_state, twists
@@ -23,6 +23,10 @@ from mahovik.proof.verify.states import Request
 
 AGREES = 1e-11
 """Difference over the natural scale below which numbers agree."""
+
+
+SEARCHED = ("forward", "torque")
+"""Quantities in which wrong terms are looked for."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +104,7 @@ def _differences(audit: Audit, request: Request) -> dict[str, float]:
 
 
 def _measure_free(audit: Audit, faults: bool) -> Outcome:
-    search = TermSearch(audit.stand, 1, tuple(want for want in audit.wants if want in WANTS))
+    search = TermSearch(audit.stand, 1, tuple(want for want in audit.wants if want in SEARCHED))
     first = search.requests
     worst = max(max(_differences(audit, each).values()) for each in (*first, *_coupled(audit, first)))
     sizes = _components(audit, first)

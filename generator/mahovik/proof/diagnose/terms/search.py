@@ -17,7 +17,8 @@ from mahovik.errors import CheckError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
 from mahovik.proof.diagnose.terms.fit import MOST, Columns
-from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
@@ -40,9 +41,6 @@ SPREAD = {"V": 1.0, "phi_dot": 3.0, "phi_ddot": 3.0, "V_dot": 1.0}
 
 ROUNDING = 1e-11
 """Error over the size of the terms that a right program in double may have."""
-
-SOLVABLE = 1e-6
-"""Least singular value, scaled, of the mass matrix of a program with wrong terms."""
 
 
 @dataclass(frozen=True)
@@ -117,6 +115,8 @@ class TermSearch:
             terms, rest = self._of_forward(answers) if want == "forward" else self._of_torque(answers)
             found += terms
             left += rest
+        if not has_mass_matrix(self._stand, [(x.component, x.term, x.error) for x in found if x.want != "torque"]):
+            return TermSearchResult((), 1.0, self.wants)
         return TermSearchResult(tuple(found), max(left, default=0.0), self.wants)
 
     def _check_repeats(self, answers: Answers) -> None:
@@ -168,10 +168,7 @@ class TermSearch:
         columns = _columns(products)
         wanted = right - np.array([_other_wrenches(p, self._stand) for p in at])
         known = Coefficients(products, columns.least_squares(wanted, with_later=False), motion, at, self._stand)
-        found, left = _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
-        if _solvable(found, products, motion, at[0].K):
-            return found, left
-        return [], [1.0]
+        return _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
 
     def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
         """Errors of the drive torques."""
@@ -219,24 +216,6 @@ def _terms(
         for component, k, c, part in found
     ]
     return sorted(terms, key=lambda term: -term.share), left
-
-
-def _solvable(found: Sequence[WrongTerm], products: Sequence[Monomial], motion: Motion, K: Array) -> bool:
-    """Whether the equations with these terms wrong have one V_r*, at the first state, whose K is given.
-
-    "All of X is missing" is true of every wrong program, for its error is K V_r* less the right-hand side, and both are
-    sums of the products. But a program that answers has a mass matrix.
-    """
-    wrong = K.copy()
-    of = {each.term: each for each in products}
-    for term in found:
-        product = of[term.term]
-        if product.accelerates:
-            j = ACCELERATIONS.index(product.factors[0])
-            wrong[WRENCH_LETTERS.index(term.component), j] -= term.error * product.values[0] / motion.V_r_dot[0, j]
-    size = np.sqrt(np.diag(K))
-    singular = np.linalg.svd(wrong / np.outer(size, size), compute_uv=False)
-    return bool(singular[-1] > SOLVABLE)
 
 
 def _columns(products: Sequence[Monomial]) -> Columns:
