@@ -37,8 +37,18 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_copyright = False
 
-LISTS = {"index": "", "results/index": "", "python": "python/", "tutorial": "tutorial-", "batch": "campaign"}
+LISTS = {
+    "index": "",
+    "results/index": "",
+    "python": "python/",
+    "tutorial": "tutorial-",
+    "batch": "campaign",
+    "diagnosis": "audits",
+}
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
+
+IN_SENTENCES = {"design": ("balancing.md", "measured-data.md")}
+"""Pages that another page links in a sentence, and belong below it."""
 
 
 def contents(page: str, folder: str) -> str:
@@ -49,8 +59,13 @@ def contents(page: str, folder: str) -> str:
         pages = re.findall(r"^\* .*?\]\((\S+\.md)\)", listed, re.MULTILINE)
         pages = [each for each in pages if each.startswith(folder)]
         if pages:
-            text += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
+            text += toctree(heading, pages)
     return text
+
+
+def toctree(heading: str, pages: list[str]) -> str:
+    """A hidden table of contents."""
+    return "\n".join(["", "```{toctree}", ":hidden:", f":caption: {heading}", "", *pages, "```", ""])
 
 
 def read(app: Sphinx, name: str, source: list[str]) -> None:
@@ -60,6 +75,9 @@ def read(app: Sphinx, name: str, source: list[str]) -> None:
     """
     if name in LISTS:
         source[0] += contents(source[0], LISTS[name])
+    linked = [page for page in IN_SENTENCES.get(name, ()) if f"]({page})" in source[0]]
+    if linked:
+        source[0] += toctree("Balancing", linked)
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
 
 

@@ -48,6 +48,7 @@ TOOLS = (
     "math_campaign",
     "explain_campaign",
     "terms_campaign",
+    "audits_campaign",
     "rounding_campaign",
     "short_steps",
     "judges_table",

@@ -20,6 +20,7 @@ RESULTS = DOCS / "results" / "index.md"
 PYTHON = DOCS / "python.md"
 BATCH = DOCS / "batch.md"
 DESIGN = DOCS / "design.md"
+DIAGNOSIS = DOCS / "diagnosis.md"
 
 
 def listed(index: Path) -> list[Path]:
@@ -32,7 +33,8 @@ def test_every_page_is_in_one_index_once() -> None:
     tutorials = [page for page in listed(TUTORIAL) if page.name.startswith("tutorial-")]
     campaigns = [page for page in listed(BATCH) if page.name.startswith("campaign")]
     data = [page for page in listed(DESIGN) if page.name in ("balancing.md", "measured-data.md")]
-    pages = [*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns, *data]
+    audits = [page for page in listed(DIAGNOSIS) if page.name == "audits.md" and page.parent == DOCS]
+    pages = [*listed(INDEX), *listed(RESULTS), *functions, *tutorials, *campaigns, *data, *audits]
     assert sorted(pages) == sorted(there)
     assert {page.parent for page in listed(RESULTS)} == {RESULTS.parent}
 

@@ -18,6 +18,7 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
 from mahovik.proof.diagnose.terms.fit import MOST, Columns
 from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.solvable import has_mass_matrix
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
@@ -114,6 +115,8 @@ class TermSearch:
             terms, rest = self._of_forward(answers) if want == "forward" else self._of_torque(answers)
             found += terms
             left += rest
+        if not has_mass_matrix(self._stand, [(x.component, x.term, x.error) for x in found if x.want != "torque"]):
+            return TermSearchResult((), 1.0, self.wants)
         return TermSearchResult(tuple(found), max(left, default=0.0), self.wants)
 
     def _check_repeats(self, answers: Answers) -> None:

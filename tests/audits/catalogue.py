@@ -1,0 +1,11 @@
+"""All audits, in the order of the page."""
+
+from __future__ import annotations
+
+from audits import basilisk, dsrv, gazebo, gyrostat, held, npsauv, otter, spheroid
+from audits.audit import Audit
+
+AUDITS: dict[str, Audit] = {
+    each.name: each for of in (npsauv, spheroid, dsrv, otter, gazebo, basilisk, gyrostat, held) for each in of.AUDITS
+}
+"""Audits by name."""
