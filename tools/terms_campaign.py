@@ -16,10 +16,10 @@ import campaign
 import numpy as np
 from kept import Campaign, Columns, Figures, Measured
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.random import EVERYTHING, SEQUENCES, random_stand
 from mahovik.proof import reference
-from mahovik.proof.diagnose.terms.monomials import WRENCHES, Motion, monomials
+from mahovik.proof.diagnose.terms.monomials import Motion, monomials
 from mahovik.proof.diagnose.terms.search import TermSearch
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
@@ -75,6 +75,7 @@ class Plant:
 def plants(stand: Stand, rng: np.random.Generator) -> list[Plant]:
     """One to four wrong terms that have an effect; each in an element of its own."""
     states = [request.state for request in TermSearch(stand, 99, ("forward",)).requests[:3]]
+    pieces = [reference.pieces(stand, state) for state in states]
     found: list[Plant] = []
     for _ in range(int(rng.integers(1, 5))):
         while True:
@@ -84,8 +85,7 @@ def plants(stand: Stand, rng: np.random.Generator) -> list[Plant]:
             one = Plant(place, kind, row, inner, column, factor, other)
             sizes = [
                 float(np.abs(one.wrench(at, np.array(s.phi_ddot), np.array(s.V_dot))).max())
-                for s in states
-                for at in (reference.pieces(stand, s),)
+                for s, at in zip(states, pieces, strict=True)
             ]
             known = any((x.place, x.row, x.column) == (place, row, column) for x in found)
             if min(sizes) > 1e-6 and not known:
@@ -128,28 +128,24 @@ def examine(seed: int) -> dict[str, Any]:
     return {
         "stand": stand.name,
         "flywheels": len(stand.flywheels),
-        "planted": ", ".join(f"{x.kind} in {x.place}, {WRENCHES[x.row]}" for x in planted),
+        "planted": ", ".join(f"{x.kind} in {x.place}, {WRENCH_LETTERS[x.row]}" for x in planted),
         "named": "; ".join(f"{x.component}: {x.term}" for x in found.terms),
         "unexplained": max(found.unexplained, off),
         "seconds": seconds,
         "found": found.whole and off < 1e-6,
-        "false": sum(x.component not in {WRENCHES[p.row] for p in planted} for x in found.terms),
+        "false": sum(x.component not in {WRENCH_LETTERS[p.row] for p in planted} for x in found.terms),
     }
 
 
 def _unexplained(stand: Stand, moves: Any, requests: Any, terms: Any) -> float:
     """Part of the error at states that were not asked for which the named terms do not explain."""
     states = [request.state for request in requests]
-    motion = Motion(
-        np.array([at.V_r for at, _, _ in moves]), np.array([x for _, x, _ in moves]), np.array([s.phi for s in states]),
-        np.array([s.phi_dot for s in states]), np.array([s.phi_ddot for s in states]),
-        np.array([at.gravity for at, _, _ in moves]),
-    )  # fmt: skip
+    motion = Motion.of(states, [at for at, _, _ in moves], np.array([x for _, x, _ in moves]))
     values = {each.term: each.values for each in monomials(stand, motion)}
     error = np.array([e for _, _, e in moves])
     rest = error.copy()
     for each in terms:
-        rest[:, WRENCHES.index(each.component)] -= each.error * values[each.term]
+        rest[:, WRENCH_LETTERS.index(each.component)] -= each.error * values[each.term]
     return float(np.linalg.norm(rest) / np.linalg.norm(error))
 
 

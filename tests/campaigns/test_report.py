@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -10,10 +11,12 @@ import numpy as np
 import pytest
 
 import mahovik
+from campaigns.files import write
 from campaigns.stub import POISON, load_stub, write_stub
 from mahovik.errors import CheckError
 from mahovik.out.campaign.convergence import quantile_interval
 from mahovik.out.campaign.face import Campaign, CampaignFolder
+from mahovik.out.campaign.folder import load_campaign
 from mahovik.out.campaign.report.influence import influences
 from mahovik.out.campaign.report.query import Query
 from mahovik.out.campaign.shards import shard_path
@@ -33,7 +36,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> CampaignFolder:
 def text_of(page: Path) -> str:
     """Words of a page without scripts and styles, one space between them."""
     html = re.sub(r"<(script|style|svg).*?</\1>", " ", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    return " ".join(re.sub(r"<[^>]*>", " ", html).replace("\u2007", "").replace("\u2008", "").split())
+    return " ".join(unescape(re.sub(r"<[^>]*>", " ", html)).replace("\u2007", "").replace("\u2008", "").split())
 
 
 def test_the_page_says_what_the_rows_say(folder: CampaignFolder, tmp_path: Path) -> None:
@@ -104,6 +107,36 @@ def test_queries_give_the_columns(folder: CampaignFolder) -> None:
     assert query.parameters_of(17) == {"carrier.mass": columns["carrier.mass"][17]}
     thinned = query.columns(["double"], every=7)["double"]
     assert np.array_equal(thinned, columns["double"][good & (columns["sample"] % 7 == 0)])
+
+
+DEPENDS = """
+[vary]
+"left.unbalance.static" = { uniform = ["1800 g mm", "2200 g mm"] }
+"carrier.mass" = { relative = "0.1 %" }
+[over]
+regime = { default = { speed = "300 rpm" } }
+until = "5 ms"
+dt = "0.5 ms"
+[[quantity]]
+name = "shake"
+what = "rms acceleration"
+at = "carrier"
+"""
+
+
+@pytest.mark.parametrize(
+    ("design", "title"), [("saltelli", "Sobol' indices"), ("morris", "Elementary effects of Morris")]
+)
+def test_the_page_has_the_figures_of_the_design(design: str, title: str, tmp_path: Path) -> None:
+    file = write(tmp_path, DEPENDS, stand="shaker2", samples=48, design=design)
+    Campaign(file).run(tmp_path / "out", workers=1)
+    found = CampaignFolder(tmp_path / "out")
+    text = text_of(found.report(tmp_path / "page.html", worst=0).page)
+    figures = load_campaign(file, None).sensitivity(found.columns()["shake"]).figures
+    first = "ST" if design == "saltelli" else "mu_star"
+    assert figures[first][0] > 10 * figures[first][1] > 0.0  # of the unbalance, and of the mass
+    table = text[text.index(f"{title}, from 48 samples") :]
+    assert f"left.unbalance.static {figures['S1' if design == 'saltelli' else first][0]:.3g}" in table
 
 
 def test_shares_of_the_variance_are_those_of_ishigami() -> None:

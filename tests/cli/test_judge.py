@@ -58,6 +58,35 @@ def test_a_program_that_differs_is_told_its_fault() -> None:
     assert "confidence 9" in result.stdout
 
 
+LEVER = """
+import json, sys
+import numpy as np
+import mahovik
+from mahovik.proof import reference
+from mahovik.proof.verify.states import read_request
+stand = mahovik.load(sys.argv[1])
+for line in sys.stdin:
+    given = json.loads(line)
+    state = read_request(stand, given).state
+    at = reference.pieces(stand, state)
+    V_dot = reference.evaluate(stand, state, ("forward",), at)["V_dot"]
+    V_dot = V_dot + np.linalg.solve(at.K, [0, 0, 0, 0, 0.25 * at.V_r[2] * at.V_r[5], 0])
+    print(json.dumps({"id": given["id"], "V_dot": V_dot.tolist()}))
+"""
+
+
+def test_a_wrong_term_as_json() -> None:
+    command = f"{PYTHON} -c {shlex.quote(LEVER)} {{stand}}"
+    result = run("judge", DEMO3, "--with", command, "--explain", "--states", "3", "--want", "forward", "--json")
+    assert result.exit_code == 1
+    diagnosis = json.loads(result.stdout)["diagnosis"]
+    assert (diagnosis["verdict"], len(diagnosis["found"])) == ("named", 1)
+    (term,) = diagnosis["found"]
+    assert (term["want"], term["component"], term["term"], term["coefficient"]) == ("forward", "M", "w r", "")
+    assert term["factor"] - term["expected"] == pytest.approx(0.25, rel=1e-9)
+    assert diagnosis["unexplained"] < 1e-9
+
+
 @pytest.mark.slow
 def test_the_diagnosis_as_json() -> None:
     result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6", "--json", "--want", "forward,torque")

@@ -188,7 +188,7 @@ def test_no_multiply_add_is_fused_and_vectors_are_used(tmp_path: Path) -> None:
 
 
 def _function(code: str, name: str) -> str:
-    """Assembly of one function."""
+    """The instructions of one function in a disassembly."""
     found = re.search(rf"<bench8_{name}>:\n(.*?)(\n\n|\Z)", code, re.DOTALL)
     assert found is not None
     return found[1]

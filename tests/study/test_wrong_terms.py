@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 
 import mahovik
 from mahovik.errors import CheckError
+from mahovik.laws.damping.faults import coefficients
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
@@ -26,6 +28,11 @@ Change = Callable[[Any, Any, Pieces], None]
 @cache
 def search(name: str) -> TermSearch:
     return TermSearch(mahovik.example(name))
+
+
+@cache
+def mass(name: str) -> float:
+    return sum(body.mass for body in mahovik.example(name).bodies)
 
 
 def found(name: str, change: Change, tau: Callable[[Request, Any], Any] = lambda _, tau: tau) -> TermSearchResult:
@@ -44,15 +51,14 @@ def found(name: str, change: Change, tau: Callable[[Request, Any], Any] = lambda
     return search(name).find(answers)
 
 
+ROOT = Path(__file__).parents[2]
+
+
 def named(result: TermSearchResult) -> set[tuple[str, str, str, float, float | None, str]]:
     return {
         (x.want, x.component, x.term, round(x.multiple.factor, 6), x.multiple.expected, x.multiple.coefficient)
         for x in result.terms
     }
-
-
-def mass(name: str) -> float:
-    return sum(body.mass for body in mahovik.example(name).bodies)
 
 
 @pytest.mark.parametrize("name", ["remus6", "demo3"])
@@ -81,6 +87,19 @@ def test_a_wrong_inertia_is_named_where_it_is_the_shorter_story() -> None:
 
     # the same motion as with other factors of w q and v r, which are two terms
     assert named(found("demo3", change)) == {("forward", "X", "u_dot", -0.8, -1.0, "m")}
+
+
+def test_damping_and_weight_have_their_own_names() -> None:
+    derivative = coefficients(mahovik.example("remus6").carrier, 0.0)["Y_v|v|"]
+
+    def change(_: Any, right: Any, at: Pieces) -> None:
+        right[1] -= 2 * derivative * np.abs(at.V_r[1]) * at.V_r[1]
+        right[2] -= mass("remus6") * at.gravity[2]
+
+    assert named(found("remus6", change)) == {
+        ("forward", "Y", "|v| v", -1.0, 1.0, "Y_v|v|"),
+        ("forward", "Z", "g_z", 0.0, 1.0, "W"),
+    }
 
 
 def test_terms_of_phases_and_of_torques() -> None:
@@ -127,10 +146,8 @@ def test_words_and_data_of_terms() -> None:
         right[2] -= 2 * mass("demo3") * at.V_r[0] * at.V_r[4]
 
     diagnosis = Diagnosis("unknown", terms=found("demo3", change))
-    assert sentences(diagnosis)[:2] == [
-        "wrong term found:",
-        "  forward, Z: u q has the wrong sign: factor -1 m, expected 1 m; 100% of the error",
-    ]
+    page = (ROOT / "docs" / "diagnosis.md").read_text(encoding="utf-8")
+    assert "\n".join(sentences(diagnosis)) in page
     data = as_object(diagnosis)
     assert (data["verdict"], data["found"][0]["term"], data["found"][0]["coefficient"]) == ("named", "u q", "m")
     assert data["unexplained"] < 1e-9

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.core.stand.model import Body
+from mahovik.laws.buoyancy.data import Buoyancy
 from mahovik.proof.diagnose.edits import minus, without_moment, wrench, zero
 from mahovik.proof.diagnose.fault import Fault
 from mahovik.proof.reference.screw import force_at
@@ -24,3 +26,13 @@ FAULTS = (
           "Buoyancy is missing",
           "`buoyancy` of carrier, instruments, flywheels"),
 )
+# fmt: on
+
+
+def coefficients(body: Body, g: float) -> dict[str, float]:
+    """Buoyancy of a body, N, and its moments about the origin, N m, by name, under gravity g (m/s2)."""
+    found = body.law(Buoyancy)
+    if found is None:
+        return {}
+    B = found.displaced_mass * g
+    return {"B": B} | {f"B {axis}_B": B * x for axis, x in zip("xyz", found.center, strict=True)}

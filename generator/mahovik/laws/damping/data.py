@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mahovik.core.stand.model import LawData, Mat6
+from mahovik.core.stand.model import TWIST_LETTERS, LawData, Mat6
 
 
 @dataclass(frozen=True)
@@ -13,6 +13,12 @@ class Factor:
 
     component: int
     absolute: bool
+
+    @property
+    def letter(self) -> str:
+        """Letter of SNAME, "u", or "|u|"."""
+        found = TWIST_LETTERS[self.component]
+        return f"|{found}|" if self.absolute else found
 
 
 @dataclass(frozen=True)

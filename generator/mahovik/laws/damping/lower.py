@@ -15,7 +15,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Place, magnitude, select
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.damping.data import Damping
 
@@ -93,8 +93,8 @@ def term_members(stand: Stand, rows: Any) -> Iterator[Member]:
     damped = ((body.name, body.law(Damping)) for body in stand.bodies)
     own = [(name, term) for name, damping in damped if damping is not None for term in damping.terms]
     for k, ((body, term), row) in enumerate(zip(own, rows, strict=True)):
-        factors = [f"|{TWIST_LETTERS[f.component]}|" if f.absolute else TWIST_LETTERS[f.component] for f in term.of]
-        text = f"{body}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {' '.join(factors)}"
+        factors = " ".join(factor.letter for factor in term.of)
+        text = f"{body}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
         unit = units.law(term.wrench, tuple(f.component for f in term.of))
         yield Member(f"derivative[{k + 1}]", unit, text, float(member(row, "value")))
 

@@ -84,17 +84,12 @@ def lines(damping: Damping) -> list[str]:
     ]
     if damping.terms:
         terms = (
-            f'{{ wrench = "{WRENCH_LETTERS[term.wrench]}", of = {value_of([_letters(f) for f in term.of])}, '
+            f'{{ wrench = "{WRENCH_LETTERS[term.wrench]}", of = {value_of([factor.letter for factor in term.of])}, '
             f"value = {term.value!r} }}"
             for term in damping.terms
         )
         found.append(f"terms = [{', '.join(terms)}]")
     return found
-
-
-def _letters(factor: Factor) -> str:
-    letter = TWIST_LETTERS[factor.component]
-    return f"|{letter}|" if factor.absolute else letter
 
 
 def structure(stand: Stand) -> dict[str, Any]:

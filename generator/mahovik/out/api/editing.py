@@ -41,30 +41,32 @@ def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
     Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is as given, whatever
     mass and centre of mass are set beside it. Raises UsageError, StandError.
     """
-    unbalances: dict[tuple[str, ...], dict[str, Any]] = {}
+    unbalances: dict[str, dict[str, Any]] = {}
     for path, value in changes.items():
-        *way, last = path.split(".")
-        if len(way) > 1 and way[-1] == "unbalance":
-            unbalances.setdefault(tuple(way), {})[last] = value
+        table, _, last = path.rpartition(".")
+        if table.endswith(".unbalance"):
+            unbalances.setdefault(table, {})[last] = value
         else:
             _put_one(document, path, value)
-    for (*way, part), keys in unbalances.items():
-        path = ".".join((*way, part, next(iter(keys))))
-        place: Any = document
-        for k, each in enumerate(way):
-            place = _inside(document, place, each, path, first=k == 0)
+    for table, keys in unbalances.items():
+        place = _holder(document, table, f"{table}.{next(iter(keys))}")
         if isinstance(place, dict) and ("inertia" in place or "center_of_mass" in place):
             place.update(_unbalance_keys(document, place, keys))
         else:
             for key, value in keys.items():
-                _put_one(document, ".".join((*way, part, key)), value)
+                _put_one(document, f"{table}.{key}", value)
+
+
+def _holder(document: dict[str, Any], key: str, path: str) -> Any:
+    """The table or list that holds the last part of `key`; messages name `path`. Raises UsageError."""
+    place: Any = document
+    for k, part in enumerate(key.split(".")[:-1]):
+        place = _inside(document, place, part, path, first=k == 0)
+    return place
 
 
 def _put_one(document: dict[str, Any], path: str, value: Any) -> None:
-    *way, last = path.split(".")
-    place: Any = document
-    for k, part in enumerate(way):
-        place = _inside(document, place, part, path, first=k == 0)
+    place, last = _holder(document, path, path), path.rpartition(".")[2]
     if isinstance(place, list):
         number = _number(place, last, path)
         if value is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,7 @@ from mahovik.out.functions.table import Column, Table
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.verify.report import Report
+    from mahovik.proof.verify.states import Request
 
 
 class Verification(Table):
@@ -174,7 +175,6 @@ def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, s
     """Diagnosis of a program that differs, for the wants that it offers."""
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
     from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
-    from mahovik.proof.verify.foreign import answers_of
 
     if found.passed:
         return Diagnosis("equal")
@@ -182,15 +182,22 @@ def _diagnosis(stand: CoreStand, command: str, stand_file: str, found: Report, s
     if not offered:
         return Diagnosis("nothing")
     diagnoser = Diagnoser(stand, seed, offered)
-    results = answers_of(command, stand_file, diagnoser.requests, timeout)
-    answers = {request.id: result for request, result in zip(diagnoser.requests, results, strict=True)}
-    diagnosed = diagnoser.diagnose(lambda request: answers[request.id])
+    diagnosed = diagnoser.diagnose(_answers(command, stand_file, diagnoser.requests, timeout))
     if diagnosed.outcome != "unknown" or not set(offered) & set(WANTS):
         return diagnosed
     terms = TermSearch(stand, seed, offered)
-    results = answers_of(command, stand_file, terms.requests, timeout)
-    answers = {request.id: result for request, result in zip(terms.requests, results, strict=True)}
-    return replace(diagnosed, terms=terms.find(lambda request: answers[request.id]))
+    return replace(diagnosed, terms=terms.find(_answers(command, stand_file, terms.requests, timeout)))
+
+
+def _answers(
+    command: str, stand_file: str, requests: Sequence[Request], timeout: float
+) -> Callable[[Request], Mapping[str, Any]]:
+    """Answers of a program by request. Raises CheckError, UsageError."""
+    from mahovik.proof.verify.foreign import answers_of
+
+    results = answers_of(command, stand_file, requests, timeout)
+    answers = {request.id: result for request, result in zip(requests, results, strict=True)}
+    return lambda request: answers[request.id]
 
 
 class Generated(Table):

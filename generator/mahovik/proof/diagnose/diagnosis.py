@@ -14,7 +14,7 @@ from mahovik.proof.diagnose.answer_vector import answer_vector
 from mahovik.proof.diagnose.predict import Part, Predictions
 from mahovik.proof.diagnose.search import EXACT, Evidence, Finding, Search
 from mahovik.proof.diagnose.states import FIRST, separating_states
-from mahovik.proof.diagnose.terms.search import TermSearchResult
+from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.bounds import BOUNDS
 from mahovik.proof.verify.harness import applicable
@@ -65,11 +65,16 @@ class Diagnosis:
     terms: TermSearchResult | None = None
 
     @property
+    def wrong_terms(self) -> tuple[WrongTerm, ...]:
+        """Wrong terms that are the whole error; none where they leave more than rounding."""
+        return self.terms.terms if self.terms is not None and self.terms.whole else ()
+
+    @property
     def verdict(self) -> Literal["none", "named", "unnamed"]:
         """Whether there is an error, and whether it has a name: that of a fault, or those of wrong terms."""
         if self.outcome in ("equal", "rounding"):
             return "none"
-        return "named" if self.outcome == "named" or (self.terms is not None and self.terms.whole) else "unnamed"
+        return "named" if self.outcome == "named" or self.wrong_terms else "unnamed"
 
     @property
     def unexplained(self) -> float:

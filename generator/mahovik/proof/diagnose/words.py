@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
@@ -10,7 +11,7 @@ from mahovik.proof.diagnose.faults import DICTIONARY
 from mahovik.proof.diagnose.predict import Part
 from mahovik.proof.diagnose.search import EXACT
 from mahovik.proof.diagnose.terms.coefficients import Multiple
-from mahovik.proof.diagnose.terms.search import TermSearchResult
+from mahovik.proof.diagnose.terms.search import WrongTerm
 
 SURE = 0.5
 """Least confidence of a fault that is not called a guess."""
@@ -39,8 +40,8 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             return ["no fault found: the differences are not larger than rounding in float, and look like no fault"]
         case "nothing":
             return ["no diagnosis: the program answered nothing that can be compared"]
-        case "unknown" if diagnosis.terms is not None and diagnosis.terms.whole:
-            return _term_lines(diagnosis.terms)
+        case "unknown" if diagnosis.wrong_terms:
+            return _term_lines(diagnosis.wrong_terms)
         case "unknown":
             nearest = "".join(
                 f"; nearest: {short_text(each)} ({_explained_part(each)})" for each in diagnosis.others[:1]
@@ -88,7 +89,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
 
 def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
     """Parts of the error by name: wrong terms, or faults of the dictionary; none where it has no name."""
-    if diagnosis.terms is not None and diagnosis.terms.whole:
+    if diagnosis.wrong_terms:
         return [
             {
                 "want": each.want,
@@ -99,21 +100,20 @@ def _found(diagnosis: Diagnosis) -> list[dict[str, Any]]:
                 "coefficient": each.multiple.coefficient,
                 "share": each.share,
             }
-            for each in diagnosis.terms.terms
+            for each in diagnosis.wrong_terms
         ]
     return [{"fault": name_of(part), "share": 1.0 - each.score} for each in diagnosis.causes[:1] for part in each.parts]
 
 
-def _term_lines(found: TermSearchResult) -> list[str]:
+def _term_lines(found: Sequence[WrongTerm]) -> list[str]:
     """A line for each wrong term."""
-    count = len(found.terms)
+    count = len(found)
     lines = ["wrong term found:" if count == 1 else f"{count} wrong terms found:"]
-    for each in found.terms:
+    for each in found:
         place = f"{each.want}, {each.component}"
         lines.append(f"  {place}: {_term_words(each.multiple, each.term)}; {_part(each.share)} of the error")
-    side = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
-    wants = {each.want for each in found.terms}
-    if "forward" in wants:
+    if any(each.want == "forward" for each in found):
+        side = "factors are those on the right-hand side of K V* = ..., of force and moment about O1 in E1"
         lines.append(f"  {side}; letters of SNAME")
     lines.append(f"without {'it' if count == 1 else 'them'} nothing is left of the error beyond rounding")
     return lines

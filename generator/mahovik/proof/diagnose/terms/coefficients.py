@@ -9,8 +9,8 @@ from itertools import product as pairs
 import numpy as np
 
 from mahovik.contract import laws
-from mahovik.core.stand.model import Stand
-from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, VELOCITIES, WRENCHES, Monomial, Motion, harmonics
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
+from mahovik.proof.diagnose.terms.monomials import ACCELERATIONS, Monomial, Motion, harmonics
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 
@@ -51,22 +51,21 @@ class Coefficients:
         self._K = np.linalg.lstsq(base, bodies, rcond=None)[0].reshape(-1, 6, 6)
         self._K[0] += at[0].Lambda
         self._right = right
-        self._quantities = dict(_quantities(stand, self._K[0] - at[0].Lambda, at[0].Lambda))
+        self._quantities = dict(_quantities(stand, self._K[0] - at[0].Lambda, at[0]))
 
     def multiple(self, component: int, k: int, error: float) -> Multiple:
         """The factor of product k in a component, where its coefficient has this error."""
-        expected = self._expected(component, self._products[k])
+        expected = self._expected(component, k)
         if expected is None:
             return Multiple(error, None, "")
         return _named(expected, error, self._quantities)
 
-    def _expected(self, component: int, of: Monomial) -> float | None:
+    def _expected(self, component: int, k: int) -> float | None:
+        of = self._products[k]
         if of.accelerates:
             wave = self._waves[of.factors[1:]]
             return -float(self._K[wave, component, ACCELERATIONS.index(of.factors[0])])
-        if self._right is None:
-            return None
-        return float(self._right[next(i for i, x in enumerate(self._products) if x is of), component])
+        return None if self._right is None else float(self._right[k, component])
 
 
 def _named(expected: float, error: float, quantities: dict[str, float]) -> Multiple:
@@ -97,8 +96,8 @@ def _rounded(factor: float) -> float:
     return round(factor, 9) + 0.0
 
 
-def _quantities(stand: Stand, K: Array, Lambda: Array) -> Iterator[tuple[str, float]]:
-    """Quantities of (8) by name, SI, without zeros: of the whole stand about O1, means over the phases."""
+def _quantities(stand: Stand, K: Array, at: Pieces) -> Iterator[tuple[str, float]]:
+    """Quantities of (8) by name, SI, without zeros: of the whole stand about O1, K (6x6) its mean over the phases."""
     m = float(K[0, 0])
     g = float(np.linalg.norm(stand.gravity))
     first = (float(K[5, 1]), float(K[3, 2]), float(K[4, 0]))  # m <rc>: rows of moments, columns of forces
@@ -108,11 +107,10 @@ def _quantities(stand: Stand, K: Array, Lambda: Array) -> Iterator[tuple[str, fl
         found[f"I_{'xyz'[i]}{'xyz'[j]}"] = float(K[3 + i, 3 + j]) * (1.0 if i == j else -1.0)
     for i in range(6):
         for j in range(i, 6):
-            found[f"{WRENCHES[i]}_{VELOCITIES[j]}dot"] = -float(Lambda[i, j])
+            found[f"{WRENCH_LETTERS[i]}_{TWIST_LETTERS[j]}dot"] = -float(at.Lambda[i, j])
     found |= {"W": m * g} | {f"W {axis}_G": g * x for axis, x in zip("xyz", first, strict=True)}
     for of_law in laws.of_bodies("faults", "coefficients"):
-        found |= of_law(stand.carrier)
-    for wheel in stand.flywheels:
-        found[f"J11({wheel.name})"] = float(np.array(wheel.inertia)[0, 0])
+        found |= of_law(stand.carrier, g)
+    found |= {f"J11({wheel.name})": float(J) for wheel, J in zip(stand.flywheels, np.diag(at.Theta_ff), strict=True)}
     largest = max(abs(x) for x in found.values())
     yield from ((name, x) for name, x in found.items() if abs(x) > 1e-14 * largest)

@@ -58,8 +58,7 @@ class Columns:
         best = Fit({}, 1.0)
         exact: list[Fit] = []
         for each in self._sets:
-            for way in (each.all_at_once, each.one_by_one, each.least_sum):
-                kept = way(error, limit)
+            for kept in (each.all_at_once(error, limit), each.one_by_one(error, limit), each.least_sum(error, limit)):
                 if not kept.size or kept.size > MOST:
                     continue
                 c, left = _refit(self._scaled, kept, error)
@@ -69,9 +68,9 @@ class Columns:
                     exact.append(found)
         return min(exact, key=lambda fit: len(fit.coefficients), default=best)
 
-    def least_squares(self, values: Array, which: int = 0) -> Array | None:
-        """Coefficients (m, k) of values (n, k) over the first columns, or with 1 all; None: they leave something."""
-        of = self._sets[which]
+    def least_squares(self, values: Array, with_later: bool) -> Array | None:
+        """Coefficients (m, k) of values (n, k); None where the columns, with the later ones or not, leave something."""
+        of = self._sets[int(with_later)]
         c = of.solve(values)
         if c is None or np.linalg.norm(values - of.columns @ c) > EXACT * np.linalg.norm(values):
             return None

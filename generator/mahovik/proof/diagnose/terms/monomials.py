@@ -8,16 +8,14 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 
-VELOCITIES = ("u", "v", "w", "p", "q", "r")
-"""Letters of SNAME: the twist of E1 relative to the fluid, in E1."""
+ACCELERATIONS = tuple(f"{letter}_dot" for letter in TWIST_LETTERS)
+"""Names of the derivatives of the twist of E1 relative to the fluid, whose letters are those of SNAME."""
 
-WRENCHES = ("X", "Y", "Z", "K", "M", "N")
-"""Letters of SNAME: force and moment about O1, in E1."""
-
-ACCELERATIONS = tuple(f"{letter}_dot" for letter in VELOCITIES)
 DOWN = ("g_x", "g_y", "g_z")
 """Components in E1 of the unit vector along gravity; -sin theta, cos theta sin phi, cos theta cos phi with z down."""
 
@@ -51,23 +49,38 @@ class Motion:
     phi_ddot: Array
     gravity: Array
 
+    @classmethod
+    def of(cls, states: Sequence[State], at: Sequence[Pieces], V_r_dot: Array) -> Motion:
+        """The motion at states, `at` their pieces, where the twist has the derivative V_r_dot (n, 6)."""
+        wheels = (len(states), len(at[0].phi_dot))
+        return cls(
+            np.array([p.V_r for p in at]),
+            V_r_dot,
+            np.array([s.phi for s in states]).reshape(wheels),
+            np.array([s.phi_dot for s in states]).reshape(wheels),
+            np.array([s.phi_ddot for s in states]).reshape(wheels),
+            np.array([p.gravity for p in at]),
+        )
+
 
 def monomials(stand: Stand, motion: Motion) -> list[Monomial]:
     """All products for a stand: bilinear in velocities, linear in accelerations and attitude, harmonics of phases."""
     names = [each.name for each in stand.flywheels]
-    V = dict(zip(VELOCITIES, motion.V_r.T, strict=True))
+    V = dict(zip(TWIST_LETTERS, motion.V_r.T, strict=True))
     waves = list(harmonics(names, motion.phi))
     one = np.ones(len(motion.V_r))
     found = [Monomial(wave, values, accelerates=False) for wave, values in waves]
-    found += [Monomial((a,), V[a], accelerates=False) for a in VELOCITIES]
-    found += [Monomial((f"|{a}|", b), np.abs(V[a]) * V[b], accelerates=False) for a in VELOCITIES for b in VELOCITIES]
+    found += [Monomial((a,), V[a], accelerates=False) for a in TWIST_LETTERS]
+    found += [
+        Monomial((f"|{a}|", b), np.abs(V[a]) * V[b], accelerates=False) for a in TWIST_LETTERS for b in TWIST_LETTERS
+    ]
     speeds = {f"{name}.speed": x for name, x in zip(names, motion.phi_dot.T, strict=True)}
     rates = {f"{name}.acceleration": x for name, x in zip(names, motion.phi_ddot.T, strict=True)}
     down = _down(motion.gravity)
     for wave, values in waves:
         found += [
             Monomial((a, b, *wave), V[a] * V[b] * values, accelerates=False)
-            for a, b in combinations_with_replacement(VELOCITIES, 2)
+            for a, b in combinations_with_replacement(TWIST_LETTERS, 2)
         ]
         found += [Monomial((a, *wave), x * values, accelerates=False) for a, x in down.items()]
         found += [
@@ -78,7 +91,9 @@ def monomials(stand: Stand, motion: Motion) -> list[Monomial]:
         own = [((), one), *((w, x) for w, x in waves if w and w[0].endswith(f" {name}"))]
         speed, rate = f"{name}.speed", f"{name}.acceleration"
         for wave, values in own:
-            found += [Monomial((a, speed, *wave), V[a] * speeds[speed] * values, accelerates=False) for a in VELOCITIES]
+            found += [
+                Monomial((a, speed, *wave), V[a] * speeds[speed] * values, accelerates=False) for a in TWIST_LETTERS
+            ]
             found.append(Monomial((speed, speed, *wave), speeds[speed] ** 2 * values, accelerates=False))
         # an acceleration also with the phases of other flywheels: an index may be wrong
         found += [Monomial((rate, *wave), rates[rate] * values, accelerates=False) for wave, values in waves]

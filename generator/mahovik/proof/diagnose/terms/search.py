@@ -11,13 +11,13 @@ from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
 from mahovik.proof.diagnose.terms.fit import MOST, Columns
-from mahovik.proof.diagnose.terms.monomials import WRENCHES, Monomial, Motion, count, monomials
+from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import PlacedBody
@@ -50,7 +50,7 @@ class WrongTerm:
     term       the product; on the right-hand side of K V* = ..., or in the drive torque
     multiple   its factor in the program, the right one, and what both are multiples of
     error      their difference, SI
-    share      its part of the squared error of the want
+    share      its mean square over the sum of those of all wrong terms of the want
     """
 
     want: str
@@ -129,19 +129,6 @@ class TermSearch:
     def _pieces(self) -> list[Pieces]:
         return [reference.pieces(self._stand, state) for state in self._states]
 
-    def _motion(self, rows: Array, V_r_dot: Array) -> Motion:
-        at = [self._pieces[i] for i in rows]
-        states = [self._states[i] for i in rows]
-        N = len(self._stand.flywheels)
-        return Motion(
-            np.array([p.V_r for p in at]),
-            V_r_dot,
-            np.array([s.phi for s in states]).reshape(-1, N),
-            np.array([p.phi_dot for p in at]).reshape(-1, N),
-            np.array([s.phi_ddot for s in states]).reshape(-1, N),
-            np.array([p.gravity for p in at]),
-        )
-
     def _answered(self, want: str, name: str, size: int, answers: Answers) -> tuple[Array, Array]:
         """Rows of the states that have finite answers, and these. Raises CheckError: too few."""
         rows, found = [], []
@@ -173,11 +160,12 @@ class TermSearch:
         size = np.array(
             [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
         )
-        products = monomials(self._stand, self._motion(rows, V_r_dot))
+        motion = Motion.of([self._states[i] for i in rows], at, V_r_dot)
+        products = monomials(self._stand, motion)
         columns = _columns(products)
         wanted = right - np.array([_other_wrenches(p, self._stand) for p in at])
-        known = Coefficients(products, columns.least_squares(wanted), self._motion(rows, V_r_dot), at, self._stand)
-        return _terms("forward", WRENCHES, inertial - right, size, products, columns, known.multiple)
+        known = Coefficients(products, columns.least_squares(wanted, with_later=False), motion, at, self._stand)
+        return _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
 
     def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
         """Errors of the drive torques."""
@@ -185,9 +173,9 @@ class TermSearch:
         at, states = [self._pieces[i] for i in rows], [self._states[i] for i in rows]
         V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
         right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
-        products = monomials(self._stand, self._motion(rows, V_r_dot))
+        products = monomials(self._stand, Motion.of(states, at, V_r_dot))
         columns = _columns(products)
-        expected = columns.least_squares(right, 1)
+        expected = columns.least_squares(right, with_later=True)
 
         def multiple(component: int, k: int, error: float) -> Multiple:
             if expected is None:
