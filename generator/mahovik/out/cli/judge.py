@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import click
 
+from mahovik.errors import UsageError
 from mahovik.out.cli.options import (
     JUNIT,
     SEED_OF_STATES,
@@ -13,25 +12,24 @@ from mahovik.out.cli.options import (
     STATES,
     WORST,
     command,
+    file_option,
     flag,
+    is_given,
     json_option,
     option,
 )
 from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verify import finish, read_wants
 
-if TYPE_CHECKING:
-    pass
-
 
 @command(short_help="Judge a program, and find its fault.")
 def judge(
     stand_file: str = STAND_FILE,
-    command: str = option(
-        "--with",
-        "Start this program, which reads states; {stand} stands for the stand file.",
-        metavar="COMMAND",
-        required=True,
+    command: str | None = option(
+        "--with", "Start this program, which reads states; {stand} stands for the stand file.", metavar="COMMAND"
+    ),
+    log: str | None = file_option(
+        "--log", "FILE.csv", "Judge a log of states and accelerations instead, with the columns of `simulate`."
     ),
     explain: bool = flag("--explain", "Name the fault in its equations if it differs."),
     want: str | None = option(
@@ -52,20 +50,27 @@ def judge(
     junit: str | None = JUNIT,
     worst: str | None = WORST,
 ) -> None:
-    """Judge a program by the reference, and find its fault.
+    """Judge a program, or a log, by the reference, and find its fault.
 
     Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
     --explain a program that differs gets more states, which distinguish faults, and its error is compared with that of
     each physical fault in a dictionary. Where none is the cause, the few wrong terms are found whose sum is the error.
+    A log has states of its own: all its rows are compared.
 
     Exit status: 0 it agrees, 1 it does not, 2 bad input.
     """
-    from mahovik.out.functions.evidence import judge as judged
+    from mahovik.out.functions.judging import judge as judged
 
+    if (command is None) == (log is None):
+        found = "none" if command is None else "both"
+        raise UsageError(f"--with, --log: found {found}, expected one of them")
+    for given in ("states", "timeout") if log is not None else ():
+        if is_given(given):
+            raise UsageError(f"--{given}: only with --with; all rows of a log are judged")
     wants = read_wants(want)
-    with progress(f"judge {command}") as stage:
-        found = judged(
-            stand_file, command, explain=explain, want=wants, states=states, seed=seed, tolerance=tolerance,
+    with progress(f"judge {command or log}") as stage:
+        judged_result = judged(
+            stand_file, command, log=log, explain=explain, want=wants, states=states, seed=seed, tolerance=tolerance,
             timeout=timeout, progress=stage.show,
         )  # fmt: skip
-    finish(found.result, as_json, junit, worst, found.more(), found.explanation)
+    finish(judged_result.result, as_json, junit, worst, judged_result.more(), judged_result.explanation)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any, cast
 
@@ -15,8 +15,8 @@ from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError
 from mahovik.proof import reference
-from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple
-from mahovik.proof.diagnose.terms.fit import MOST, Columns
+from mahovik.proof.diagnose.terms.coefficients import Coefficients, Multiple, is_there
+from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
 from mahovik.proof.diagnose.terms.monomials import Monomial, Motion, count, monomials
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
@@ -51,6 +51,8 @@ class WrongTerm:
     multiple   its factor in the program, the right one, and what both are multiples of
     error      their difference, SI
     share      its mean square over the sum of those of all wrong terms of the want
+    twins      other products that explain the error as well in its place, at the states that there are
+    likely     whether it alone of its twins is a product of the right equations
     """
 
     want: str
@@ -59,20 +61,35 @@ class WrongTerm:
     multiple: Multiple
     error: float
     share: float
+    twins: tuple[str, ...] = ()
+    likely: bool = False
 
 
 @dataclass(frozen=True)
 class TermSearchResult:
-    """Wrong terms, and the part of the error that they leave, 0 to 1 (root mean square); wants that were looked at."""
+    """Result of a search for wrong terms.
+
+    terms        what explains most of the error
+    unexplained  the part of the error that they leave, 0 to 1 (root mean square)
+    wants        those that were looked at
+    exact        whether they leave nothing beyond rounding
+    """
 
     terms: tuple[WrongTerm, ...]
     unexplained: float
     wants: tuple[str, ...]
+    exact: bool
 
     @property
     def whole(self) -> bool:
-        """Whether they are the error, to rounding, and few: more than MOST are rather another program."""
-        return 0 < len(self.terms) <= MOST and self.unexplained < 1e-6
+        """Whether they are the error, to rounding, and few (more than MOST are rather another program), and no others
+        explain it as well."""
+        return 0 < len(self.terms) <= MOST and self.exact and not self.doubtful
+
+    @property
+    def doubtful(self) -> tuple[WrongTerm, ...]:
+        """Terms of an explained error in whose place others explain it as well."""
+        return tuple(each for each in self.terms if each.twins and not each.likely) if self.exact else ()
 
 
 Answers = Callable[[Request], Mapping[str, Any]]
@@ -81,18 +98,29 @@ Answers = Callable[[Request], Mapping[str, Any]]
 class TermSearch:
     """Finds wrong terms in programs of one stand: states, the reference's pieces and the products are kept."""
 
-    def __init__(self, stand: Stand, seed: int = 1, wants: Sequence[str] = WANTS) -> None:
+    def __init__(
+        self,
+        stand: Stand,
+        seed: int = 1,
+        wants: Sequence[str] = WANTS,
+        states: Sequence[tuple[str, State]] | None = None,
+        rounding: float = ROUNDING,
+    ) -> None:
+        """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
+
+        `rounding`: error over the size of the terms that a right program may have.
+        """
         rng = np.random.default_rng(seed)
-        self._stand = stand
-        number = math.ceil(MORE * count(stand)) + SPARE
-        self._states = [_state(stand, rng) for _ in range(number)]
+        self._stand, self._rounding = stand, max(rounding, ROUNDING)
+        self._own = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
+        named = [(f"term {i}", state) for i, state in enumerate(self._own)] if states is None else states
+        self._states = [state for _, state in named]
         self.wants = tuple(want for want in WANTS if want in wants and (stand.flywheels or want != "torque"))
         self._requests = {
-            want: [Request(f"term {i}, {want}", state, (want,)) for i, state in enumerate(self._states)]
-            for want in self.wants
+            want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
         }
         self._again = {
-            want: [replace(each, id=f"{each.id}, again") for each in asked[:REPEATED]]
+            want: [replace(each, id=f"{each.id}, again") for each in asked[:REPEATED]] if states is None else []
             for want, asked in self._requests.items()
         }
 
@@ -109,12 +137,13 @@ class TermSearch:
         """
         self._check_repeats(answers)
         found: list[WrongTerm] = []
-        left: list[float] = []
+        fits: list[Fit] = []
         for want in self.wants:
-            terms, rest = self._of_forward(answers) if want == "forward" else self._of_torque(answers)
+            terms, of_want = self._of_forward(answers) if want == "forward" else self._of_torque(answers)
             found += terms
-            left += rest
-        return TermSearchResult(tuple(found), max(left, default=0.0), self.wants)
+            fits += of_want
+        left = max((each.left for each in fits), default=0.0)
+        return TermSearchResult(tuple(found), left, self.wants, all(each.exact for each in fits))
 
     def _check_repeats(self, answers: Answers) -> None:
         for want, again in self._again.items():
@@ -148,7 +177,7 @@ class TermSearch:
             )
         return np.array(rows), np.array(found)
 
-    def _of_forward(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
+    def _of_forward(self, answers: Answers) -> tuple[list[WrongTerm], list[Fit]]:
         """Errors of V_dot, as wrenches K V_r* - (F - M V_r - J phi' - I phi'')."""
         rows, V_dot = self._answered("forward", "V_dot", 6, answers)
         at = [self._pieces[i] for i in rows]
@@ -160,59 +189,115 @@ class TermSearch:
         size = np.array(
             [np.abs(p.K) @ np.abs(x) + np.abs(p.F) + np.abs(bias(p)) for p, x in zip(at, V_r_dot, strict=True)]
         )
-        motion = Motion.of([self._states[i] for i in rows], at, V_r_dot)
-        products = monomials(self._stand, motion)
-        columns = _columns(products)
-        wanted = right - np.array([_other_wrenches(p, self._stand) for p in at])
-        known = Coefficients(products, columns.least_squares(wanted, with_later=False), motion, at, self._stand)
-        return _terms("forward", WRENCH_LETTERS, inertial - right, size, products, columns, known.multiple)
+        products = monomials(self._stand, Motion.of([self._states[i] for i in rows], at, V_r_dot))
+        return self._terms(
+            "forward", WRENCH_LETTERS, inertial - right, size, products, self._known.multiple, self._known.occurs
+        )
 
-    def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[float]]:
+    @cached_property
+    def _known(self) -> Coefficients:
+        """Right coefficients of the products in the right-hand side."""
+        at = [reference.pieces(self._stand, state) for state in self._own]
+        right = np.array(
+            [p.F - bias(p) - p.I @ np.array(s.phi_ddot) for p, s in zip(at, self._own, strict=True)]
+        ) - np.array([_other_wrenches(p, self._stand) for p in at])
+        motion = Motion.of(self._own, at, np.array([s.V_dot for s in self._own]))
+        products = monomials(self._stand, motion)
+        right_factors = _columns(products).least_squares(right, with_later=False)
+        return Coefficients(products, right_factors, motion, at, self._stand)
+
+    def _of_torque(self, answers: Answers) -> tuple[list[WrongTerm], list[Fit]]:
         """Errors of the drive torques."""
         rows, tau = self._answered("torque", "tau", len(self._stand.flywheels), answers)
         at, states = [self._pieces[i] for i in rows], [self._states[i] for i in rows]
-        V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
-        right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
-        products = monomials(self._stand, Motion.of(states, at, V_r_dot))
-        columns = _columns(products)
-        expected = columns.least_squares(right, with_later=True)
+        right, products = self._torques(states, at)
+        expected = self._known_torques
 
         def multiple(component: int, k: int, error: float) -> Multiple:
             if expected is None:
                 return Multiple(error, None, "")
             return Multiple(float(expected[k, component]) + error, float(expected[k, component]), "")
 
+        def occurs(component: int, k: int) -> bool:
+            return expected is not None and is_there(expected[k, component], expected[:, component])
+
         names = [each.name for each in self._stand.flywheels]
-        return _terms("torque", names, tau - right, np.abs(right), products, columns, multiple)
+        return self._terms("torque", names, tau - right, np.abs(right), products, multiple, occurs)
+
+    def _torques(self, states: Sequence[State], at: Sequence[Pieces]) -> tuple[Array, list[Monomial]]:
+        """Drive torques (n, N) of the reference, and the products at the states."""
+        V_r_dot = np.array([p.V_r_dot(np.array(s.V_dot)) for p, s in zip(at, states, strict=True)])
+        right = np.array([torque(p, np.array(s.V_dot), np.array(s.phi_ddot)) for p, s in zip(at, states, strict=True)])
+        return right, monomials(self._stand, Motion.of(states, at, V_r_dot))
+
+    @cached_property
+    def _known_torques(self) -> Array | None:
+        """Right coefficients (m, N) of the products in the drive torques; None where these hold more."""
+        at = [reference.pieces(self._stand, state) for state in self._own]
+        right, products = self._torques(self._own, at)
+        return _columns(products).least_squares(right, with_later=True)
+
+    def _terms(
+        self,
+        want: str,
+        components: Sequence[str],
+        error: Array,
+        size: Array,
+        products: Sequence[Monomial],
+        multiple: Callable[[int, int, float], Multiple],
+        occurs: Callable[[int, int], bool],
+    ) -> tuple[list[WrongTerm], list[Fit]]:
+        """Wrong terms of all components, and the fit of each wrong one."""
+        columns = _columns(products)
+        found: list[tuple[int, int, float, float]] = []
+        fits: list[Fit] = []
+        doubts: dict[tuple[int, int], tuple[tuple[str, ...], bool]] = {}
+        rounding = self._rounding * float(np.sqrt(np.mean(size**2)))
+        for component in range(len(components)):
+            wrong = error[:, component]
+            if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
+                continue
+            fit = columns.fit(wrong, rounding)
+            if fit.exact:
+                fit, twins = _likeliest(columns, fit, wrong, rounding, partial(occurs, component))
+                for k, (others, likely) in twins.items():
+                    doubts[component, k] = tuple(products[i].term for i in others), likely
+            fits.append(fit if fit.coefficients else replace(fit, left=1.0))
+            for k, c in fit.coefficients.items():
+                found.append((component, k, c, float(np.sum((c * products[k].values) ** 2))))
+        whole = sum(each[3] for each in found) or 1.0
+        terms = [
+            WrongTerm(
+                want, components[component], products[k].term, multiple(component, k, c), c, part / whole,
+                *doubts.get((component, k), ((), False)),
+            )
+            for component, k, c, part in found
+        ]  # fmt: skip
+        return sorted(terms, key=lambda term: -term.share), fits
 
 
-def _terms(
-    want: str,
-    components: Sequence[str],
-    error: Array,
-    size: Array,
-    products: Sequence[Monomial],
-    columns: Columns,
-    multiple: Callable[[int, int, float], Multiple],
-) -> tuple[list[WrongTerm], list[float]]:
-    """Wrong terms of all components, and of each wrong one the part that is left."""
-    found: list[tuple[int, int, float, float]] = []
-    left: list[float] = []
-    rounding = ROUNDING * float(np.sqrt(np.mean(size**2)))
-    for component in range(len(components)):
-        wrong = error[:, component]
-        if np.sqrt(np.mean(wrong**2)) <= 10 * rounding:
-            continue
-        fit = columns.fit(wrong, rounding)
-        left.append(fit.left if fit.coefficients else 1.0)
-        for k, c in fit.coefficients.items():
-            found.append((component, k, c, float(np.sum((c * products[k].values) ** 2))))
-    whole = sum(each[3] for each in found) or 1.0
-    terms = [
-        WrongTerm(want, components[component], products[k].term, multiple(component, k, c), c, part / whole)
-        for component, k, c, part in found
-    ]
-    return sorted(terms, key=lambda term: -term.share), left
+def _likeliest(
+    columns: Columns, fit: Fit, error: Array, rounding: float, occurs: Callable[[int], bool]
+) -> tuple[Fit, dict[int, tuple[list[int], bool]]]:
+    """The fit with each column of which only one twin occurs in the right equations replaced by this one.
+
+    Also the twins of each column, and whether it alone of them occurs.
+    """
+    twins = columns.twins(fit, error, rounding)
+    doubtful = {k: (others, False) for k, others in twins.items()}
+    if columns.too_few(fit):
+        return fit, doubtful
+    found: dict[int, tuple[list[int], bool]] = {}
+    kept = list(fit.coefficients)
+    for k, others in twins.items():
+        there = [i for i in (k, *others) if occurs(i)]
+        if len(there) == 1:
+            kept[kept.index(k)] = there[0]
+            found[there[0]] = [i for i in (k, *others) if i != there[0]], True
+        else:
+            found[k] = others, False
+    changed = columns.refit(kept, error, rounding)
+    return (changed, found) if changed.exact else (fit, doubtful)
 
 
 def _columns(products: Sequence[Monomial]) -> Columns:
