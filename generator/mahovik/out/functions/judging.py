@@ -107,17 +107,12 @@ def _judge_log(
         warn(note)
     tell(progress, Progress(f"judge {path}"))
     found = verify_log(stand, str(path), log.states, log.answers, wants=wants, tolerance=tolerance)
-    answers = by_request(log.answers)
-    return _explained(
-        stand,
-        found,
-        explain,
-        lambda _: lambda request: answers.get(request.id, {}),
-        seed,
-        tolerance,
-        log.states,
-        progress,
-    )
+    by_id = by_request(log.answers)
+
+    def answers(_: Sequence[Request]) -> Answers:
+        return lambda request: by_id.get(request.id, {})
+
+    return _explained(stand, found, explain, answers, seed, tolerance, log.states, progress)
 
 
 def _explained(

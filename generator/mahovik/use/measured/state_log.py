@@ -37,6 +37,9 @@ from mahovik.use.measured.recording import Array
 
 SUFFIXES = (".csv", ".parquet")
 
+MOST_ROWS = 4000
+"""Rows of a log that are compared; of more, these are spread evenly."""
+
 AXES = "xyz"
 
 ANSWERS = {"forward": "V_dot", "torque": "tau", "mounts": "mount_wrench"}
@@ -87,13 +90,17 @@ class _Reader:
         inputs = [key for key in self._values if key not in ("tau", "mount_wrench", "V_dot", "phi_ddot")]
         found: list[tuple[str, State]] = []
         answers: dict[str, dict[str, dict[str, Any]]] = {want: {} for want in wants}
-        missing = dict.fromkeys(("state", *wants), 0)
-        for k in range(self._rows):
+        missing = dict.fromkeys(("a state", *wants), 0)
+        taken = np.arange(self._rows)
+        if self._rows > MOST_ROWS:
+            taken = np.linspace(0, self._rows - 1, MOST_ROWS).astype(int)
+            self._notes.append(f"{MOST_ROWS} of {self._rows} rows are compared, spread evenly")
+        for k in taken.tolist():
             name = f"row {k + 1}"
             given = {key: self._values[key][k] for key in (*inputs, "V_dot", "phi_ddot") if key in self._values}
             whole = {key for key, value in given.items() if np.isfinite(value).all()}
             if not set(inputs) <= whole:
-                missing["state"] += 1
+                missing["a state"] += 1
                 continue
             found.append((name, self._state(name, {key: given[key].tolist() for key in whole})))
             for want in wants:
@@ -103,7 +110,7 @@ class _Reader:
                 else:
                     missing[want] += 1
         self._notes += [
-            f"{count} rows without all numbers of {what}: left out" for what, count in missing.items() if count
+            f"{number} rows without all numbers of {what}: left out" for what, number in missing.items() if number
         ]
         if not any(answers.values()):
             raise DataError([*self._lines(), f"{self._path}: no row holds all numbers of a state and of an answer"])
@@ -113,23 +120,23 @@ class _Reader:
         """Columns in SI by name without unit. Raises DataError."""
         dimensions = {name: dimension for group in self._groups.values() for name, dimension in group}
         found: dict[str, Array] = {}
-        others = 0
+        self._others: list[str] = []
         for header, values in table.columns.items():
             try:
                 name, unit = split_header(header)
             except HeaderError:
                 name, unit = header, ""
             if name not in dimensions:
-                others += not is_time(header)
+                if not is_time(header):
+                    self._others.append(name)
                 continue
             try:
                 scale = float(factor(unit, dimensions[name])) if unit else 1.0
             except QuantityError as error:
                 raise DataError([f'{self._path}: "{header}": {error}']) from None
             found[name] = values if scale == 1.0 else scale * values
-        if others:
-            self._notes.append(f"{others} other columns are not compared")
-        self._headers = [*table.columns]
+        if self._others:
+            self._notes.append(f"{len(self._others)} other columns are not compared")
         return found
 
     def _gather(self, columns: Mapping[str, Array]) -> dict[str, Array]:
@@ -150,7 +157,7 @@ class _Reader:
         return found
 
     def _quoted(self, name: str) -> str:
-        return f'"{name}"{suggestion(name, [header.partition(" [")[0] for header in self._headers])}'
+        return f'"{name}"{suggestion(name, self._others) if self._others else ""}'
 
     def _answers(self, want: str) -> bool:
         """Whether there are columns of a want and of what it needs."""
