@@ -1,4 +1,4 @@
-"""`judge`: a program, or a log of one, against the reference; the fault in its equations."""
+"""`judge`: a program, an FMU or a log against the reference; the fault in its equations."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis
+    from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.report import Report
     from mahovik.proof.verify.states import Request
 
@@ -34,6 +35,8 @@ def judge(
     command: str | None = None,
     *,
     log: str | Path | None = None,
+    fmu: str | Path | None = None,
+    variables: str | Path | None = None,
     explain: bool = False,
     want: Sequence[str] = (),
     states: int = STATES,
@@ -42,10 +45,11 @@ def judge(
     timeout: float = 300.0,
     progress: OnProgress | None = None,
 ) -> Verification:
-    """Judge a program that implements the contract of `eval`, or a log of states, and find its fault.
+    """Judge a program that implements the contract of `eval`, an FMU, or a log of states, and find its fault.
 
     stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
     log        CSV or Parquet file in place of a program, with the columns of `simulate`; all its rows are judged
+    fmu        FMU in place of a program; variables: the file that maps its variables
     explain    name the fault where it differs; want: wants it must offer, default those that it offers
     tolerance  relative to the natural scale; timeout of the program, s
 
@@ -53,20 +57,26 @@ def judge(
     cannot start.
     """
     own = Stand.of(stand)
-    if (command is None) == (log is None):
-        raise UsageError("nothing to judge, or too much: expected one of --with COMMAND, --log FILE.csv")
+    if sum(each is not None for each in (command, log, fmu)) != 1:
+        raise UsageError("--with, --log, --fmu: expected one of them")
+    if (fmu is None) != (variables is None):
+        raise UsageError("--fmu, --map: one is missing, expected both")
     if log is not None:
         return _judge_log(own, Path(log), explain, tuple(want), seed, tolerance, progress)
-    assert command is not None
-    return _judge_program(
-        own, command, str(stand), explain, tuple(want), states, seed, tolerance, timeout, progress
-    )  # fmt: skip
+    from mahovik.proof.verify.foreign import program_of
+
+    if fmu is not None and variables is not None:
+        from mahovik.proof.verify.fmu.program import program
+
+        judged = program(Path(fmu), Path(variables), own, str(stand))
+    else:
+        judged = program_of(str(command), str(stand))
+    return _judge_program(own, judged, explain, tuple(want), states, seed, tolerance, timeout, progress)
 
 
 def _judge_program(
     stand: CoreStand,
-    command: str,
-    stand_file: str,
+    program: Program,
     explain: bool,
     wants: tuple[str, ...],
     states: int,
@@ -77,13 +87,11 @@ def _judge_program(
 ) -> Verification:
     from mahovik.proof.verify.foreign import answers_of, verify_program
 
-    tell(progress, Progress(f"judge {command}"))
-    found = verify_program(
-        stand, command, stand_file, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance
-    )
+    tell(progress, Progress(f"judge {program.name}"))
+    found = verify_program(stand, program, wants=wants, seed=seed, count=states, timeout=timeout, tolerance=tolerance)
 
     def answers(requests: Sequence[Request]) -> Answers:
-        results = answers_of(command, stand_file, requests, timeout)
+        results = answers_of(program, requests, timeout)
         by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
         return lambda request: by_id[request.id]
 

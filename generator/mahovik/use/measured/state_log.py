@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
-from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import (
     ACCELERATION,
@@ -28,7 +27,7 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import DataError, StateError
 from mahovik.nearest import suggestion
-from mahovik.proof import reference
+from mahovik.proof.verify.dependence import depends_on
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.files.table import Table
 from mahovik.use.measured.quantities import HeaderError, is_time, split_header
@@ -173,9 +172,9 @@ class _Reader:
             problems.append(self._missing(need.split(" ")[0], "there is nothing to compare") if need else "")
         if not problems:
             attitude = any(key in self._values for key in ("quaternion", "angles"))
-            if not attitude and _matters(self._stand, wants, "quaternion"):
+            if not attitude and depends_on(self._stand, wants, "quaternion"):
                 problems.append(self._missing("quaternion", "this stand depends on its attitude"))
-            if "position" not in self._values and _matters(self._stand, wants, "position"):
+            if "position" not in self._values and depends_on(self._stand, wants, "position"):
                 problems.append(self._missing("position", "this stand depends on its position"))
         if "quaternion" in self._values and "angles" in self._values:
             problems.append(f"{self._path}: columns of a quaternion and of angles, expected one of them")
@@ -221,19 +220,3 @@ def _groups(stand: Stand) -> Iterator[tuple[str, list[tuple[str, Dimension]]]]:
         "mount_wrench",
         [(f"mount_{a} {s.name}", u) for s in stand.flywheels for a, u in zip(WRENCH_LETTERS, units, strict=True)],
     )
-
-
-def _matters(stand: Stand, wants: Sequence[str], key: str) -> bool:
-    """Whether an answer depends on the attitude, or on the position, beyond rounding."""
-    state = replace(random_state(stand, np.random.default_rng(1)), angles=None)
-    poses: list[Any] = [(0.0, 0.0, 0.0), (0.3, -0.2, 0.1)]
-    if key == "quaternion":
-        poses = [(1.0, 0.0, 0.0, 0.0), (0.1, 0.7, 0.5, 0.5)]
-    for want in wants:
-        a, b = (
-            np.asarray(reference.evaluate(stand, replace(state, **{key: pose}), (want,))[ANSWERS[want]])
-            for pose in poses
-        )
-        if not np.allclose(a, b, rtol=1e-12, atol=1e-12 * float(np.abs(a).max(initial=0.0))):
-            return True
-    return False
